@@ -104,7 +104,7 @@ fn cases() -> impl Iterator<Item = Case> {
 
 /// The right program of the chapter, with these slips made in it.
 fn with_slips(chapter: Chapter, names: &[&str]) -> Program {
-    let make = |program, name: &&str| slip(name).put_to(program);
+    let make = |program, name: &&str| slip(name).put_to(&program);
     names.iter().fold(Program::right(chapter), make)
 }
 

@@ -35,7 +35,7 @@ fn the_first_broken_law_names_the_slip() {
 #[test]
 fn a_mistake_without_a_name_is_found_too() {
     for mistake in slips::unnamed() {
-        for &chapter in mistake.chapters {
+        for chapter in mistake.chapters() {
             let report = first_report(&mistake.program(chapter)).expect("a law is broken");
             let mut mistakes = mistakes(&report, chapter).into_iter();
             let is_found = mistakes.any(|it| std::ptr::eq(it, mistake));

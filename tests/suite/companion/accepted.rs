@@ -69,7 +69,7 @@ fn right_programs_in_rust_get_no_remark() {
         }
         let program = typed.read().expect("it is Rust");
         let picture = typed.draw(&program, 64).expect("it draws");
-        let verdict = typed.verdict(Box::leak(Box::new(program)), &picture);
+        let verdict = typed.verdict(&program, &picture);
         assert!(verdict.is_right, "{others:?}: {}", verdict.headline);
         assert!(verdict.cause.is_empty(), "{others:?} has a remark");
     }

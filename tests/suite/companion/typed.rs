@@ -57,7 +57,7 @@ fn said(text: &Text) -> Vec<String> {
     let picture = text
         .draw(&program, text.chapter.book_width())
         .expect("it draws");
-    let verdict = text.verdict(Box::leak(Box::new(program)), &picture);
+    let verdict = text.verdict(&program, &picture);
     let row = |line: &Line| match line {
         Line::Labeled(label, _) if label == "probe" => None,
         Line::Labeled(label, text) => Some(squeezed(&format!("{label} {text}"))),

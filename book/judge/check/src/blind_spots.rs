@@ -1,7 +1,7 @@
 //! Blind spots: the known mistakes that draw a right picture, and what shows them.
 //!
-//! Found by drawing, like a diagnosis: a slip is hidden if its program draws the
-//! right picture to the last bit, at the very width that the reader drew.
+//! At the book's width a table tells them; at another one they are drawn: a slip is hidden if
+//! its program draws the right picture.
 
 use slips::{Letters, Output, PROBES, Slip, Unseen};
 
@@ -25,12 +25,16 @@ pub struct Next {
 /// Slips that change no picture and break no law are left out: a program with one of them is
 /// right.
 pub fn hidden(scene: &Scene, width: u32) -> Vec<&'static Slip> {
-    let exam = Exam::new(scene.without_probe(), width);
+    let own = scene.without_probe();
     let can_be_wrong =
-        |slip: &&Slip| !matches!(slip.unseen_in(scene.chapter), Some(Unseen::Equivalent(_)));
-    let slips = slips::all().filter(|slip| slip.chapters.contains(&scene.chapter));
-    let hidden = slips.filter(can_be_wrong).filter(|slip| exam.hides(slip));
-    hidden.collect()
+        |slip: &&Slip| !matches!(slip.unseen_in(own.chapter), Some(Unseen::Equivalent(_)));
+    let exam = (width != own.chapter.book_width()).then(|| Exam::new(own, width));
+    let is_hidden = |slip: &&'static Slip| match &exam {
+        Some(exam) => exam.hides(slip),
+        None => slip.hidden_in(own.chapter).is_some(),
+    };
+    let slips = own.slips().filter(can_be_wrong).filter(is_hidden);
+    slips.collect()
 }
 
 /// The picture to draw after the right one of `scene`, so many pixels wide, of those that show
@@ -60,9 +64,11 @@ fn most_telling(own: &Scene, drawn: u32, hidden: &[&'static Slip]) -> Option<Nex
     let probes = PROBES.map(|probe| Some((own.with_probe(probe)?, probe.width)));
     let all = larger.into_iter().chain(probes.into_iter().flatten());
     let nexts = all.filter_map(|(scene, width)| {
-        let exam = Exam::new(scene, width);
-        let shown = hidden.iter().copied().filter(|slip| !exam.hides(slip));
-        let slips: Vec<&'static Slip> = shown.collect();
+        let shows = |slip: &&'static Slip| match (scene.probe, slip.hidden_in(own.chapter)) {
+            (Some(probe), Some(probes)) => probes.contains(&probe.name),
+            (probe, probes) => probe.is_none() && probes.is_none(),
+        };
+        let slips: Vec<&'static Slip> = hidden.iter().copied().filter(shows).collect();
         (!slips.is_empty()).then_some(Next {
             scene,
             width,
@@ -102,9 +108,9 @@ struct Exam {
 
 /// How many pixels are looked at first: most slips differ in one of them.
 const GLANCE: u32 = 500;
-/// How many are looked at in the end, spread over the picture: a third of the book's. More
-/// would keep the reader waiting.
-const LOOK: u32 = 30_000;
+/// How many are looked at in the end, spread over the picture. More would keep the reader
+/// waiting.
+const LOOK: u32 = 2000;
 
 impl Exam {
     fn new(scene: Scene, width: u32) -> Self {

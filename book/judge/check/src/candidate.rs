@@ -1,5 +1,7 @@
 //! Exact comparison: a program that may have drawn a picture, and the pixels that it leaves.
 
+use std::hash::{DefaultHasher, Hash, Hasher};
+
 use slips::{Output, Slip};
 
 use crate::pixels::{Pixel, distance, spread};
@@ -9,7 +11,7 @@ use crate::scene::Scene;
 /// A program that may have drawn a picture.
 #[derive(Clone)]
 pub(crate) struct Candidate {
-    /// The scene, with the colors that the reader chose.
+    /// The scene.
     pub(crate) scene: Scene,
     /// The slips that were made.
     pub(crate) slips: Vec<&'static Slip>,
@@ -41,6 +43,17 @@ pub struct Left {
     pub rows: [u32; 2],
 }
 
+/// Some pixels of a program beside the reader's.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Look {
+    /// How many are off at all.
+    pub(crate) off: usize,
+    /// How many are off by more than one level.
+    pub(crate) far: usize,
+    /// The same for all programs that draw these pixels.
+    pub(crate) mark: u64,
+}
+
 /// How many pixels are looked at before all of them are.
 const GLANCE: u32 = 100;
 /// By chance so many more of these may be off than of all.
@@ -58,8 +71,8 @@ impl Candidate {
         let size = (reading.width, reading.height);
         // A header may swap the two, and then the width that was asked for
         // stands where the height should.
-        let mut outputs = [size.0, size.1].map(|asked| program.run(asked)).into_iter();
-        outputs.find(|output| output.size() == size)
+        let fitting = |asked| Some(program.run(asked)).filter(|output| output.size() == size);
+        fitting(size.0).or_else(|| fitting(size.1))
     }
 
     /// The nth pixel of what it prints.
@@ -80,30 +93,29 @@ impl Candidate {
         far.take(allowed + 1).count() <= allowed
     }
 
-    /// How many of so many pixels are off at all, if its picture has the reader's size.
-    pub(crate) fn off_among(&self, reading: &Reading, count: u32) -> Option<usize> {
-        self.among(reading, count, 0)
-    }
-
-    /// The same of those that are off by more than a level.
-    pub(crate) fn far_among(&self, reading: &Reading, count: u32) -> Option<usize> {
-        self.among(reading, count, 1)
-    }
-
-    fn among(&self, reading: &Reading, count: u32, least: u16) -> Option<usize> {
+    /// What so many of its pixels are beside the reader's, if its picture has the same size.
+    pub(crate) fn look(&self, reading: &Reading, count: u32) -> Option<Look> {
         let output = self.output(reading)?;
-        let places = spread(count, reading.pixels.len() as u32);
-        let off = |n: u32| distance(self.pixel(&output, n), reading.pixels[n as usize]);
-        Some(places.filter(|&n| off(n) > least).count())
+        let mut look = Look::default();
+        let mut hasher = DefaultHasher::new();
+        for n in spread(count, reading.pixels.len() as u32) {
+            let pixel = self.pixel(&output, n);
+            let off = distance(pixel, reading.pixels[n as usize]);
+            look.off += usize::from(off > 0);
+            look.far += usize::from(off > 1);
+            pixel.hash(&mut hasher);
+        }
+        look.mark = hasher.finish();
+        Some(look)
     }
 
     /// The pixels that it leaves; `None` if they are more than `most`, and some of them are
     /// off by more than a level.
     pub(crate) fn left(&self, reading: &Reading, most: usize) -> Option<Left> {
-        let output = self.output(reading)?;
         let mut left = Left::default();
-        for (n, found) in (0..).zip(&reading.pixels) {
-            let off = distance(self.pixel(&output, n), *found);
+        let pixels = self.pixels(reading)?;
+        for (n, (pixel, found)) in (0..).zip(pixels.zip(&reading.pixels)) {
+            let off = distance(pixel, *found);
             if off > 0 {
                 left.add(n % reading.width, n / reading.width, off);
                 if left.far > 0 && left.off > most {
@@ -112,6 +124,23 @@ impl Candidate {
             }
         }
         Some(left)
+    }
+
+    /// All that it prints, if its picture has the reader's size.
+    fn pixels<'a>(&'a self, reading: &'a Reading) -> Option<Box<dyn Iterator<Item = Pixel> + 'a>> {
+        let output = self.output(reading)?;
+        // The right picture is drawn sooner by what is compiled.
+        let is_compiled = self.slips.is_empty() && self.scene.is_as_compiled();
+        if is_compiled && self.conversion != Conversion::Wrapped {
+            let right = self.scene.right(reading.width, reading.height);
+            let pixels = (0..reading.pixels.len()).map(move |n| {
+                let level = |channel: usize| right.rgb()[3 * n + channel].into();
+                [level(0), level(1), level(2)]
+            });
+            return Some(Box::new(pixels));
+        }
+        let all = 0..reading.pixels.len() as u32;
+        Some(Box::new(all.map(move |n| self.pixel(&output, n))))
     }
 }
 

@@ -13,17 +13,17 @@ pub(crate) const MOST_MISSHAPEN: u64 = 1 << 20;
 /// The slips with which a program draws `width` × `height` pixels where the
 /// right one does not, whatever the pixels are.
 pub(crate) fn slips_giving(scene: &Scene, width: u32, height: u32) -> Vec<&'static Slip> {
-    let gives = |program: Program| {
+    let gives = |program: &Program| {
         [width, height]
             .into_iter()
             .any(|asked| program.run(asked).size() == (width, height))
     };
-    if gives(scene.program(&[])) {
+    if gives(&scene.program(&[])) {
         return Vec::new();
     }
     scene
         .slips()
-        .filter(|slip| gives(scene.program(&[slip])))
+        .filter(|slip| gives(&scene.program(&[slip])))
         .collect()
 }
 

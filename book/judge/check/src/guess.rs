@@ -5,7 +5,6 @@ use slips::{Chapter, Edition, PROBES};
 
 use crate::candidate::Candidate;
 use crate::candidates::{rights, singles};
-use crate::colors;
 use crate::known::{Evidence, Known};
 use crate::pixels::{distance, spread};
 use crate::reading::Reading;
@@ -17,8 +16,7 @@ const LOOK: u32 = 400;
 /// a file.
 const NEAR: u16 = 2;
 
-/// The scene whose picture comes nearest: right, in colors of the reader's own, or with one
-/// slip. The first in the book of several that draw the same, as chapters 3 and 4 do.
+/// The scene whose picture comes nearest: right, or with one slip. The first in the book of several that draw the same, as chapters 3 and 4 do.
 pub fn scene(reading: &Reading) -> Scene {
     let mut nearest = (usize::MAX, own(Chapter::Gradient));
     for candidates in [right_ones, wrong_ones] {
@@ -40,7 +38,7 @@ fn own(chapter: Chapter) -> Scene {
     Scene::new(chapter, None).expect("every chapter has a scene of its own")
 }
 
-/// The chapter and its probes, by each edition, and in the reader's colors. A reader who
+/// The chapter and its probes, by each edition. A reader who
 /// follows an earlier edition draws no probe.
 fn right_ones(evidence: &Evidence) -> Vec<(Scene, Candidate)> {
     let (scene, reading) = (evidence.scene, evidence.reading);
@@ -52,8 +50,6 @@ fn right_ones(evidence: &Evidence) -> Vec<(Scene, Candidate)> {
             .fitting(reading.width, reading.height)
     });
     let own = rights(evidence);
-    let colored = own.iter().filter_map(|it| colors::own(reading, it));
-    let colored: Vec<Candidate> = colored.collect();
     let plain = own[0].clone();
     let probed = probes.map(|probed| {
         let it = Candidate {
@@ -62,7 +58,7 @@ fn right_ones(evidence: &Evidence) -> Vec<(Scene, Candidate)> {
         };
         (Scene::new(scene.chapter, probed.probe).unwrap_or(scene), it)
     });
-    let all = own.into_iter().chain(colored).map(|it| (scene, it));
+    let all = own.into_iter().map(|it| (scene, it));
     all.chain(probed).collect()
 }
 

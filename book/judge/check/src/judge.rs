@@ -5,9 +5,8 @@
 
 use std::cmp::Reverse;
 
-use crate::candidate::{Candidate, Left};
+use crate::candidate::{Candidate, Left, Look};
 use crate::candidates::{elsewhere, pairs, rights, singles};
-use crate::colors;
 use crate::known::Evidence;
 use crate::pixels::spread;
 use crate::scene::Scene;
@@ -16,7 +15,7 @@ use crate::scene::Scene;
 pub(crate) enum Explanation {
     /// It is the right one of other scenes, all of which look the same.
     Another(Vec<Scene>),
-    /// It is the right one, but for what is left, or in other colors.
+    /// It is the right one, but for what is left.
     Near(Fit),
     /// It is drawn by programs with mistakes.
     Mistakes(Fit),
@@ -29,8 +28,6 @@ pub(crate) enum Explanation {
 pub(crate) struct Fit {
     /// The first is the likeliest.
     pub(crate) candidates: Vec<Candidate>,
-    /// Whether others were left out, since to compare them would take too long.
-    pub(crate) has_more: bool,
     /// What they leave.
     pub(crate) left: Left,
     /// Whether the wrong lines of all of them stand in the reader's files, or no file is known.
@@ -43,8 +40,6 @@ const FEW: usize = 200;
 const MANY: usize = 20;
 /// Where all is within a level, one in so many pixels may be off: single precision is.
 const ROUNDED: usize = 4;
-/// How many pixels are compared in all, so that a large picture does not take long.
-const WORK: usize = 1_500_000;
 /// How many pixels tell which of the right programs comes nearest, and by how many more of
 /// them another one may be off that is compared as well.
 const LOOK: u32 = 2000;
@@ -76,8 +71,7 @@ pub(crate) fn explain(evidence: &Evidence) -> Explanation {
         return Explanation::Mistakes(single);
     }
     if evidence.repair().is_some() {
-        let own = in_own_colors(evidence).map(Explanation::Near);
-        return own.unwrap_or(Explanation::Nothing(right));
+        return Explanation::Nothing(right);
     }
     if let Some(single) = single.filter(|_| !left.is_nothing()) {
         return Explanation::Mistakes(single);
@@ -89,8 +83,7 @@ pub(crate) fn explain(evidence: &Evidence) -> Explanation {
         return near(left);
     }
     let several = two_mistakes(evidence, &right, &left).map(Explanation::Mistakes);
-    let found = several.or_else(|| in_own_colors(evidence).map(Explanation::Near));
-    found.unwrap_or_else(|| Explanation::Nothing(described_beside(evidence, right)))
+    several.unwrap_or_else(|| Explanation::Nothing(described_beside(evidence, right)))
 }
 
 /// The right program beside which a picture is described that nothing draws: the nearest, if a
@@ -99,7 +92,7 @@ pub(crate) fn explain(evidence: &Evidence) -> Explanation {
 fn described_beside(evidence: &Evidence, nearest: Candidate) -> Candidate {
     let reading = evidence.reading;
     let looked = spread(LOOK, reading.pixels.len() as u32).count();
-    let off = |it: &Candidate| it.off_among(reading, LOOK).unwrap_or(looked);
+    let off = |it: &Candidate| it.look(reading, LOOK).map_or(looked, |it| it.off);
     let asked = rights(evidence).swap_remove(0);
     let is_like = PART * (looked - off(&nearest)) > looked;
     // Half a pixel, which sets editions apart, says nothing where much else is off.
@@ -111,7 +104,6 @@ impl Fit {
     fn of(candidate: Candidate, left: Left) -> Self {
         Self {
             candidates: vec![candidate],
-            has_more: false,
             left,
             is_in_text: true,
         }
@@ -123,14 +115,19 @@ impl Fit {
 fn nearest(evidence: &Evidence) -> (Candidate, Left) {
     let reading = evidence.reading;
     let rights = rights(evidence).into_iter();
-    let looked = rights.filter_map(|it| Some((it.far_among(reading, LOOK)?, it)));
+    let looked = rights.filter_map(|it| Some((it.look(reading, LOOK)?.far, it)));
     let looked: Vec<_> = looked.collect();
     let least = looked.iter().map(|(far, _)| *far).min().unwrap_or_default();
     let give = NEARLY.max(least / 4);
     let likely = looked.into_iter().filter(|(far, _)| *far <= least + give);
     let most = reading.pixels.len() / MANY;
-    let left = |it: &Candidate| it.left(reading, most).unwrap_or(Left::all(reading));
-    let measured = likely.map(|(far, it)| (left(&it), far, it));
+    // Where a tenth of some is far off, more than a twentieth of all is.
+    let many = spread(LOOK, reading.pixels.len() as u32).count() / (MANY / 2);
+    let left = |far: usize, it: &Candidate| {
+        let left = (far <= many).then(|| it.left(reading, most)).flatten();
+        left.unwrap_or(Left::all(reading))
+    };
+    let measured = likely.map(|(far, it)| (left(far, &it), far, it));
     // Where nothing comes near, one in its own shape does.
     let key = |(left, far, it): &(Left, usize, Candidate)| {
         (left.far, left.off, it.scene.has_another_shape(), *far)
@@ -194,7 +191,7 @@ fn two_mistakes(evidence: &Evidence, nearest: &Candidate, all: &Left) -> Option<
         return None;
     }
     let found = first(evidence, all, pairs(evidence, nearest.scene.edition))?;
-    Some(in_the_text(evidence, found)).filter(|it| it.candidates.len() <= PAIRS && !it.has_more)
+    Some(in_the_text(evidence, found)).filter(|it| it.candidates.len() <= PAIRS)
 }
 
 /// The programs of the first group in which some draw the picture, but for odd pixels; or
@@ -221,66 +218,48 @@ fn first(
     best
 }
 
-/// Those of a group that leave least, if that is little.
+/// Those of a group that leave least, if that is little. Programs that agree in all pixels that
+/// are looked at are one: only the first of them is compared whole.
 fn least(evidence: &Evidence, group: Vec<Candidate>) -> Option<Fit> {
     let reading = evidence.reading;
     let total = reading.pixels.len();
     let mut most = total / FEW;
-    let mut best: Option<Fit> = None;
-    let mut least = 0;
-    for (n, (off, it)) in likeliest(evidence, group, most).into_iter().enumerate() {
-        // What is off in more of some pixels is off in more of all.
-        let give = best
-            .as_ref()
-            .map(|best| if best.left.is_nothing() { 0 } else { NEARLY });
-        if give.is_some_and(|give| off > least + give) {
-            break;
-        }
-        if n > 0 && n * total > WORK {
-            if let Some(best) = &mut best {
-                best.has_more = true;
+    let mut best: Option<(Fit, Look)> = None;
+    for (look, it) in likeliest(evidence, group, most) {
+        if let Some((best, first)) = &mut best {
+            if look.mark == first.mark {
+                best.candidates.push(it);
+                continue;
             }
-            break;
+            // What is off in more of some pixels is off in more of all.
+            let give = if best.left.is_nothing() { 0 } else { NEARLY };
+            if look.off > first.off + give {
+                break;
+            }
         }
         let left = it.left(reading, most);
         let Some(left) = left.filter(|left| left.far > 0 || ROUNDED * left.off <= total) else {
             continue;
         };
-        match &mut best {
-            Some(best) if best.left == left => best.candidates.push(it),
-            Some(best) if best.left.off <= left.off => {}
-            _ => {
-                best = Some(Fit::of(it, left));
-                least = off;
-            }
-        }
         most = most.min(left.off);
+        match &mut best {
+            Some((best, _)) if best.left == left => best.candidates.push(it),
+            Some((best, _)) if best.left.off <= left.off => {}
+            _ => best = Some((Fit::of(it, left), look)),
+        }
     }
-    best
+    best.map(|(fit, _)| fit)
 }
 
-/// Those that may leave no more than `most` pixels, with how many they leave of some: the
+/// Those that may leave no more than `most` pixels, with what some of their pixels are: the
 /// least first, and of equals what more people have reported.
-fn likeliest(evidence: &Evidence, group: Vec<Candidate>, most: usize) -> Vec<(usize, Candidate)> {
+fn likeliest(evidence: &Evidence, group: Vec<Candidate>, most: usize) -> Vec<(Look, Candidate)> {
     let reading = evidence.reading;
     let may_be = |it: &Candidate| it.may_leave(reading, most) && !evidence.is_refuted(it);
     let group = group.into_iter().filter(may_be);
-    let group = group.filter_map(|it| Some((it.off_among(reading, LOOK)?, it)));
-    let mut likeliest: Vec<(usize, Candidate)> = group.collect();
+    let group = group.filter_map(|it| Some((it.look(reading, LOOK)?, it)));
+    let mut likeliest: Vec<(Look, Candidate)> = group.collect();
     let reports = |it: &Candidate| it.slips.iter().map(|slip| slip.reports()).sum::<usize>();
-    likeliest.sort_by_key(|(off, it)| (*off, Reverse(reports(it))));
+    likeliest.sort_by_key(|(look, it)| (look.off, Reverse(reports(it))));
     likeliest
-}
-
-/// The right picture in colors of the reader's own, but for few pixels.
-fn in_own_colors(evidence: &Evidence) -> Option<Fit> {
-    let reading = evidence.reading;
-    let most = reading.pixels.len() / FEW;
-    rights(evidence).iter().find_map(|right| {
-        let it = colors::own(reading, right)?;
-        let left = it
-            .may_leave(reading, most)
-            .then(|| it.left(reading, most))??;
-        (left.far == 0 || left.off <= most).then(|| Fit::of(it, left))
-    })
 }

@@ -82,7 +82,8 @@ impl Known<'_> {
     /// What the reader's files say of the slip. A line that an older edition has is wrong in
     /// a mixture only, which no single line tells.
     pub(crate) fn said(&self, slip: &Slip, scene: &Scene) -> Said {
-        let is_mixture = slip.is_of_another_edition() && self.letters != Some(Letters::Rust);
+        let is_mixture =
+            slip.is_of_another_edition(scene.chapter) && self.letters != Some(Letters::Rust);
         match self.sources.say(&self.words(slip, scene)) {
             Said::Wrong if is_mixture => Said::Neither,
             said => said,
@@ -146,7 +147,7 @@ impl<'a> Evidence<'a> {
     /// The slips that the reader can have made in the scene.
     pub(crate) fn slips(&self, scene: &Scene) -> impl Iterator<Item = &'static Slip> {
         let chapter = scene.chapter;
-        let unnamed = slips::unnamed().filter(move |slip| slip.chapters.contains(&chapter));
+        let unnamed = slips::unnamed().filter(move |slip| slip.is_in(chapter));
         let can_be_made = |slip: &&Slip| self.known.can_be_made.is_none_or(|can_be| can_be(slip));
         let all = scene.slips().chain(unnamed).filter(can_be_made);
         all.filter(|slip| self.has_passed(slip))

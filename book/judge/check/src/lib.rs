@@ -14,7 +14,6 @@ pub mod blind_spots;
 mod candidate;
 mod candidates;
 mod causes;
-mod colors;
 pub mod comparison;
 pub mod guess;
 pub mod html;

@@ -1,8 +1,11 @@
 //! The scene that a picture is meant to show.
 
-use crate::names::companion;
-use common::rtweekend::{Color, Picture};
+use std::collections::BTreeMap;
+use std::sync::{LazyLock, Mutex, PoisonError};
 
+use common::rtweekend::Picture;
+
+use crate::names::companion;
 use crate::pixels::{distance, spread};
 use crate::reading::Reading;
 use slips::{Chapter, Edition, Letters, Probe, Program, Slip, steps, width_line};
@@ -22,35 +25,19 @@ pub struct Scene {
     step: Option<usize>,
     /// Width and height in pixels, if they are not the chapter's own.
     shape: Option<(u32, u32)>,
-    /// What the reader chose.
-    pub chosen: Chosen,
-}
-
-/// What a reader chose otherwise than the book, and not by mistake.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Chosen {
-    /// The colors of the sky, below and above.
-    pub sky: Option<[Color; 2]>,
-    /// The color of the sphere where it has only one.
-    pub paint: Option<Color>,
-    /// Blue in every pixel of the build test.
-    pub blue: Option<f64>,
 }
 
 impl Scene {
     /// The scene, or `None` if the chapter has no place for the probe's spheres.
     pub fn new(chapter: Chapter, probe: Option<Probe>) -> Option<Self> {
-        if let Some(probe) = probe {
-            probe.put_to(Program::right(chapter))?;
-        }
-        Some(Self {
+        let has_room = probe.is_none_or(|probe| probe.fits(chapter));
+        has_room.then_some(Self {
             chapter,
             probe,
             edition: Edition::V4,
             insists: false,
             step: None,
             shape: None,
-            chosen: Chosen::default(),
         })
     }
 
@@ -65,8 +52,7 @@ impl Scene {
 
     /// The same with that probe, or `None` if the chapter has no place for its spheres.
     pub fn with_probe(self, probe: Probe) -> Option<Self> {
-        probe.put_to(Program::right(self.chapter))?;
-        Some(Self {
+        probe.fits(self.chapter).then_some(Self {
             probe: Some(probe),
             shape: None,
             ..self
@@ -108,11 +94,6 @@ impl Scene {
         }
     }
 
-    /// The same scene as the book has it.
-    pub(crate) fn without_choices(self) -> Self {
-        self.with(Chosen::default())
-    }
-
     /// The same scene as far as it is written after a step.
     pub(crate) fn at_step(self, step: usize) -> Self {
         Self {
@@ -124,11 +105,6 @@ impl Scene {
     /// The step that it shows, counted from 0, if it is not the chapter's last.
     pub fn step(&self) -> Option<usize> {
         self.step
-    }
-
-    /// The same scene with what a reader chose.
-    pub(crate) fn with(self, chosen: Chosen) -> Self {
-        Self { chosen, ..self }
     }
 
     /// Whether the picture may be the right one of this scene to within so many levels:
@@ -214,49 +190,73 @@ impl Scene {
 
     /// The program that draws the scene, with these slips in it.
     pub fn program(&self, slips: &[&Slip]) -> Program {
-        let mut program = self.edition.program(self.chapter);
-        if let Some((width, height)) = self.shape {
-            program.image_height = |width, ratio| ((width / ratio) as u32).max(1);
-            program.aspect_ratio = ratio(width, height);
-            program.viewport_ratio = |width, height, _| width / height;
-            // Before version 4 the viewport has the ratio that was wished for, and the height
-            // follows from it.
-            let is_wished = |ratio: &f64| (f64::from(width) / ratio) as u32 == height;
-            if let Some(ratio) = USUAL_RATIOS.into_iter().find(is_wished)
-                && self.edition.counts_from_below()
-            {
-                program.aspect_ratio = ratio;
-                program.viewport_ratio = |_, _, aspect_ratio| aspect_ratio;
-            }
+        let right = || self.kept("", || self.right_program());
+        let with = |slip: &Slip| self.kept(slip.name, || slip.put_to(&right()));
+        match slips {
+            [] => right(),
+            // Only some laws know what has no name.
+            [slip] if slip.name.is_empty() => slip.put_to(&right()),
+            [slip] => with(slip),
+            [first, others @ ..] => others.iter().fold(with(first), |program, slip| {
+                let joined = program.joined(&with(slip), &right());
+                joined.unwrap_or_else(|| slip.put_to(&program))
+            }),
         }
+    }
+
+    /// The program of the scene with that slip, made once.
+    fn kept(&self, slip: &'static str, make: impl FnOnce() -> Program) -> Program {
+        type Key = (
+            Chapter,
+            Edition,
+            Option<usize>,
+            Option<(u32, u32)>,
+            &'static str,
+            &'static str,
+        );
+        static KEPT: LazyLock<Mutex<BTreeMap<Key, Program>>> = LazyLock::new(Mutex::default);
+        let probe = self.probe.map_or("", |probe| probe.name);
+        let key = (
+            self.chapter,
+            self.edition,
+            self.step,
+            self.shape,
+            probe,
+            slip,
+        );
+        let kept = || KEPT.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(program) = kept().get(&key) {
+            return program.clone();
+        }
+        let program = make();
+        let mut kept = kept();
+        if kept.len() > MOST {
+            kept.clear();
+        }
+        kept.insert(key, program.clone());
+        program
+    }
+
+    fn right_program(&self) -> Program {
+        let mut program = self.edition.shaped(self.chapter, self.shape);
         if let Some(step) = self.step {
-            program = steps::of(self.chapter)[step].put_to(program);
-        }
-        program.sky = self.chosen.sky.unwrap_or(program.sky);
-        program.paint = self.chosen.paint.unwrap_or(program.paint);
-        program.blue = self.chosen.blue.unwrap_or(program.blue);
-        for slip in slips {
-            program = slip.put_to(program);
+            program = steps::of(self.chapter)[step].put_to(&program);
         }
         match self.probe {
-            Some(probe) => probe
-                .put_to(program)
-                .expect("a scene has room for its probe"),
+            Some(probe) => probe.put_to(&program).unwrap_or(program),
             None => program,
         }
     }
 
-    /// The slips that can be made here.
+    /// The slips that can be made here: those whose lines stand in the chapter.
     pub fn slips(&self) -> impl Iterator<Item = &'static Slip> + use<> {
-        let (chapter, has_sizes) = (self.chapter, self.edition >= Edition::V3);
-        slips::all().filter(move |slip| {
-            slip.chapters.contains(&chapter) && (has_sizes || !slip.is_of_the_size())
-        })
+        let chapter = self.chapter;
+        slips::all().filter(move |slip| slip.is_in(chapter))
     }
 
     /// The height of the right picture that is `width` pixels wide.
     pub fn height(&self, width: u32) -> u32 {
-        self.program(&[]).camera(width).image_height
+        self.program(&[]).run(width).size().1
     }
 
     /// The sky of the same edition alone, in the size of the reader's picture.
@@ -266,40 +266,22 @@ impl Scene {
 
     /// The right picture in the size of the reader's.
     pub fn right(&self, width: u32, height: u32) -> Picture {
-        let program = self.fitting(width, height).program(&[]);
-        if self.edition.is_first() {
-            // It has levels of its own; pictures are painted with those of version 4.
-            return program.run(width).picture();
+        let fitting = self.fitting(width, height);
+        if fitting.is_as_compiled() {
+            return self.chapter.picture(width);
         }
-        let camera = program.camera(width);
-        Picture::paint(width, height, move |i, j| {
-            (program.color)(&program, &camera, i, j)
-        })
+        fitting.program(&[]).run(width).picture()
+    }
+
+    /// Whether it is the chapter's own picture, which this program has compiled.
+    pub(crate) fn is_as_compiled(&self) -> bool {
+        let is_changed = self.step.is_some() || self.shape.is_some();
+        let has_spheres = self.probe.is_some_and(|probe| probe.spheres.is_some());
+        self.edition == Edition::V4 && !is_changed && !has_spheres
     }
 }
 
+/// So many programs are kept at most.
+const MOST: usize = 5000;
 /// How many pixels tell a scene from most others.
 const GLANCE: u32 = 64;
-
-/// Ratios of width to height that people choose.
-const USUAL_RATIOS: [f64; 7] = [
-    1.0,
-    4.0 / 3.0,
-    3.0 / 2.0,
-    16.0 / 10.0,
-    16.0 / 9.0,
-    2.0,
-    21.0 / 9.0,
-];
-
-/// Width over height, such that dividing the width by it gives the height even
-/// after rounding down.
-fn ratio(width: u32, height: u32) -> f64 {
-    let [width, height] = [width, height].map(f64::from);
-    let ratio = width / height;
-    if width / ratio < height {
-        ratio.next_down()
-    } else {
-        ratio
-    }
-}

@@ -98,7 +98,7 @@ pub struct Finding {
 /// A picture that is right, but for something that is no mistake.
 #[derive(Clone, Debug)]
 pub struct Near {
-    /// The scene, with the colors that the reader chose.
+    /// The scene.
     pub scene: Scene,
     /// The pixels that are not explained.
     pub left: Left,
@@ -112,8 +112,6 @@ pub struct Mistakes {
     /// One slip each, or two that were made together; those that more people
     /// reported come first.
     pub all: Vec<Vec<&'static Slip>>,
-    /// Whether others were not compared.
-    pub has_more: bool,
     /// What becomes of numbers that are no levels.
     pub conversion: Conversion,
     /// Whether their lines stand in the reader's files, or no file is known.
@@ -298,8 +296,7 @@ impl Finding {
         let Some(repair) = evidence.repair().cloned() else {
             return self;
         };
-        // Colors of the reader's own remain a choice.
-        self.near = self.near.filter(Near::has_own_colors);
+        self.near = None;
         if let Some(mistakes) = &mut self.mistakes {
             let scene = mistakes.scene;
             let is_mended = |slip: &&'static Slip| known.is_mended(slip, &scene, &repair);
@@ -312,7 +309,7 @@ impl Finding {
 
     /// What is the same whatever explains it.
     fn beside(evidence: &Evidence, by: &Candidate) -> Self {
-        let (reading, scene) = (evidence.reading, by.scene.without_choices());
+        let (reading, scene) = (evidence.reading, by.scene);
         let right = scene.right(reading.width, reading.height);
         let yours = reading.picture();
         let difference = match Comparison::of(&right, &yours) {
@@ -391,7 +388,6 @@ impl Mistakes {
             scene: first.scene,
             telling: telling::apart(&first.scene, &all),
             all,
-            has_more: fit.has_more,
             conversion: first.conversion,
             is_in_text: fit.is_in_text,
             left: fit.left,
@@ -402,11 +398,7 @@ impl Mistakes {
 impl Near {
     /// Whether it is right to the last bit: a step on the way.
     pub(crate) fn is_exact(&self) -> bool {
-        self.left.is_nothing() && !self.has_own_colors()
-    }
-
-    fn has_own_colors(&self) -> bool {
-        self.scene.chosen != self.scene.without_choices().chosen
+        self.left.is_nothing()
     }
 }
 

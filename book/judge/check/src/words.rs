@@ -2,14 +2,13 @@
 
 use std::{fmt, iter};
 
-use common::rtweekend::Color;
 use slips::{Chapter, Letters, Probe, Slip};
 
 use crate::Row;
 use crate::candidate::{Conversion, Left};
 use crate::known::Known;
 use crate::repair::{Change, Repair, Right};
-use crate::scene::{Chosen, Scene};
+use crate::scene::Scene;
 use crate::sources::Line;
 use crate::verdict::{Finding, Mistakes, Near};
 
@@ -77,7 +76,7 @@ impl Mistakes {
         } else {
             ""
         };
-        let has_others = self.has_more || self.all.len() > 1;
+        let has_others = self.all.len() > 1;
         let others = if has_others {
             ", and so may others"
         } else {
@@ -138,9 +137,10 @@ impl Mistakes {
 impl Near {
     /// What it is instead of the book's picture, after "right, but".
     pub fn clause(&self, pixels: usize) -> String {
-        let left = (!self.left.is_nothing()).then(|| format!("for {}", self.left.said(pixels)));
-        let all: Vec<String> = self.scene.clause().into_iter().chain(left).collect();
-        all.join(", and ")
+        if self.left.is_nothing() {
+            return String::new();
+        }
+        format!("for {}", self.left.said(pixels))
     }
 }
 
@@ -165,30 +165,14 @@ impl Left {
     }
 }
 
-impl Scene {
-    /// What the reader chose, if it is not the book's.
-    pub fn clause(&self) -> Option<String> {
-        let Chosen { sky, paint, blue } = self.chosen;
-        let color = |color: Color| {
-            let [r, g, b] = color.to_array().map(rounded);
-            format!("({r}, {g}, {b})")
-        };
-        let sky = sky.map(|[below, above]| {
-            let (low, high) = (color(below), color(above));
-            format!("a sky from {low} below to {high} above")
-        });
-        let paint = paint.map(|paint| format!("a sphere of {}", color(paint)));
-        let blue = blue.map(|blue| format!("blue {}", rounded(blue)));
-        let all: Vec<String> = [sky, paint, blue].into_iter().flatten().collect();
-        (!all.is_empty()).then(|| format!("in colors of your own: {}", all.join(" and ")))
-    }
-}
-
 /// The names of slips that were made together. Of one without a name, what it says in the
 /// chapter's own words.
 pub fn names_of(mistake: &[&'static Slip]) -> String {
     let name = |slip: &&'static Slip| match slip.name {
-        "" => slip.words(Letters::Rust, slip.chapters[0]).wrong,
+        "" => {
+            let chapter = slip.chapters().next().unwrap_or(Chapter::HittableList);
+            slip.words(Letters::Rust, chapter).wrong
+        }
         name => name.into(),
     };
     let names: Vec<_> = mistake.iter().map(name).collect();
@@ -246,9 +230,4 @@ impl fmt::Display for Line {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}:{}  {}", self.file, self.number, self.text)
     }
-}
-
-/// To a thousandth. A zero has no sign here.
-fn rounded(number: f64) -> f64 {
-    (number * 1000.0).round() / 1000.0 + 0.0
 }

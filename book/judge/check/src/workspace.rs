@@ -18,6 +18,6 @@ pub fn page(slip: &Slip) -> Option<String> {
 
 /// The file that has the line right, likewise.
 pub fn source(slip: &Slip) -> Option<String> {
-    let path = workspace()?.join(slip.source);
+    let path = workspace()?.join(slip.source()?);
     path.is_file().then(|| names::from_here(&path))
 }

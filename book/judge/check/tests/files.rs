@@ -7,7 +7,7 @@ use check::scene::Scene;
 use check::sources::Sources;
 use check::verdict::{Check, check_knowing};
 use common::rtweekend::*;
-use slips::{Ball, Chapter, Edition, Letters, Program};
+use slips::{Chapter, Edit, Edition, Letters};
 
 const PROGRAM: &str = "\
 upper_left = camera_center - Vec3(0, 0, focal_length) - viewport_u / 2 - viewport_v / 2
@@ -96,10 +96,8 @@ fn is_named_alone(picture: &[u8], right: &str, wrong: &str) {
 #[test]
 fn what_a_readers_line_refutes_is_not_named() {
     let scene = scene(Chapter::HalfBSphere);
-    let sky = Program {
-        world: &[],
-        ..scene.program(&[])
-    };
+    let miss = [Edit::new("discriminant < 0.0", "true")];
+    let sky = scene.program(&[]).with(&miss).expect("it stands there");
     let picture = png::encode(&sky.run(100).picture());
     for (label, said) in rows(&scene, &picture, &in_python(PROGRAM)) {
         let innocent = ["discriminant", "oc =", "a =", "h =", "c =", "viewport"];
@@ -131,7 +129,7 @@ fn a_mistake_is_only_a_perhaps_beside_a_text_that_does_not_have_its_line() {
     let scene = scene(Chapter::HittableList);
     for name in [
         "ground-not-added",
-        "b-not-doubled",
+        "h-sign",
         "integer-viewport-ratio",
         "column-and-row-swapped",
         "closest-not-updated",
@@ -150,11 +148,8 @@ fn a_mistake_is_only_a_perhaps_beside_a_text_that_does_not_have_its_line() {
 #[test]
 fn whole_numbers_are_divided_as_cpp_does() {
     let scene = scene(Chapter::HittableList);
-    const GROUND: [Ball; 1] = [Ball::new(0.0, -100.5, -1.0, 100.0)];
-    let ground = Program {
-        world: &GROUND,
-        ..scene.program(&[])
-    };
+    let no_ball = [Edit::new("-1.0), 0.5)", "-1.0), 0.0)")];
+    let ground = scene.program(&[]).with(&no_ball).expect("it stands there");
     let picture = png::encode(&ground.run(100).picture());
     let line = "world.add(make_shared<sphere>(point3{0,0,-1}, 1 / 2));";
     let text = LIST.replace("world.add(make_shared<sphere>(point3(0,0,-1), 0.5));", line);

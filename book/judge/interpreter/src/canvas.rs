@@ -7,16 +7,16 @@ use common::rtweekend::*;
 use crate::host::Eval;
 use crate::library;
 use crate::machine::Machine;
-use crate::program::{Program, missing};
+use crate::program::{Program, missing, u32_value};
 use crate::refusal::Fault;
 use crate::refusal::Refusal;
 use crate::types::Int;
 use crate::value::{Brush, Data, Value};
 
 /// A picture that a program draws, pixel by pixel.
-pub struct Canvas<'p> {
-    program: &'p Program,
-    machine: Machine<'p>,
+#[derive(Clone, Debug)]
+pub struct Canvas {
+    program: Program,
     size: (u32, u32),
     brush: Rc<Brush>,
 }
@@ -29,12 +29,12 @@ impl Program {
     ///
     /// # Errors
     /// As for the picture.
-    pub fn canvas(&self, width: u32) -> Result<Canvas<'_>, Fault> {
-        let mut machine = self.machine();
+    pub fn canvas(&self, width: u32) -> Result<Canvas, Fault> {
         let Some(picture) = self.roles.picture else {
-            return self.by_ray_color(machine, width);
+            return self.by_ray_color(width);
         };
-        let drawn = self.ran(machine.call(picture, &[crate::program::u32_value(width)]))?;
+        let given = [u32_value(width)];
+        let drawn = self.ran(self.machine().call(picture, &given))?;
         let (size, brush) = match drawn.data {
             Data::Picture(it) => (it.0, Rc::clone(&it.1)),
             Data::Str(text) => {
@@ -45,32 +45,27 @@ impl Program {
             _ => return Err(missing("a picture")),
         };
         Ok(Canvas {
-            program: self,
-            machine,
+            program: self.clone(),
             size,
             brush,
         })
     }
 
     /// The picture of `ray_color` alone, by our camera.
-    pub(crate) fn by_ray_color<'p>(
-        &'p self,
-        mut machine: Machine<'p>,
-        width: u32,
-    ) -> Result<Canvas<'p>, Fault> {
+    pub(crate) fn by_ray_color(&self, width: u32) -> Result<Canvas, Fault> {
         let color = self.roles.ray_color.ok_or_else(|| missing("`ray_color`"))?;
-        let world = self.roles.world.map(|it| self.ran(machine.call(it, &[])));
+        let world = self.roles.world;
+        let world = world.map(|it| self.ran(self.machine().call(it, &[])));
         let camera = Camera::new(width);
         Ok(Canvas {
-            program: self,
-            machine,
+            program: self.clone(),
             size: (camera.image_width, camera.image_height),
             brush: Rc::new(Brush::Role(camera, color, world.transpose()?)),
         })
     }
 }
 
-impl Canvas<'_> {
+impl Canvas {
     /// Width and height.
     pub fn size(&self) -> (u32, u32) {
         self.size
@@ -80,11 +75,12 @@ impl Canvas<'_> {
     ///
     /// # Errors
     /// Where the program stops by itself, or the compiler would refuse it.
-    pub fn color(&mut self, i: u32, j: u32) -> Result<Color, Fault> {
-        let Self {
-            program, machine, ..
-        } = self;
-        machine.begin();
+    pub fn color(&self, i: u32, j: u32) -> Result<Color, Fault> {
+        self.colored_by(&mut self.program.machine(), i, j)
+    }
+
+    fn colored_by(&self, machine: &mut Machine<'_>, i: u32, j: u32) -> Result<Color, Fault> {
+        let program = &self.program;
         let colored = match &*self.brush {
             Brush::Pixel(color, at) => {
                 let pixel = [i, j].map(|it| Value::whole(it.into(), Int::U32));
@@ -114,25 +110,29 @@ impl Canvas<'_> {
     ///
     /// # Errors
     /// As for its color.
-    pub fn levels(&mut self, i: u32, j: u32) -> Result<[u8; 3], Fault> {
+    pub fn levels(&self, i: u32, j: u32) -> Result<[u8; 3], Fault> {
         let mut levels = [0; 3];
         write_color(&mut levels, self.color(i, j)?);
         Ok(levels)
     }
 
-    /// What each `let` comes to on the way to the color of a pixel, in the order in which they
-    /// run.
-    pub fn notes(&mut self, i: u32, j: u32) -> Vec<Note> {
-        self.machine.notes = Some(Vec::new());
-        let _ = self.color(i, j);
-        let notes = self.machine.notes.take().unwrap_or_default();
-        let code = self.machine.code;
-        let said = notes.into_iter().filter_map(|(function, slot, value)| {
-            let name = code.functions[function].names.get(slot)?;
+    /// What each `let` comes to on the way to the color of a pixel, and what each function
+    /// returns before its end, in the order in which they run.
+    pub fn notes(&self, i: u32, j: u32) -> Vec<Note> {
+        let mut machine = self.program.machine();
+        machine.notes = Some(Vec::new());
+        let _ = self.colored_by(&mut machine, i, j);
+        let code = &self.program.code;
+        let notes = machine.notes.take().into_iter().flatten();
+        let noted = notes.filter_map(|(function, slot, value)| {
+            let name = match slot {
+                Some(slot) => code.functions[function].names.get(slot)?,
+                None => "return",
+            };
             let within = code.written[function].as_ref()?.name.to_string();
-            Some((within, name.clone(), said(&value)?))
+            Some((within, name.to_owned(), said(&value)?))
         });
-        said.collect()
+        noted.collect()
     }
 }
 
@@ -143,12 +143,15 @@ impl Machine<'_> {
     }
 }
 
-/// A number or a vector to a millionth, or with four digits that count if it is smaller.
-fn said(value: &Value) -> Option<String> {
-    let number = |it: f64| match it.abs() {
+/// A number to a millionth, or with four digits that count if it is smaller than most.
+pub fn number(it: f64) -> String {
+    match it.abs() {
         small if small != 0.0 && small < 1e-3 => format!("{it:.3e}"),
         _ => format!("{}", (it * 1e6).round() / 1e6),
-    };
+    }
+}
+
+fn said(value: &Value) -> Option<String> {
     Some(match &value.data {
         Data::Float(it) => number(*it),
         Data::Int(it, _) => it.get().to_string(),

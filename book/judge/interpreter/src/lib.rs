@@ -29,8 +29,8 @@ mod types;
 mod value;
 mod written;
 
-pub use asked::{Ball, Hit, Interpreted};
-pub use canvas::{Canvas, Note};
+pub use asked::{Ball, Hit};
+pub use canvas::{Canvas, Note, number};
 pub use program::{Program, Sample, read};
 pub use refusal::{Fault, FaultKind, Place};
 

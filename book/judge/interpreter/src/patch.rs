@@ -1,13 +1,17 @@
 //! Incremental reading: a program with another text of one function, of which only that is read.
 
-use std::sync::Arc;
+use std::sync::{Arc, PoisonError};
 
 use crate::lower;
 use crate::machine::Code;
 use crate::names::collect::Inside;
+use crate::node::Function;
 use crate::program::Program;
-use crate::refusal::{Fault, FaultKind, Refusal};
+use crate::refusal::{Fault, FaultKind};
 use crate::written::Written;
+
+/// So many texts of functions are kept: more than there are edits of a chapter.
+const MOST: usize = 10_000;
 
 impl Program {
     /// The functions by their names, `hit_sphere` or `Sphere::hit`, with their texts.
@@ -17,28 +21,15 @@ impl Program {
     }
 
     /// The same program with another text of one function. Its parameters and its result are
-    /// those that were declared.
+    /// those that were declared. A text that was read before is not read again.
     ///
     /// # Errors
     /// What the compiler would refuse and reading shows.
     pub fn patched(&self, function: &str, text: &str) -> Result<Self, Fault> {
-        // Places of an earlier text are not needed any more.
-        proc_macro2::extra::invalidate_current_thread_spans();
-        let code = &*self.code;
-        let is_it = |it: &Option<Written>| it.as_ref().is_some_and(|it| &*it.name == function);
-        let found = code.written.iter().position(is_it);
+        let found = self.code.number_of(function);
         let n = found.ok_or_else(|| missing(&format!("function `{function}`")))?;
-        let refused = |it: Refusal| it.fault(&[]);
-        let item: syn::ImplItemFn =
-            syn::parse_str(text).map_err(|error| missing(&error.to_string()))?;
-        let signature = &code.names.functions[n];
-        if item.sig.inputs.len() != signature.parameters.len() {
-            return Err(missing("change of the parameters"));
-        }
-        let inside = Inside::Function(&item.sig, &item.block);
-        let lowered = lower::lower(&code.names, text, signature, Some(inside)).map_err(refused)?;
-        let mut code = Code::clone(code);
-        code.functions[n] = Arc::new(lowered);
+        let mut code = Code::clone(&self.code);
+        code.functions[n] = code.read_anew(n, text)?;
         if let Some(it) = &mut code.written[n] {
             it.text = text.into();
         }
@@ -69,21 +60,74 @@ impl Program {
     /// rays that have their names.
     pub fn instead_of_the_library(&self, functions: &[&'static str]) -> Self {
         let code = &*self.code;
-        let numbered = |&name: &&'static str| {
-            let is_it = |it: &Option<Written>| it.as_ref().is_some_and(|it| &*it.name == name);
-            Some((name, code.written.iter().position(is_it)?))
-        };
+        let numbered = |&name: &&'static str| Some((name, code.number_of(name)?));
         self.running(Code {
             instead: functions.iter().filter_map(numbered).collect(),
             ..Code::clone(code)
         })
     }
 
+    /// The same program with the other's functions where these are not those of a program from
+    /// which both were made; `None` if both have changed the same one. Nothing is read.
+    pub fn joined(&self, other: &Self, from: &Self) -> Option<Self> {
+        let [own, other, from] = [self, other, from].map(|it| &it.code);
+        let mut code = Code::clone(own);
+        for (n, function) in other.functions.iter().enumerate() {
+            if Arc::ptr_eq(function, &from.functions[n]) {
+                continue;
+            }
+            if !Arc::ptr_eq(&own.functions[n], &from.functions[n]) {
+                return None;
+            }
+            code.functions[n] = Arc::clone(function);
+            code.written[n].clone_from(&other.written[n]);
+        }
+        code.is_single |= other.is_single;
+        if code.instead.is_empty() {
+            code.instead.clone_from(&other.instead);
+        }
+        Some(self.running(code))
+    }
+
     fn running(&self, code: Code) -> Self {
         Self {
             code: Arc::new(code),
-            ..self.clone()
+            refused: Arc::default(),
+            roles: self.roles.clone(),
         }
+    }
+}
+
+impl Code {
+    /// The number of the function of that name.
+    pub(crate) fn number_of(&self, function: &str) -> Option<usize> {
+        let is_it = |it: &Option<Written>| it.as_ref().is_some_and(|it| &*it.name == function);
+        self.written.iter().position(is_it)
+    }
+
+    /// A function from another text.
+    fn read_anew(&self, n: usize, text: &str) -> Result<Arc<Function>, Fault> {
+        let mut read = self.read.lock().unwrap_or_else(PoisonError::into_inner);
+        let key = (n, text.to_owned());
+        if let Some(known) = read.get(&key) {
+            return Ok(Arc::clone(known));
+        }
+        // Places of an earlier text are not needed any more.
+        proc_macro2::extra::invalidate_current_thread_spans();
+        let item: syn::ImplItemFn =
+            syn::parse_str(text).map_err(|error| missing(&error.to_string()))?;
+        let signature = &self.names.functions[n];
+        if item.sig.inputs.len() != signature.parameters.len() {
+            return Err(missing("change of the parameters"));
+        }
+        let inside = Inside::Function(&item.sig, &item.block);
+        let lowered = lower::lower(&self.names, text, signature, Some(inside));
+        let lowered = Arc::new(lowered.map_err(|it| it.fault(&[]))?);
+        if read.len() > MOST {
+            read.clear();
+        }
+        read.insert(key, Arc::clone(&lowered));
+        Ok(lowered)
     }
 }
 

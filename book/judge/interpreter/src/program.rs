@@ -25,7 +25,7 @@ pub type Sample = [(u32, [u8; 3])];
 pub struct Program {
     pub(crate) code: Arc<Code>,
     pub(crate) roles: Roles,
-    pub(crate) refused: OnceLock<Fault>,
+    pub(crate) refused: Arc<OnceLock<Fault>>,
 }
 
 /// Reads the files of a crate: their names, such as `src/lib.rs`, and their texts. The
@@ -75,8 +75,9 @@ pub fn read(files: &[(&str, &str)]) -> Result<Program, Vec<Fault>> {
             is_single: false,
             mutant: 0,
             instead: Vec::new(),
+            read: Arc::default(),
         }),
-        refused: OnceLock::new(),
+        refused: Arc::default(),
     })
 }
 
@@ -87,7 +88,7 @@ impl Program {
     /// Where the program stops by itself: a panic, an overflow, too many turns of a loop; and
     /// where the compiler would refuse it, which is seen when it runs.
     pub fn draw(&self, width: u32) -> Result<Picture, Fault> {
-        let mut canvas = self.canvas(width)?;
+        let canvas = self.canvas(width)?;
         let (width, height) = canvas.size();
         if ![width, height].iter().all(|it| (1..=WIDEST).contains(it)) {
             return Err(missing("a picture that is 1 to 4096 pixels wide and high"));
@@ -105,8 +106,8 @@ impl Program {
     /// As for the picture.
     pub fn matches(&self, width: u32, pixels: &Rc<Sample>) -> Result<usize, Fault> {
         // A reader's own loop over all pixels can't be asked for some.
-        let mut canvas = match self.roles.own_ray {
-            Some(_) => self.by_ray_color(self.machine(), width)?,
+        let canvas = match self.roles.own_ray {
+            Some(_) => self.by_ray_color(width)?,
             None => self.canvas(width)?,
         };
         let (width, height) = canvas.size();

@@ -7,8 +7,8 @@ use std::process::Command;
 use std::time::{Duration, Instant};
 
 use common::rtweekend::*;
-use interpreter::{FaultKind, Program};
-use slips::{Ball, Chapter, Interpreted, Letters};
+use course::chapter::Chapter;
+use interpreter::{Ball, FaultKind, Program};
 
 const WIDTHS: [u32; 3] = [40, 63, 100];
 
@@ -37,40 +37,6 @@ fn the_chapters_draw_their_pictures_from_their_texts() {
             assert_eq!(drawn, chapter.picture(width), "{chapter:?} at {width}");
         }
     }
-}
-
-/// Each known mistake that is another text for a part of a line.
-#[test]
-fn mistakes_draw_what_they_draw_when_they_are_compiled() {
-    let mut drawn = 0;
-    let mut other = Vec::new();
-    for chapter in Chapter::OF_THE_BOOK {
-        for slip in slips::all().filter(|slip| slip.chapters.contains(&chapter)) {
-            let words = slip.words(Letters::Rust, chapter);
-            let Some(Ok(program)) = with(chapter, &words.right, &words.wrong) else {
-                continue;
-            };
-            // What the compiler refuses may be seen when it runs.
-            let drawn_first = program.draw(WIDTHS[0]);
-            if drawn_first.is_err_and(|it| it.kind != FaultKind::Stopped) {
-                continue;
-            }
-            drawn += 1;
-            let is_same = WIDTHS.iter().all(|&width| {
-                let compiled = slip.program(chapter).run(width).picture();
-                program.draw(width).is_ok_and(|picture| picture == compiled)
-            });
-            if !is_same {
-                other.push((slip.name, chapter));
-            }
-        }
-    }
-    assert!(
-        other.is_empty(),
-        "{drawn} are drawn, but otherwise are {other:?}"
-    );
-    // The catalogue says less than half of its mistakes in words that compile.
-    assert!(drawn > 100, "{drawn} mistakes are drawn");
 }
 
 /// Two functions with other texts, one after the other, and one that does not go with the rest.
@@ -173,7 +139,7 @@ fn a_prelude_of_ones_own_draws_the_picture_and_is_asked() {
         program.draw(16).expect("nothing stops it"),
         chapter.picture(16)
     );
-    let right = slips::Program::right(chapter);
+    let right = program_of(chapter.files()).expect("rustc compiles it");
     let ray = Ray::new(Vec3::ZERO, Vec3::new(0.1, 0.2, -1.0));
     assert_eq!(program.ray_color(&ray), right.ray_color(&ray));
     let ball = Ball::new(0.0, 0.0, -1.0, 0.5);

@@ -8,8 +8,8 @@
 use std::fmt;
 
 use crate::chapter::Chapter;
+use crate::edit::Edit;
 use crate::program::Program;
-use crate::single;
 
 /// The versions of *Ray Tracing in One Weekend* whose pictures of these chapters
 /// differ. A version that is not named here draws what the one before it draws.
@@ -125,43 +125,125 @@ impl Edition {
     /// # Panics
     /// If the chapter is not one of [`Chapter::OF_THE_BOOK`].
     pub fn program(self, chapter: Chapter) -> Program {
-        let mut program = Program::right(chapter);
-        let p = &mut program;
-        p.edition = self;
-        match self {
-            Self::V4 => {}
-            Self::V3 => count_from_below(p),
-            Self::V3_0 => make_two_to_one(p),
-            Self::V1 | Self::V1InDouble => {
-                make_two_to_one(p);
-                p.level = |component| (255.99 * component) as i32;
-                // Front and back are of version 3.
-                p.face = |_, _, outward| outward;
+        self.shaped(chapter, None)
+    }
+
+    /// The same in a picture of that size in place of the chapter's shape.
+    pub fn shaped(self, chapter: Chapter, size: Option<(u32, u32)>) -> Program {
+        let edits = match chapter {
+            Chapter::BuildTest => self.edits_of_the_build_test(size.map(|it| it.1)),
+            _ => self.edits_of_the_camera(size),
+        };
+        let program = Program::right(chapter).with_any(&edits);
+        program.expect("an edition is a program")
+    }
+
+    fn edits_of_the_camera(self, size: Option<(u32, u32)>) -> Vec<Edit> {
+        let edit = |right: &'static str, wrong: &str| Edit::new(right, wrong.to_owned());
+        let real = "let viewport_width = viewport_height \
+                    * (f64::from(image_width) / f64::from(image_height));";
+        let own = match self {
+            Self::V4 | Self::V3 => "16.0 / 9.0".to_owned(),
+            _ => "2.0".to_owned(),
+        };
+        let wished = size.map(|size| (ratio(size), is_usual(size)));
+        let aspect = wished.map_or(own, |(ratio, usual)| {
+            format!("{:?}", usual.unwrap_or(ratio))
+        });
+        let is_real = self == Self::V4 || wished.is_some_and(|it| it.1.is_none());
+        let mut edits = Vec::new();
+        if !is_real {
+            let wished = "let aspect_ratio = 16.0 / 9.0; \
+                          let viewport_width = viewport_height * aspect_ratio;";
+            edits.push(edit(real, wished));
+        }
+        edits.push(edit("16.0 / 9.0", &aspect));
+        if self == Self::V4 {
+            return edits;
+        }
+        if size.is_none() {
+            let height = "((f64::from(image_width) / aspect_ratio) as u32).max(1)";
+            edits.push(edit(
+                height,
+                "(f64::from(image_width) / aspect_ratio) as u32",
+            ));
+        }
+        let last = if self == Self::V3 { " - 1" } else { "" };
+        edits.extend([
+            edit("Vec3::new(0.0, -viewport_height, 0.0)", "Vec3::new(0.0, viewport_height, 0.0)"),
+            edit("viewport_u * (1.0 / f64::from(image_width))", "viewport_u"),
+            edit("viewport_v * (1.0 / f64::from(image_height))", "viewport_v"),
+            edit("viewport_upper_left + 0.5 * (pixel_delta_u + pixel_delta_v)", "viewport_upper_left"),
+            edit(
+                "self.pixel00 + f64::from(i) * self.pixel_delta_u + f64::from(j) * self.pixel_delta_v",
+                &format!(
+                    "self.pixel00 + (f64::from(i) / f64::from(self.image_width{last})) * self.pixel_delta_u \
+                     + (f64::from(self.image_height - 1 - j) / f64::from(self.image_height{last})) \
+                     * self.pixel_delta_v"
+                ),
+            ),
+        ]);
+        edits.extend(self.edits_of_the_first());
+        edits
+    }
+
+    fn edits_of_the_build_test(self, rows: Option<u32>) -> Vec<Edit> {
+        let edit = |right: &'static str, wrong: &str| Edit::new(right, wrong.to_owned());
+        let rows = match (rows, self) {
+            (Some(rows), _) => format!("{rows}_u32"),
+            (None, Self::V4 | Self::V3) => "width".to_owned(),
+            _ => "(width / 2)".to_owned(),
+        };
+        let mut edits = Vec::new();
+        if rows != "width" {
+            edits.push(edit(
+                "Picture::paint(width, width",
+                &format!("Picture::paint(width, {rows}"),
+            ));
+        }
+        if self == Self::V4 {
+            if rows != "width" {
+                let green = format!("f64::from(j) / f64::from(({rows} - 1).max(1))");
+                edits.push(edit("f64::from(j) / last", &green));
             }
+            return edits;
         }
-        if self == Self::V1 && chapter != Chapter::BuildTest {
-            p.color = single::color;
+        let (last, blue) = match self {
+            Self::V3 => (" - 1", "0.25)"),
+            _ => ("", "0.2)"),
+        };
+        let green = format!("f64::from({rows} - 1 - j) / f64::from({rows}{last})");
+        edits.extend([
+            edit(
+                "f64::from(i) / last",
+                &format!("f64::from(i) / f64::from(width{last})"),
+            ),
+            edit("f64::from(j) / last", &green),
+            edit("0.0)", blue),
+        ]);
+        edits.extend(self.edits_of_the_first());
+        edits
+    }
+
+    /// What only versions 1 and 2 have.
+    fn edits_of_the_first(self) -> Vec<Edit> {
+        let mut edits = Vec::new();
+        if self.is_first() {
+            edits.push(Edit::new("255.999", "255.99"));
+            // Front and back are of version 3.
+            let face = "if self.front_face { outward_normal } else { -outward_normal }";
+            edits.push(Edit::new(face, "outward_normal"));
         }
-        program
+        if self == Self::V1 {
+            edits.push(Edit::new("v * (1.0 / v.length())", "v / v.length()"));
+            edits.push(Edit::new("double", "float"));
+        }
+        edits
     }
 
     /// Whether it is that of versions 1 and 2, in whatever precision.
     pub fn is_first(self) -> bool {
         matches!(self, Self::V1 | Self::V1InDouble)
-    }
-
-    /// Whether row 0 is the lowest one, and the edge of the viewport points up.
-    pub fn counts_from_below(self) -> bool {
-        self != Self::V4
-    }
-
-    /// The row that the right loop counts as it draws the `j`th row from above.
-    pub(super) fn row(self, j: u32, image_height: u32) -> f64 {
-        if self.counts_from_below() {
-            f64::from(image_height) - 1.0 - f64::from(j)
-        } else {
-            f64::from(j)
-        }
     }
 }
 
@@ -178,26 +260,32 @@ impl fmt::Display for Edition {
     }
 }
 
-/// 16:9. The viewport's left edge points up from its lower left corner, and a pixel is
-/// a fraction of the whole edges.
-fn count_from_below(p: &mut Program) {
-    if p.chapter != Chapter::BuildTest {
-        p.image_height = |width, aspect_ratio| (width / aspect_ratio) as u32;
-    }
-    p.viewport_ratio = |_, _, aspect_ratio| aspect_ratio;
-    p.edges = [1.0, 1.0];
-    p.last = 1.0;
-    p.divisors = |width, height| [width, height];
-    p.inset = [0.0, 0.0];
-    p.blue = 0.25;
+/// Ratios of width to height that people choose.
+const USUAL_RATIOS: [f64; 7] = [
+    1.0,
+    4.0 / 3.0,
+    3.0 / 2.0,
+    16.0 / 10.0,
+    16.0 / 9.0,
+    2.0,
+    21.0 / 9.0,
+];
+
+/// The ratio that was wished for, if it is usual. Before version 4 the viewport has it, and the
+/// height follows from it.
+fn is_usual((width, height): (u32, u32)) -> Option<f64> {
+    let is_wished = |ratio: &f64| (f64::from(width) / ratio) as u32 == height;
+    USUAL_RATIOS.into_iter().find(is_wished)
 }
 
-/// Twice as wide as high, in all chapters, and the last column stops short of 1.
-fn make_two_to_one(p: &mut Program) {
-    count_from_below(p);
-    p.aspect_ratio = 2.0;
-    p.image_height = |width, aspect_ratio| (width / aspect_ratio) as u32;
-    p.viewport_ratio = |_, _, _| 2.0;
-    p.last = 0.0;
-    p.blue = 0.2;
+/// Width over height, such that dividing the width by it gives the height even
+/// after rounding down.
+fn ratio((width, height): (u32, u32)) -> f64 {
+    let [width, height] = [width, height].map(f64::from);
+    let ratio = width / height;
+    if width / ratio < height {
+        ratio.next_down()
+    } else {
+        ratio
+    }
 }

@@ -10,6 +10,7 @@
 use std::cmp::Reverse;
 
 use common::rtweekend::*;
+use interpreter::Ball;
 use laws::answers::Answers;
 use laws::camera::Pixel;
 use laws::list::World;
@@ -19,7 +20,7 @@ use laws::{Case, Complaint, Functions, Outcome, Question, Report, Scene, Trial, 
 
 use crate::chapter::Chapter;
 use crate::letters::Letters;
-use crate::program::{Ball, Program};
+use crate::program::Program;
 use crate::slip::Slip;
 use crate::{all, unnamed};
 
@@ -37,7 +38,7 @@ pub fn that_answer_so(answers: &Answers, chapter: Chapter, letters: Letters) -> 
     }
     let mut mistakes: Vec<&'static Slip> = all()
         .chain(unnamed())
-        .filter(|slip| slip.chapters.contains(&chapter) && slip.can_be_made_in(letters))
+        .filter(|slip| slip.is_in(chapter) && slip.can_be_made_in(letters))
         .filter(|slip| gives_all(&slip.program(chapter)))
         .collect();
     mistakes.sort_by_key(|slip| Reverse(slip.reports()));
@@ -180,18 +181,20 @@ impl Functions for Program {
     }
 
     fn pixel_ray(&self, pixel: &Pixel) -> Ray {
-        self.ray(&self.camera(pixel.width), pixel.i, pixel.j)
+        // A reader of a chapter has no camera in the text.
+        let own = self.ray(pixel.width, pixel.i, pixel.j);
+        own.unwrap_or_else(|| Camera::new(pixel.width).ray(pixel.i, pixel.j))
     }
 
     fn dot(&self, u: Vec3, v: Vec3) -> f64 {
-        (self.dot)(u, v)
+        Program::dot(self, u, v)
     }
 
     fn length_squared(&self, v: Vec3) -> f64 {
-        (self.squared)(self, v)
+        self.squared(v)
     }
 
     fn normalize(&self, v: Vec3) -> Vec3 {
-        (self.unit)(v)
+        self.unit(v)
     }
 }

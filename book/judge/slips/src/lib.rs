@@ -17,7 +17,7 @@
 //! // Behind the camera it finds a sphere where nothing should be:
 //! let probe = slips::find_probe("behind").unwrap();
 //! let [wrong, right] = [slip.program(chapter), Program::right(chapter)]
-//!     .map(|program| probe.put_to(program).unwrap().run(probe.width).picture());
+//!     .map(|program| probe.put_to(&program).unwrap().run(probe.width).picture());
 //! assert_ne!(wrong, right);
 //!
 //! // Its intersection alone, to be put under a law:
@@ -28,27 +28,27 @@
 //! ```
 
 mod catalogue;
+mod edit;
 mod edition;
 pub mod lawful;
 mod letters;
 mod look;
-mod output;
+mod notes;
 mod probes;
 mod program;
-mod single;
 mod slip;
 pub mod steps;
-mod traced;
 
 use course::chapter;
 
 pub use catalogue::{all, find, unnamed};
 pub use course::chapter::{Chapter, Room};
+pub use edit::Edit;
 pub use edition::Edition;
+pub use interpreter::{Ball, Hit};
 pub use letters::Letters;
 pub use look::{Look, SIGHT_WIDTH, Sight, sights};
-pub use output::Output;
+pub use notes::{Row, side_by_side};
 pub use probes::{PROBES, Probe, find as find_probe, width_line};
-pub use program::{Ball, Hit, Interpreted, Program};
+pub use program::{Output, Program, files};
 pub use slip::{Slip, Unseen, Words};
-pub use traced::{Row, side_by_side};

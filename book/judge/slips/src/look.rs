@@ -57,7 +57,7 @@ pub fn sights() -> Vec<Sight> {
     let mut sights: Vec<Sight> = Vec::new();
     for slip in all() {
         let mut looks = vec![Look::Right];
-        for &chapter in slip.chapters {
+        for chapter in slip.chapters() {
             let wrong = Drawn::by(&slip.program(chapter));
             let look = Look::of(&right[chapter as usize], &wrong);
             if looks.contains(&look) {
@@ -84,7 +84,7 @@ pub fn sights() -> Vec<Sight> {
 impl Slip {
     /// The first probe that shows the slip in one of its chapters.
     pub fn shown_by(&self) -> Option<&'static str> {
-        let shows = |probe: &&Probe| self.chapters.iter().any(|&it| probe.tells(self, it));
+        let shows = |probe: &&Probe| self.chapters().any(|it| probe.tells(self, it));
         PROBES.iter().find(shows).map(|probe| probe.name)
     }
 }
@@ -123,9 +123,10 @@ struct Drawn {
 impl Drawn {
     fn by(program: &Program) -> Self {
         let output = program.run(SIGHT_WIDTH);
+        let (width, height) = output.size();
         Self {
             picture: output.picture(),
-            is_hit: output.hits().collect(),
+            is_hit: (0..width * height).map(|n| output.hits(n)).collect(),
         }
     }
 }

@@ -1,8 +1,11 @@
 //! Probes: small scenes that show what the book's picture can't.
 
-use super::program::{Ball, Program};
+use interpreter::Ball;
+
+use super::program::Program;
 use super::slip::Slip;
 use crate::chapter::{Chapter, Room};
+use crate::edit::Edit;
 use crate::letters::Letters;
 
 /// A change to a chapter of which every right program makes the same picture.
@@ -98,35 +101,75 @@ pub fn find(name: &str) -> Option<Probe> {
 }
 
 impl Probe {
-    /// The program with this probe's spheres and focal length; its picture is to
-    /// be [`width`](Self::width) pixels wide. `None` if the chapter has no
-    /// [room](Chapter::room) for them.
-    pub fn put_to(&self, program: Program) -> Option<Program> {
-        let Some(world) = self.spheres else {
-            return Some(program);
-        };
-        let has_room = match program.chapter.room() {
-            Room::None => false,
-            Room::One => world.len() == 1,
+    /// Whether the chapter has [room](Chapter::room) for its spheres.
+    pub fn fits(&self, chapter: Chapter) -> bool {
+        let count = self.spheres.map_or(0, <[Ball]>::len);
+        match chapter.room() {
+            Room::None => count == 0,
+            Room::One => count <= 1,
             Room::Many => true,
+        }
+    }
+
+    /// The program with this probe's spheres and focal length; its picture is to be
+    /// [`width`](Self::width) pixels wide. `None` if the chapter has no room for them.
+    pub fn put_to(&self, program: &Program) -> Option<Program> {
+        let chapter = program.chapter;
+        let edits = self.fits(chapter).then(|| self.edits(chapter))?;
+        program.with_any(&edits)
+    }
+
+    /// What a reader changes in the chapter's text.
+    fn edits(&self, chapter: Chapter) -> Vec<Edit> {
+        let mut edits = Vec::new();
+        if self.focal_length != 1.0 {
+            let focal_length = format!("focal_length = {:?}", self.focal_length);
+            edits.push(Edit::new("focal_length = 1.0", focal_length));
+        }
+        let Some(spheres) = self.spheres else {
+            return edits;
         };
-        has_room.then_some(Program {
-            world,
-            // A product, so that a slip in the focal length stays one.
-            focal_length: self.focal_length * program.focal_length,
-            ..program
-        })
+        let spheres: Vec<[String; 2]> = spheres.iter().map(of_ball).collect();
+        let [center, radius] = &spheres[0];
+        match chapter {
+            Chapter::RedSphere => {
+                let call = format!("hit_sphere({center}, {radius}, ray)");
+                edits.push(Edit::new(
+                    "hit_sphere(Point3::new(0.0, 0.0, -1.0), 0.5, ray)",
+                    call,
+                ));
+            }
+            Chapter::HittableList => {
+                let add = |[center, radius]: &[String; 2]| {
+                    format!("world.add(Sphere::new({center}, {radius}));")
+                };
+                edits.push(Edit::new(
+                    "world.add(Sphere::new(Point3::new(0.0, 0.0, -1.0), 0.5)); \
+                     world.add(Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0));",
+                    spheres.iter().map(add).collect::<String>(),
+                ));
+            }
+            _ => edits.extend([
+                Edit::new(
+                    "center = Point3::new(0.0, 0.0, -1.0)",
+                    format!("center = {center}"),
+                ),
+                Edit::new(
+                    "hit_sphere(center, 0.5, ray)",
+                    format!("hit_sphere(center, {radius}, ray)"),
+                ),
+            ]),
+        }
+        edits
     }
 
     /// Whether a chapter with that slip draws another picture of this scene.
     pub fn tells(&self, slip: &Slip, chapter: Chapter) -> bool {
-        let drawn = |program| Some(self.put_to(program)?.run(self.width));
-        match [Program::right(chapter), slip.program(chapter)].map(drawn) {
-            [Some(right), Some(wrong)] => {
-                right.size() != wrong.size() || !right.rgb().eq(wrong.rgb())
-            }
-            _ => false,
-        }
+        let Some(right) = self.put_to(&Program::right(chapter)) else {
+            return false;
+        };
+        let [right, wrong] = [slip.put_to(&right), right].map(|it| it.run(self.width));
+        right.size() != wrong.size() || !right.rgb().eq(wrong.rgb())
     }
 
     /// What a reader changes, a line each: the width, the focal length if it
@@ -149,6 +192,15 @@ impl Probe {
         }));
         lines.join("\n")
     }
+}
+
+/// A ball's center and radius, as our Rust has them.
+fn of_ball(ball: &Ball) -> [String; 2] {
+    let [x, y, z] = ball.center.to_array();
+    [
+        format!("Point3::new({x:?}, {y:?}, {z:?})"),
+        format!("{:?}", ball.radius),
+    ]
 }
 
 /// How a reader asks for a picture of that width: a crate of ours has a function for it.

@@ -1,429 +1,400 @@
-//! A chapter as a table of functions, so that one step of it can be replaced.
+//! Mutation of source text: a chapter's whole program, which the interpreter draws, and edits
+//! of it.
+
+use std::fmt;
+use std::sync::LazyLock;
 
 use common::rtweekend::*;
-pub use interpreter::{Ball, Hit, Interpreted};
+use interpreter::{Ball, Canvas, Hit, Note};
 
 use crate::chapter::Chapter;
-use crate::edition::Edition;
+use crate::edit::Edit;
 
-/// The sphere of chapters 2 to 4.
-pub(super) const BALL: Ball = Ball::new(0.0, 0.0, -1.0, 0.5);
-
-/// Chooses one of all hits, by its ray parameter and its sphere.
-pub(super) type Search = fn(&Program, &[Ball], &Ray) -> Option<(f64, Ball)>;
-
-/// A chapter as its steps, in the order in which a pixel passes through them.
-///
-/// The steps are fields, so a slip is the right program with one of them
-/// replaced, and two slips make a program that has both. Where a step needs
-/// another one it gets the program, because that one may be replaced as well.
-#[derive(Clone, Copy)]
+/// A chapter's program, right or with edits, that draws without being compiled.
+#[derive(Clone, Debug)]
 pub struct Program {
     /// Which chapter it is meant to be.
     pub chapter: Chapter,
-    /// Which edition of the book it follows.
-    pub edition: Edition,
-    /// Width over height, as the reader would like it.
-    pub aspect_ratio: f64,
-    /// Rows of the picture, from its width and the aspect ratio.
-    pub image_height: fn(f64, f64) -> u32,
-    /// Width over height of the viewport, from those of the picture and the aspect ratio.
-    pub viewport_ratio: fn(f64, f64, f64) -> f64,
-    /// Height of the viewport in units of space.
-    pub viewport_height: f64,
-    /// Which way along x and y the edges of the viewport point: 1 or -1.
-    pub edges: [f64; 2],
-    /// From the eye to the viewport, along the negative z axis.
-    pub focal_length: f64,
-    /// Which part of the upper edge lies left of the axis, and of the left edge above it.
-    pub corner: [f64; 2],
-    /// How many pixels less than all are counted along an edge: 1 if the last lies on its end.
-    pub last: f64,
-    /// By how much columns and rows are divided to run from 0 to 1, given how many are counted.
-    pub divisors: fn(f64, f64) -> [f64; 2],
-    /// How many pixels the first one lies to the right of the upper left corner, and below.
-    pub inset: [f64; 2],
-    /// The column and row of the nth printed pixel, given the picture's width and height.
-    pub order: fn(u32, u32, u32) -> (u32, u32),
-    /// The column and row that are seen, from those that the loops count.
-    pub place: fn([f64; 2]) -> [f64; 2],
-    /// Red and green in the build test, from column and row and the divisors.
-    pub ramp: fn([f64; 2], [f64; 2]) -> [f64; 2],
-    /// Blue in every pixel of the build test.
-    pub blue: f64,
-    /// The color of the pixel in a column and row.
-    pub color: fn(&Program, &Camera, u32, u32) -> Color,
-    /// The ray that is cast, from the right one.
-    pub aim: fn(&Program, Ray) -> Ray,
-    /// The vector of length 1 in the same direction.
-    pub unit: fn(Vec3) -> Vec3,
-    /// The direction by which the sky is blended, from that of the ray.
-    pub sky_direction: fn(&Program, Vec3) -> Vec3,
-    /// The weight of blue in the sky, from that direction.
-    pub blend: fn(Vec3) -> f64,
-    /// The colors of the sky, below and above.
-    pub sky: [Color; 2],
-    /// The sky's color from the weight of the one above.
-    pub lerp: fn([Color; 2], f64) -> Color,
-    /// What there is to hit.
-    pub world: &'static [Ball],
-    /// Which hit wins.
-    pub search: Search,
-    /// Only a greater ray parameter counts.
-    pub t_min: f64,
-    /// Only a lesser one counts: no bound in any chapter, but a list has one.
-    pub t_max: f64,
-    /// Whether `t_min`, `t` and `t_max` follow each other.
-    pub in_range: fn(f64, f64, f64) -> bool,
-    /// From the ray's origin to the sphere's center, given center and origin.
-    pub oc: fn(Point3, Point3) -> Vec3,
-    /// The dot product.
-    pub dot: fn(Vec3, Vec3) -> f64,
-    /// The square of a length.
-    pub squared: fn(&Program, Vec3) -> f64,
-    /// The quadratic's a from the ray's direction.
-    pub a: fn(&Program, Vec3) -> f64,
-    /// The quadratic's b or h from d·oc.
-    pub linear: fn(f64) -> f64,
-    /// The quadratic's c from oc·oc and the radius.
-    pub constant: fn(f64, f64) -> f64,
-    /// The 4 of the discriminant, or 1 where b is halved.
-    pub four: f64,
-    /// From that, a, b or h, and c.
-    pub discriminant: fn(f64, f64, f64, f64) -> f64,
-    /// Whether there is a root, from the discriminant.
-    pub meets: fn(f64) -> bool,
-    /// The square root.
-    pub sqrt: fn(f64) -> f64,
-    /// The first term of the numerator, from b or h.
-    pub first_term: fn(f64) -> f64,
-    /// The numerators of the roots as they are tried, from the first term, the root, and a.
-    pub numerators: fn(f64, f64, f64) -> [f64; 2],
-    /// A root from its numerator and a.
-    pub divide: fn(f64, f64) -> f64,
-    /// What is returned of the two roots, if there are any.
-    pub kept: fn(Option<[f64; 2]>) -> Option<[f64; 2]>,
-    /// Which of two roots counts, given `t_min` and `t_max`.
-    pub choice: fn(&Program, [f64; 2], f64, f64) -> Option<f64>,
-    /// The unit normal that points out, from a point on a sphere.
-    pub outward: fn(&Program, Point3, Ball) -> Vec3,
-    /// Whether the ray comes from outside, from its direction and the normal that points out.
-    pub front_face: fn(&Program, Vec3, Vec3) -> bool,
-    /// The normal that is colored, from the ray's direction and the one that points out.
-    pub face: fn(&Program, Vec3, Vec3) -> Vec3,
-    /// The color of a sphere that has only one.
-    pub paint: Color,
-    /// The color of a hit, from the one above or from the normal.
-    pub shade: fn(Color, Vec3) -> Color,
-    /// An integer for the file, from a color's component.
-    pub level: fn(f64) -> i32,
-    /// Which component is printed first, second and third.
-    pub channels: [usize; 3],
-    /// Width and height as the header of the file tells them.
-    pub header: fn(u32, u32) -> (u32, u32),
-    /// What runs in place of the steps from a ray to its color.
-    pub code: Option<&'static dyn Interpreted>,
+    code: interpreter::Program,
+    /// The same code in double precision, if only that makes levels.
+    levels: Option<Box<interpreter::Program>>,
+}
+
+/// The output of a [`Program`]: the numbers of a P3 file, traced when asked for.
+#[derive(Clone, Debug)]
+pub struct Output {
+    program: Program,
+    canvas: Option<Canvas>,
+    size: (u32, u32),
+    /// Whether the loop and the levels are the right ones, which are done here without the text.
+    is_right_around: bool,
+}
+
+/// What else a program of rays has in its text: common's own sources.
+const CAMERA: &str = include_str!("../../../../common/src/camera.rs");
+const RENDER: &str = include_str!("../../../../common/src/engine/render.rs");
+const COLOR: &str = include_str!("../../../../common/src/color.rs");
+/// And what stands here for what no text can show.
+const FILE: &str = include_str!("text/file.rs");
+const VECTORS: &str = include_str!("text/vectors.rs");
+const DOT: &str = include_str!("text/dot.rs");
+
+/// The functions by which a color becomes a pixel of the file.
+const AROUND: [&str; 3] = ["place", "print", "level"];
+
+/// The functions of these vectors.
+const OF_VECTORS: [&str; 5] = ["dot", "length_squared", "length", "normalize", "at"];
+
+static RIGHT: [LazyLock<Program>; 6] = [
+    LazyLock::new(|| Program::read(Chapter::BuildTest)),
+    LazyLock::new(|| Program::read(Chapter::Gradient)),
+    LazyLock::new(|| Program::read(Chapter::RedSphere)),
+    LazyLock::new(|| Program::read(Chapter::Normals)),
+    LazyLock::new(|| Program::read(Chapter::HalfBSphere)),
+    LazyLock::new(|| Program::read(Chapter::HittableList)),
+];
+
+/// The files of the chapter's program, the root first: what the chapter has, and what of
+/// `common` it uses.
+pub fn files(chapter: Chapter) -> Vec<(String, String)> {
+    let chapters = chapter.files().iter();
+    let mut files: Vec<(String, String)> = chapters
+        .map(|(name, text)| ((*name).to_owned(), (*text).to_owned()))
+        .collect();
+    files.sort_by_key(|(name, _)| !name.ends_with("lib.rs"));
+    let mut add = |name: &str, text: &str, imported: &str| {
+        files[0].1 += &format!("\nmod {name};\n{imported}");
+        let own = text.lines().filter(|line| !line.starts_with("use "));
+        let own = own.fold(String::new(), |text, line| text + line + "\n");
+        let import = match name {
+            "render" => "use crate::camera::Camera;\n",
+            _ => "",
+        };
+        let own = format!("use common::rtweekend::*;\n{import}{own}");
+        files.push((format!("src/{name}.rs"), own));
+    };
+    add("file", FILE, "");
+    if chapter > Chapter::BuildTest {
+        add("camera", CAMERA, "");
+        add("render", RENDER, "use crate::render::render;\n");
+        add("vectors", VECTORS, "");
+    }
+    // The first chapter with rays writes its sky out.
+    if chapter > Chapter::Gradient {
+        let sky = COLOR.split("\n/// Stores").next().unwrap_or_default();
+        add("color", sky, "use crate::color::sky;\n");
+        add("dot", DOT, "");
+    }
+    files
+}
+
+/// Where a file of the chapter's program stands in this workspace.
+pub(crate) fn source(chapter: Chapter, name: &str) -> String {
+    match name {
+        "src/camera.rs" | "src/color.rs" => format!("common/{name}"),
+        "src/render.rs" => "common/src/engine/render.rs".to_owned(),
+        "src/vectors.rs" | "src/dot.rs" => "common/src/vec3.rs".to_owned(),
+        "src/file.rs" => "book/judge/slips/src/text/file.rs".to_owned(),
+        name => format!("chapters/{}_{}/{name}", chapter as usize, chapter.name()),
+    }
 }
 
 impl Program {
-    /// The chapter as it should be.
-    ///
-    /// A copy, since the chapter itself can't be taken apart; a test compares
-    /// the two.
+    /// The chapter as it should be, from its own text.
     ///
     /// # Panics
     /// If it is not one of [`Chapter::OF_THE_BOOK`].
     pub fn right(chapter: Chapter) -> Self {
-        match chapter {
-            Chapter::BuildTest => BUILD_TEST,
-            Chapter::Gradient => GRADIENT,
-            Chapter::RedSphere => RED_SPHERE,
-            Chapter::Normals => NORMALS,
-            Chapter::HalfBSphere => HALF_B_SPHERE,
-            Chapter::HittableList => HITTABLE_LIST,
-            Chapter::SpeedVsAccuracy => panic!("chapter 6 is no program of the book"),
+        let right = RIGHT.get(chapter as usize);
+        Self::clone(right.expect("chapter 6 is no program of the book"))
+    }
+
+    /// The program of a reader of that chapter.
+    pub fn typed(chapter: Chapter, code: interpreter::Program) -> Self {
+        Self {
+            chapter,
+            code,
+            levels: None,
         }
     }
 
-    /// The camera of the program.
-    pub fn camera(&self, image_width: u32) -> Camera {
-        let width = f64::from(image_width);
-        let image_height = (self.image_height)(width, self.aspect_ratio);
-        let height = f64::from(image_height);
-        let center = Point3::ZERO;
-
-        let viewport_ratio = (self.viewport_ratio)(width, height, self.aspect_ratio);
-        let viewport_width = self.viewport_height * viewport_ratio;
-        let [right, up] = self.edges;
-        let viewport_u = Vec3::new(right * viewport_width, 0.0, 0.0);
-        let viewport_v = Vec3::new(0.0, up * self.viewport_height, 0.0);
-
-        let [left, above] = self.corner;
-        let corner = center
-            - Vec3::new(0.0, 0.0, self.focal_length)
-            - left * viewport_u
-            - above * viewport_v;
-        let mut camera = Camera {
-            image_width,
-            image_height,
-            center,
-            pixel00: corner,
-            pixel_delta_u: viewport_u,
-            pixel_delta_v: viewport_v,
-        };
-        if !self.edition.counts_from_below() {
-            let [across, down] = self.divided(image_width, image_height);
-            camera.pixel_delta_u = viewport_u * (1.0 / across);
-            camera.pixel_delta_v = viewport_v * (1.0 / down);
-            let [right, down] = self.inset;
-            camera.pixel00 = corner + (right * camera.pixel_delta_u + down * camera.pixel_delta_v);
+    fn read(chapter: Chapter) -> Self {
+        let files = files(chapter);
+        let files: Vec<(&str, &str)> = files.iter().map(|it| (&*it.0, &*it.1)).collect();
+        let code = interpreter::read(&files)
+            .unwrap_or_else(|faults| panic!("the text of {chapter:?} is read: {}", faults[0]));
+        Self {
+            chapter,
+            code,
+            levels: None,
         }
-        camera
+    }
+
+    /// The same program with these edits, one after the other, or `None` if one of them stands
+    /// nowhere in it, or they make it no program.
+    pub fn with(&self, edits: &[Edit]) -> Option<Self> {
+        let mut changed = Vec::new();
+        let mut program = self.clone();
+        for edit in edits {
+            if edit.is_precision() && self.chapter != Chapter::BuildTest {
+                program = program.in_single_precision(edit);
+            } else if !self.change(edit, &mut changed) {
+                return None;
+            }
+        }
+        let mut all = changed.into_iter();
+        all.try_fold(program, |program, (name, text)| {
+            program.with_text(&name, &text)
+        })
+    }
+
+    /// The same program with those of these edits that stand in it, if that is one.
+    pub(crate) fn with_any(&self, edits: &[Edit]) -> Option<Self> {
+        let edits = edits.iter().filter(|edit| self.has(edit)).cloned();
+        self.with(&edits.collect::<Vec<_>>())
+    }
+
+    /// Changes the texts of all functions in which the edit stands; whether it does somewhere.
+    fn change(&self, edit: &Edit, changed: &mut Vec<(String, String)>) -> bool {
+        let mut stands = false;
+        for (name, text) in self.functions() {
+            let place = changed.iter().position(|it| it.0 == name);
+            let text = place.map_or(text, |place| &changed[place].1);
+            let Some(new) = edit.made_in(text) else {
+                continue;
+            };
+            stands = true;
+            match place {
+                Some(place) => changed[place].1 = new,
+                None => changed.push((name.to_owned(), new)),
+            }
+        }
+        stands
+    }
+
+    /// Whether the edit can be made in it.
+    pub(crate) fn has(&self, edit: &Edit) -> bool {
+        match edit.is_precision() {
+            true => self.chapter != Chapter::BuildTest,
+            false => self.functions().any(|it| edit.stands_in(it.1)),
+        }
+    }
+
+    /// The same program with another text of one function, or `None` if that is none.
+    pub fn with_text(&self, function: &str, text: &str) -> Option<Self> {
+        let mut code = self.code.patched(function, text).ok()?;
+        if OF_VECTORS.contains(&function) {
+            code = code.instead_of_the_library(&OF_VECTORS);
+        }
+        let levels = self.levels.as_ref();
+        let levels = levels.map(|it| it.patched(function, text).ok().map(Box::new));
+        Some(Self {
+            code,
+            levels: levels.flatten(),
+            ..*self
+        })
+    }
+
+    /// The same program with every number and result rounded to 24 bits.
+    fn in_single_precision(&self, edit: &Edit) -> Self {
+        let code = self.code.instead_of_the_library(&OF_VECTORS);
+        Self {
+            chapter: self.chapter,
+            code: code.in_single_precision(),
+            levels: edit.is_as_in_cpp().then(|| Box::new(code)),
+        }
+    }
+
+    /// The same program with what another one has changed, where both were made from a third;
+    /// `None` if both have changed the same function.
+    pub fn joined(&self, other: &Self, from: &Self) -> Option<Self> {
+        let code = self.code.joined(&other.code, &from.code)?;
+        Some(Self {
+            code,
+            ..self.clone()
+        })
+    }
+
+    /// The functions by their names, `hit_sphere` or `Sphere::hit`, with their texts.
+    pub fn functions(&self) -> impl Iterator<Item = (&str, &str)> {
+        self.code.functions()
+    }
+
+    /// The text as it is run.
+    pub fn interpreted(&self) -> &interpreter::Program {
+        &self.code
+    }
+
+    /// What the program prints when it is asked for a picture `width` pixels wide. Nothing is
+    /// traced before a pixel is asked for.
+    pub fn run(&self, width: u32) -> Output {
+        let canvas = self.code.canvas(width).ok();
+        let (columns, rows) = canvas.as_ref().map_or((0, 0), Canvas::size);
+        let header = self.code.integers("header", &[columns, rows]);
+        let size = match header.as_deref() {
+            Some([columns, rows]) => (*columns as u32, *rows as u32),
+            _ => (0, 0),
+        };
+        Output {
+            program: self.clone(),
+            canvas,
+            size,
+            is_right_around: self.is_right_around(),
+        }
+    }
+
+    /// Whether its loop and its levels are as they stand in the text for the file.
+    fn is_right_around(&self) -> bool {
+        let mut functions = self.functions();
+        functions.all(|(name, text)| !AROUND.contains(&name) || FILE.contains(text))
+    }
+
+    /// The `n`th pixel of a picture that wide, as red, green and blue.
+    pub fn pixel(&self, width: u32, n: u32) -> [i32; 3] {
+        self.run(width).pixel(n)
+    }
+
+    /// The ray that is cast for the pixel in a column and row of a picture that wide.
+    pub fn ray(&self, width: u32, i: u32, j: u32) -> Option<Ray> {
+        self.code.camera_ray(width, i, j)
     }
 
     /// The chapter's `ray_color`.
     pub fn ray_color(&self, ray: &Ray) -> Color {
-        if let Some(code) = self.code {
-            return code.ray_color(ray);
-        }
-        match self.normal(ray) {
-            Some(normal) => (self.shade)(self.paint, normal),
-            None => (self.lerp)(self.sky, self.weight_of_blue(ray.direction)),
-        }
+        self.code.ray_color(ray)
     }
 
-    /// The weight of blue in the sky, from the direction of a ray.
-    pub fn weight_of_blue(&self, direction: Vec3) -> f64 {
-        (self.blend)((self.sky_direction)(self, direction))
-    }
-
-    /// The normal of a hit that is colored, if the ray hits anything.
-    pub fn normal(&self, ray: &Ray) -> Option<Vec3> {
-        let (t, ball) = self.search(ray)?;
-        let outward = (self.outward)(self, ray.at(t), ball);
-        Some((self.face)(self, ray.direction, outward))
-    }
-
-    /// What wins of all that the ray hits in the program's world.
-    pub fn search(&self, ray: &Ray) -> Option<(f64, Ball)> {
-        (self.search)(self, self.world, ray)
-    }
-
-    /// What wins in a world of other spheres, between `t_min` and `t_max`.
-    pub fn search_among(&self, balls: &[Ball], ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
-        if let Some(code) = self.code {
-            return code.nearest(balls, ray, t_min, t_max);
-        }
-        let program = Self {
-            t_min,
-            t_max,
-            ..*self
-        };
-        (self.search)(&program, balls, ray).map(|(t, _)| t)
+    /// The `hit_sphere` of chapters 2 to 4, which knows no interval: the nearer root `t`, in
+    /// lengths of `ray.direction`. Chapter 2 only tells whether there is one.
+    pub fn hit_sphere(&self, center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
+        self.code.hit_sphere(center, radius, ray)
     }
 
     /// The record of a sphere's nearest hit between `t_min` and `t_max`.
     pub fn record(&self, ball: Ball, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit> {
-        if let Some(code) = self.code {
-            return code.record(ball, ray, t_min, t_max);
-        }
-        let t = self.hit(ball, ray, t_min, t_max)?;
-        let point = ray.at(t);
-        let outward = (self.outward)(self, point, ball);
-        Some(Hit {
-            t,
-            point,
-            normal: (self.face)(self, ray.direction, outward),
-            front_face: (self.front_face)(self, ray.direction, outward),
-        })
+        self.code.record(ball, ray, t_min, t_max)
     }
 
-    /// The column and row that are seen in the `j`th row from above.
-    pub(super) fn seen(&self, camera: &Camera, i: u32, j: u32) -> [f64; 2] {
-        (self.place)([i.into(), self.edition.row(j, camera.image_height)])
+    /// What wins in a world of spheres, between `t_min` and `t_max`.
+    pub fn search_among(&self, balls: &[Ball], ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
+        self.code.nearest(balls, ray, t_min, t_max)
     }
 
-    /// By how much columns and rows are divided.
-    pub(super) fn divided(&self, width: u32, height: u32) -> [f64; 2] {
-        (self.divisors)(f64::from(width) - self.last, f64::from(height) - self.last)
+    /// The dot product: glam's, where the text has none.
+    pub fn dot(&self, u: Vec3, v: Vec3) -> f64 {
+        let own = self.code.of_vectors("dot", &[u, v]);
+        own.map_or(u.dot(v), |it| it[0])
     }
 
-    /// The ray that is cast for the pixel in a column and row.
-    pub fn ray(&self, camera: &Camera, i: u32, j: u32) -> Ray {
-        let [mut u, mut v] = self.seen(camera, i, j);
-        if self.edition.counts_from_below() {
-            let [across, up] = self.divided(camera.image_width, camera.image_height);
-            [u, v] = [u / across, v / up];
-        }
-        let point = camera.pixel00 + u * camera.pixel_delta_u + v * camera.pixel_delta_v;
-        (self.aim)(self, Ray::new(camera.center, point - camera.center))
+    /// The square of a length, likewise.
+    pub fn squared(&self, v: Vec3) -> f64 {
+        let own = self.code.of_vectors("length_squared", &[v]);
+        own.map_or(v.length_squared(), |it| it[0])
     }
 
-    /// The color of a pixel in a chapter without rays.
-    fn build_test(&self, camera: &Camera, i: u32, j: u32) -> Color {
-        let divisors = self.divided(camera.image_width, camera.image_height);
-        let [red, green] = (self.ramp)(self.seen(camera, i, j), divisors);
-        Color::new(red, green, self.blue)
-    }
-
-    /// The `hit_sphere` of chapters 2 to 4, which knows no interval: the nearer
-    /// root `t`, in lengths of `ray.direction`. Chapter 2 only tells whether
-    /// there is one.
-    pub fn hit_sphere(&self, center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
-        if let Some(code) = self.code {
-            return code.hit_sphere(center, radius, ray);
-        }
-        self.roots(Ball { center, radius }, ray)
-            .map(|[first, _]| first)
-    }
-
-    /// The `hit` of a sphere in chapter 5: the first root tried that lies in
-    /// the interval, in lengths of `ray.direction`.
-    pub fn hit(&self, ball: Ball, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
-        if let Some(code) = self.code {
-            return code.record(ball, ray, t_min, t_max).map(|hit| hit.t);
-        }
-        (self.choice)(self, self.roots(ball, ray)?, t_min, t_max)
-    }
-
-    /// The two roots that are tried, one after the other.
-    fn roots(&self, ball: Ball, ray: &Ray) -> Option<[f64; 2]> {
-        let [a, b, c] = self.coefficients(ball, ray);
-        let discriminant = (self.discriminant)(self.four, a, b, c);
-        let roots = || {
-            let numerators = (self.numerators)((self.first_term)(b), (self.sqrt)(discriminant), a);
-            numerators.map(|numerator| (self.divide)(numerator, a))
-        };
-        (self.kept)((self.meets)(discriminant).then(roots))
-    }
-
-    /// The quadratic's a, b or h, and c.
-    pub(super) fn coefficients(&self, ball: Ball, ray: &Ray) -> [f64; 3] {
-        let oc = (self.oc)(ball.center, ray.origin);
-        let a = (self.a)(self, ray.direction);
-        let b = (self.linear)((self.dot)(ray.direction, oc));
-        let c = (self.constant)((self.squared)(self, oc), ball.radius);
-        [a, b, c]
+    /// The vector of length 1 in the same direction, likewise.
+    pub fn unit(&self, v: Vec3) -> Vec3 {
+        let own = self.code.of_vectors("normalize", &[v]);
+        own.map_or(v.normalize(), |it| Vec3::from_slice(&it))
     }
 }
 
-/// The last chapter has all there is; each one before it is the next one with
-/// a few steps less.
-const HITTABLE_LIST: Program = Program {
-    chapter: Chapter::HittableList,
-    edition: Edition::V4,
-    aspect_ratio: 16.0 / 9.0,
-    image_height: |width, aspect_ratio| ((width / aspect_ratio) as u32).max(1),
-    viewport_ratio: |width, height, _| width / height,
-    viewport_height: 2.0,
-    edges: [1.0, -1.0],
-    focal_length: 1.0,
-    corner: [0.5, 0.5],
-    last: 0.0,
-    divisors: |width, height| [width, height],
-    inset: [0.5, 0.5],
-    order: |n, width, _| (n % width, n / width),
-    place: |place| place,
-    ramp: |[i, j], [width, height]| [i / width, j / height],
-    blue: 0.0,
-    color: |program, camera, i, j| program.ray_color(&program.ray(camera, i, j)),
-    aim: |_, ray| ray,
-    unit: Vec3::normalize,
-    sky_direction: |program, direction| (program.unit)(direction),
-    blend: |direction| 0.5 * (direction.y + 1.0),
-    sky: [Color::new(1.0, 1.0, 1.0), Color::new(0.5, 0.7, 1.0)],
-    lerp: |[below, above], a| (1.0 - a) * below + a * above,
-    world: &[BALL, Ball::new(0.0, -100.5, -1.0, 100.0)],
-    search: nearest,
-    t_min: 0.0,
-    t_max: f64::INFINITY,
-    in_range: |t_min, t, t_max| t_min < t && t < t_max,
-    oc: |center, origin| center - origin,
-    dot: Vec3::dot,
-    squared: |_, v| v.length_squared(),
-    a: |program, direction| (program.squared)(program, direction),
-    linear: |d_oc| d_oc,
-    constant: |oc_squared, radius| oc_squared - radius * radius,
-    four: 1.0,
-    discriminant: |four, a, b, c| b * b - four * a * c,
-    meets: |discriminant| discriminant >= 0.0,
-    sqrt: f64::sqrt,
-    first_term: |h| h,
-    numerators: |first, sqrtd, _| [first - sqrtd, first + sqrtd],
-    divide: |numerator, a| numerator / a,
-    kept: |roots| roots,
-    choice: |program, roots, t_min, t_max| {
-        let in_range = |&t: &f64| (program.in_range)(t_min, t, t_max);
-        roots.into_iter().find(in_range)
-    },
-    outward: |_, point, ball| (point - ball.center) * (1.0 / ball.radius),
-    front_face: |program, direction, outward| (program.dot)(direction, outward) < 0.0,
-    face: |program, direction, outward| {
-        if (program.front_face)(program, direction, outward) {
-            outward
-        } else {
-            -outward
+impl Output {
+    /// Width and height as the header tells them.
+    pub fn size(&self) -> (u32, u32) {
+        self.size
+    }
+
+    /// The `n`th printed pixel as red, green and blue.
+    ///
+    /// The right program prints 0 to 255, a wrong one may print what no picture
+    /// can hold. C++ converts to `int` in the same way, except that numbers
+    /// beyond ±2³¹ and NaN become −2³¹ on some processors.
+    pub fn pixel(&self, n: u32) -> [i32; 3] {
+        self.printed(n).unwrap_or_default()
+    }
+
+    fn printed(&self, n: u32) -> Option<[i32; 3]> {
+        let color = self.color(n)?;
+        if self.is_right_around {
+            return Some(
+                color
+                    .to_array()
+                    .map(|component| (255.999 * component) as i32),
+            );
         }
-    },
-    paint: Color::new(1.0, 0.0, 0.0),
-    shade: |_, normal| 0.5 * (normal + Vec3::ONE),
-    level: |component| (255.999 * component) as i32,
-    channels: [0, 1, 2],
-    header: |width, height| (width, height),
-    code: None,
-};
+        let program = &self.program;
+        let code = program.levels.as_deref().unwrap_or(&program.code);
+        let levels = code.integers_of("print", color)?;
+        levels.try_into().ok()
+    }
 
-const HALF_B_SPHERE: Program = Program {
-    chapter: Chapter::HalfBSphere,
-    world: &[BALL],
-    numerators: |first, sqrtd, _| [first - sqrtd; 2],
-    outward: |program, point, ball| (program.unit)(point - ball.center),
-    face: |_, _, outward| outward,
-    ..HITTABLE_LIST
-};
+    /// The color of the `n`th printed pixel, unless the program stops there.
+    pub(crate) fn color(&self, n: u32) -> Option<Color> {
+        let (i, j) = self.place(n)?;
+        self.canvas.as_ref()?.color(i, j).ok()
+    }
 
-const NORMALS: Program = Program {
-    chapter: Chapter::Normals,
-    squared: |program, v| (program.dot)(v, v),
-    linear: |d_oc| -2.0 * d_oc,
-    four: 4.0,
-    first_term: |b| -b,
-    divide: |numerator, a| numerator / (2.0 * a),
-    ..HALF_B_SPHERE
-};
+    /// The ray of the `n`th printed pixel.
+    pub(crate) fn ray(&self, n: u32) -> Option<Ray> {
+        let (i, j) = self.place(n)?;
+        let (width, _) = self.canvas.as_ref()?.size();
+        self.program.ray(width, i, j)
+    }
 
-const RED_SPHERE: Program = Program {
-    chapter: Chapter::RedSphere,
-    t_min: f64::NEG_INFINITY,
-    // It asks whether there is a root, and not where.
-    in_range: |_, _, _| true,
-    shade: |paint, _| paint,
-    ..NORMALS
-};
+    /// The column and the row of the `n`th printed pixel.
+    fn place(&self, n: u32) -> Option<(u32, u32)> {
+        let (columns, rows) = self.canvas.as_ref()?.size();
+        if self.is_right_around {
+            return Some((n.checked_rem(columns)?, n / columns));
+        }
+        let place = self.program.code.integers("place", &[n, columns, rows])?;
+        Some((place[0] as u32, place[1] as u32))
+    }
 
-const GRADIENT: Program = Program {
-    chapter: Chapter::Gradient,
-    world: &[],
-    ..RED_SPHERE
-};
+    /// All pixels in the order in which they are printed.
+    pub fn pixels(&self) -> impl Iterator<Item = [i32; 3]> + '_ {
+        (0..self.size.0 * self.size.1).map(|n| self.pixel(n))
+    }
 
-const BUILD_TEST: Program = Program {
-    chapter: Chapter::BuildTest,
-    image_height: |width, _| width as u32,
-    last: 1.0,
-    divisors: |width, height| [width.max(1.0), height.max(1.0)],
-    color: Program::build_test,
-    ..GRADIENT
-};
-
-fn nearest(program: &Program, balls: &[Ball], ray: &Ray) -> Option<(f64, Ball)> {
-    let mut found = None;
-    let mut closest_so_far = program.t_max;
-    for &ball in balls {
-        if let Some(t) = program.hit(ball, ray, program.t_min, closest_so_far) {
-            closest_so_far = t;
-            found = Some((t, ball));
+    /// What each `let` comes to on the way to the `n`th pixel.
+    pub fn notes(&self, n: u32) -> Vec<Note> {
+        match (&self.canvas, self.place(n)) {
+            (Some(canvas), Some((i, j))) => canvas.notes(i, j),
+            _ => Vec::new(),
         }
     }
-    found
+
+    /// Whether the ray of the `n`th pixel hits something: `ray_color` returns before its end.
+    pub fn hits(&self, n: u32) -> bool {
+        let is_hit = |it: &Note| it.0 == "ray_color" && it.1 == "return";
+        self.notes(n).iter().any(is_hit)
+    }
+
+    /// All pixels as the same program stores them in Rust, where a conversion to a byte
+    /// stops at 0 and 255.
+    pub fn rgb(&self) -> impl Iterator<Item = [u8; 3]> + '_ {
+        let stored = |level: i32| level.clamp(0, 255) as u8;
+        self.pixels().map(move |pixel| pixel.map(stored))
+    }
+
+    /// The picture that the same program draws in Rust.
+    pub fn picture(&self) -> Picture {
+        let (width, height) = self.size;
+        let rgb = self.rgb().flatten().collect();
+        Picture::from_rgb(width, height, rgb)
+            .expect("a header may swap width and height, but not change their product")
+    }
+}
+
+/// The P3 file of the book's C++, which prints what it gets, 256 and −127 too.
+impl fmt::Display for Output {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (width, height) = self.size;
+        write!(f, "P3\n{width} {height}\n255\n")?;
+        for [red, green, blue] in self.pixels() {
+            writeln!(f, "{red} {green} {blue}")?;
+        }
+        Ok(())
+    }
 }

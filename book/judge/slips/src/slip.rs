@@ -2,45 +2,47 @@
 //! what there is to say of it.
 
 use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::str::SplitWhitespace;
+use std::sync::{LazyLock, Mutex, PoisonError};
 
 use crate::chapter::Chapter;
+use crate::edit::Edit;
 use crate::edition::Edition;
 use crate::letters::{Letters, in_chapter, in_cpp, in_python};
-use crate::program::Program;
+use crate::program::{Program, files, source};
+
+/// The slips that the picture of a chapter hides at the book's width, and what probes show them:
+/// drawn once, since that takes longer than a reader waits.
+const HIDDEN: &str = include_str!("hidden.txt");
 
 /// A mistake that readers make, as an edit of the right line.
 ///
-/// What it draws comes from a step of the [`Program`] and not from the interpreted text: a
-/// judge draws thousands of pairs of slips while a reader waits.
+/// In which chapters it can be made, the texts of these say: wherever its line stands.
 #[derive(Clone, Copy, Debug)]
 pub struct Slip {
     /// What it is called, on the command line and in tables. It never changes. Empty where
     /// only laws look for it.
     pub name: &'static str,
-    /// The chapters in which it can be made.
-    pub chapters: &'static [Chapter],
     /// The page of the book and its heading that tell how it is right, as the end of an
     /// address: `half_b_sphere#two-observations`.
     pub page: &'static str,
-    /// The file of this workspace that has the line right.
-    pub source: &'static str,
-    /// Of what program the line is a part.
-    pub(super) part: Part,
     /// The right line in our Rust, as chapter 3 has it.
     pub(super) rust: &'static str,
     /// The line from a later chapter on, if that has another.
     pub(super) later: Option<(Chapter, &'static str)>,
+    /// A part of the line, and what is typed in its place: `right→wrong`. The first whose
+    /// part is in the line counts; no part is the whole line.
+    pub(super) edits: &'static [&'static str],
+    /// The edits of the texts, where a single one of this line is not all: those that stand in
+    /// a text are made.
+    pub(super) more: &'static [&'static str],
     /// The line in version 4 until then, if it can't be made of our Rust.
     pub(super) cpp: &'static str,
     /// The line in Python, if it can't be made of the book's.
     pub(super) python: &'static str,
     /// The line in editions before version 4, if it is another.
     pub(super) older: &'static str,
-    /// A part of the line, and what is typed in its place: `right→wrong`. The first whose
-    /// part is in the line counts; no part is the whole line.
-    pub(super) edits: &'static [&'static str],
-    /// Whether it stands in a second line as well: to make it, both are mistyped.
-    pub is_in_two_places: bool,
     /// What the mistake does to the picture, and why.
     pub(super) why: &'static str,
     /// The languages that let it be made: not all take a number for a truth, or -1.0 for a
@@ -55,19 +57,6 @@ pub struct Slip {
     pub(super) equivalent: &'static str,
     /// The law that shows it there.
     pub(super) law: &'static str,
-    /// Replaces the steps of a program.
-    pub(super) alter: fn(&mut Program),
-}
-
-/// Of what program a line is a part.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Part {
-    /// A chapter.
-    Chapter,
-    /// The camera's sizes, which earlier editions than 3.1 print as numbers.
-    Sizes,
-    /// What else all chapters share.
-    Prelude,
 }
 
 /// What there is to say of a slip.
@@ -87,37 +76,34 @@ pub enum Unseen {
     /// It draws the same picture; the sentence proves it.
     Equivalent(&'static str),
     /// It needs a ray that no camera here casts; the sentence is the law that
-    /// a test puts to [`Program::hit_sphere`], [`Program::hit`] or a ray.
+    /// a test puts to [`Program::hit_sphere`], [`Program::record`] or a ray.
     OnlyByLaw(&'static str),
 }
 
 /// A slip that changes nothing yet, and of which nothing is said.
 pub(super) const SLIP: Slip = Slip {
     name: "",
-    chapters: &[],
     page: "",
-    source: "",
-    part: Part::Chapter,
     rust: "",
     later: None,
+    edits: &[],
+    more: &[],
     cpp: "",
     python: "",
     older: "",
-    edits: &[],
-    is_in_two_places: false,
     why: "",
     made_in: |_| true,
     reported: &[],
     unseen_in: &[],
     equivalent: "",
     law: "",
-    alter: |_| {},
 };
 
 impl Slip {
     /// What there is to say of it to someone who made it in that chapter.
     pub fn words(&self, letters: Letters, chapter: Chapter) -> Words {
-        let [wrong, right] = self.lines(letters, chapter).map(Cow::Owned);
+        let lines = self.lines(letters, chapter).unwrap_or_default();
+        let [wrong, right] = lines.map(Cow::Owned);
         Words {
             wrong,
             right,
@@ -126,7 +112,7 @@ impl Slip {
     }
 
     /// The wrong line and the right one.
-    fn lines(&self, letters: Letters, chapter: Chapter) -> [String; 2] {
+    fn lines(&self, letters: Letters, chapter: Chapter) -> Option<[String; 2]> {
         let later = self.later.filter(|(since, _)| *since <= chapter);
         let rust = later.map_or(self.rust, |(_, line)| line);
         let translated = |to: fn(&str, Chapter) -> String| {
@@ -135,24 +121,22 @@ impl Slip {
         };
         let is_older = letters.edition() != Edition::V4 && self.has_older_words();
         let own = match letters {
-            Letters::Rust if self.part == Part::Chapter => translated(in_chapter),
-            Letters::Rust => self.edited(rust),
+            Letters::Rust => translated(in_chapter)
+                .filter(|[_, right]| stands_in(chapter, right))
+                .or_else(|| self.edited(rust)),
             Letters::Python(_) if is_older => None,
             Letters::Python(_) => self.edited(self.python),
             Letters::Book(_) if is_older => self.edited(self.older),
             Letters::Book(_) if later.is_some() => translated(in_cpp),
             Letters::Book(_) => None,
         };
-        own.unwrap_or_else(|| match letters {
+        own.or_else(|| match letters {
             Letters::Rust => self.lines(Letters::Book(Edition::V4), chapter),
             Letters::Python(edition) => {
-                let both = self.lines(Letters::Book(edition), chapter);
-                both.map(|line| in_python(&line))
+                let both = self.lines(Letters::Book(edition), chapter)?;
+                Some(both.map(|line| in_python(&line)))
             }
-            Letters::Book(_) => {
-                let both = self.edited(self.cpp).or_else(|| translated(in_cpp));
-                both.expect("an edit fits the line")
-            }
+            Letters::Book(_) => self.edited(self.cpp).or_else(|| translated(in_cpp)),
         })
     }
 
@@ -189,10 +173,10 @@ impl Slip {
     }
 
     /// Whether it is a line of another edition in a program of this one.
-    pub fn is_of_another_edition(&self) -> bool {
-        let [_, older] = self.lines(Letters::Book(Edition::V3), self.chapters[0]);
-        let [wrong, _] = self.lines(Letters::Book(Edition::V4), self.chapters[0]);
-        self.has_older_words() && older == wrong
+    pub fn is_of_another_edition(&self, chapter: Chapter) -> bool {
+        let line = |edition| self.lines(Letters::Book(edition), chapter);
+        let [older, own] = [Edition::V3, Edition::V4].map(line);
+        self.has_older_words() && older.map(|it| it[1].clone()) == own.map(|it| it[0].clone())
     }
 
     /// How many people have reported that they made it.
@@ -200,20 +184,73 @@ impl Slip {
         self.reported.len()
     }
 
+    /// The edits by which it is made in the chapter's text.
+    pub fn edits(&self, chapter: Chapter) -> Vec<Edit> {
+        if !self.more.is_empty() {
+            return self.more.iter().map(|it| Edit::written(it)).collect();
+        }
+        let lines = self.lines(Letters::Rust, chapter).into_iter();
+        // The program prints numbers that are no bytes, too.
+        let printed = |line: String| line.replace(" as u8", " as i32");
+        let lines = lines.map(|both| both.map(printed));
+        lines
+            .map(|[wrong, right]| Edit::new(right, wrong))
+            .collect()
+    }
+
+    /// The edit by which it is made in the chapter's text, if that is one.
+    pub fn only_edit(&self, chapter: Chapter) -> Option<Edit> {
+        let program = Program::right(chapter);
+        let edits = self.edits(chapter).into_iter();
+        let mut standing = edits.filter(|edit| program.has(edit));
+        standing.next().filter(|_| standing.next().is_none())
+    }
+
+    /// Whether its line stands in the chapter's program.
+    pub fn is_in(&self, chapter: Chapter) -> bool {
+        /// By the slip's name and its reason, since not all have a name.
+        type Known = BTreeMap<(&'static str, &'static str, Chapter), bool>;
+        static KNOWN: LazyLock<Mutex<Known>> = LazyLock::new(Mutex::default);
+        let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+        let stands = || {
+            let program = Program::right(chapter);
+            self.edits(chapter).iter().any(|edit| program.has(edit))
+        };
+        *known
+            .entry((self.name, self.why, chapter))
+            .or_insert_with(stands)
+    }
+
+    /// The chapters in which it can be made.
+    pub fn chapters(&self) -> impl Iterator<Item = Chapter> {
+        let chapters = Chapter::OF_THE_BOOK.into_iter();
+        chapters.filter(|&chapter| self.is_in(chapter))
+    }
+
+    /// The file of this workspace that has the line right.
+    pub fn source(&self) -> Option<String> {
+        let chapter = self.chapters().next()?;
+        let edits = self.edits(chapter);
+        let mut files = files(chapter).into_iter();
+        let has_it = |(_, text): &(String, String)| edits.iter().any(|it| it.stands_in(text));
+        let (name, _) = files.find(has_it)?;
+        Some(source(chapter, &name))
+    }
+
     /// The program of someone who made this slip in that chapter.
     pub fn program(&self, chapter: Chapter) -> Program {
         assert!(
-            self.chapters.contains(&chapter),
+            self.is_in(chapter),
             "{} can't be made in {chapter:?}",
             self.name
         );
-        self.put_to(Program::right(chapter))
+        self.put_to(&Program::right(chapter))
     }
 
-    /// The same program with this slip in it.
-    pub fn put_to(&self, mut program: Program) -> Program {
-        (self.alter)(&mut program);
-        program
+    /// The same program with this slip in it, if its line stands there.
+    pub fn put_to(&self, program: &Program) -> Program {
+        let made = program.with_any(&self.edits(program.chapter));
+        made.unwrap_or_else(|| program.clone())
     }
 
     /// Why nothing shows the slip in that chapter, or `None` if something does.
@@ -224,6 +261,16 @@ impl Slip {
             Unseen::OnlyByLaw(self.law)
         };
         self.unseen_in.contains(&chapter).then_some(why)
+    }
+
+    /// The probes that show the slip in that chapter, or `None` if its own picture does.
+    pub fn hidden_in(&self, chapter: Chapter) -> Option<Vec<&'static str>> {
+        let mut rows = HIDDEN.lines().map(str::split_whitespace);
+        let is_it = |row: &mut SplitWhitespace<'static>| {
+            row.next() == Some(chapter.name()) && row.next() == Some(self.name)
+        };
+        let probes = rows.find_map(|mut row| is_it(&mut row).then_some(row))?;
+        Some(probes.collect())
     }
 
     /// The page and its heading apart.
@@ -242,14 +289,17 @@ impl Slip {
         format!("\"{}\", page {page} of the book", heading.replace('-', " "))
     }
 
-    /// Whether the line is in a chapter, and not in what all of them share.
-    pub fn is_in_a_chapter(&self) -> bool {
-        self.part == Part::Chapter
+    /// Whether its line is one of those that a reader of that chapter types.
+    pub fn is_typed_in(&self, chapter: Chapter) -> bool {
+        // A kind of number is no line.
+        let mut edits = self.edits(chapter);
+        edits.retain(|edit| !edit.is_precision());
+        let mut files = chapter.files().iter();
+        files.any(|(_, text)| edits.iter().any(|it| it.stands_in(text)))
     }
+}
 
-    /// Whether it is made where version 3.1 and later ones compute sizes, and earlier ones print
-    /// them as numbers.
-    pub fn is_of_the_size(&self) -> bool {
-        self.part == Part::Sizes
-    }
+/// Whether that line stands in the chapter's program.
+fn stands_in(chapter: Chapter, line: &str) -> bool {
+    Program::right(chapter).has(&Edit::new(line.to_owned(), ""))
 }

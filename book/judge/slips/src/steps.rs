@@ -1,9 +1,8 @@
 //! The steps of each chapter: a few lines to type, and one thing to see.
 
-use common::rtweekend::*;
-
 use crate::chapter::Chapter;
-use crate::program::{BALL, Program};
+use crate::edit::Edit;
+use crate::program::Program;
 
 /// A few lines to type, after which there is something new to see.
 pub struct Step {
@@ -11,15 +10,15 @@ pub struct Step {
     pub says: &'static str,
     /// What there is to see, for those who can't.
     pub seen: &'static str,
-    /// Makes the program of this step of the chapter's.
-    alter: fn(&mut Program),
+    /// What the chapter's text has instead by then.
+    edits: &'static [&'static str],
 }
 
 impl Step {
     /// The chapter's program as far as it is written by then.
-    pub fn put_to(&self, mut program: Program) -> Program {
-        (self.alter)(&mut program);
-        program
+    pub fn put_to(&self, program: &Program) -> Program {
+        let edits: Vec<Edit> = self.edits.iter().map(|it| Edit::written(it)).collect();
+        program.with_any(&edits).unwrap_or_else(|| program.clone())
     }
 }
 
@@ -31,7 +30,7 @@ pub fn of(chapter: Chapter) -> &'static [Step] {
 const LAST: Step = Step {
     says: "",
     seen: "",
-    alter: |_| {},
+    edits: &[],
 };
 
 /// Those of each chapter.
@@ -45,17 +44,19 @@ const STEPS: [&[Step]; 6] = [
         Step {
             says: "Every ray is white: `ray_color` returns (1, 1, 1).",
             seen: "A white rectangle, 16 wide for every 9 high",
-            alter: |p| p.color = |_, _, _, _| Color::ONE,
+            edits: &["(1.0 - a) * white + a * blue→white"],
         },
         Step {
             says: "Where does each ray go? Red is the x of its direction and green is the y.",
             seen: "Black in the lower left quarter, red growing to the right, green growing upwards",
-            alter: |p| p.color = direction,
+            edits: &[
+                "(1.0 - a) * white + a * blue→Color::new(ray.direction.x, ray.direction.y, 0.0)",
+            ],
         },
         Step {
             says: "How steeply does it climb? Gray of a = ½(y + 1), with the y of the unit direction.",
             seen: "Gray: dark at the bottom, light at the top, and lightest above the middle",
-            alter: |p| p.lerp = |_, a| a * Color::ONE,
+            edits: &["(1.0 - a) * white + a * blue→a * white"],
         },
         Step {
             says: "Blend white and the blue (0.5, 0.7, 1) by the weight a.",
@@ -67,7 +68,7 @@ const STEPS: [&[Step]; 6] = [
         Step {
             says: "Nothing is hit yet: `hit_sphere` says false, and the sky of chapter 1 is there.",
             seen: Chapter::Gradient.shows(),
-            alter: |p| p.meets = |_| false,
+            edits: &["discriminant >= 0.0→false"],
         },
         Step {
             says: "oc, a, b, c and the discriminant: `hit_sphere` says whether there is a root.",
@@ -79,12 +80,12 @@ const STEPS: [&[Step]; 6] = [
         Step {
             says: "`hit_sphere` says where: the nearer root. The disc stays red where there is one.",
             seen: Chapter::RedSphere.shows(),
-            alter: |p| p.shade = |paint, _| paint,
+            edits: &["0.5 * (normal + Vec3::ONE)→Color::new(1.0, 0.0, 0.0)"],
         },
         Step {
             says: "How far is that? Gray of t where t > 0: the nearer, the darker.",
             seen: "A gray disc in front of the sky, darker in its middle than at its rim",
-            alter: |p| p.color = gray_of_t,
+            edits: &["0.5 * (normal + Vec3::ONE)→t * Vec3::ONE"],
         },
         Step {
             says: "Where t > 0, the unit normal at `ray.at(t)` becomes the color: ½(n + 1).",
@@ -101,7 +102,7 @@ const STEPS: [&[Step]; 6] = [
         Step {
             says: "A `Sphere` is `Hittable`, and a list of one finds it: the ball of chapter 4 is back.",
             seen: Chapter::HalfBSphere.shows(),
-            alter: |p| p.world = &[BALL],
+            edits: &["world.add(Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0));→"],
         },
         Step {
             says: "`world` gets the ground, at (0, −100.5, −1) with radius 100, and the list finds the nearest.",
@@ -110,18 +111,3 @@ const STEPS: [&[Step]; 6] = [
         },
     ],
 ];
-
-/// Red is the x of each ray's direction, and green is the y.
-fn direction(program: &Program, camera: &Camera, i: u32, j: u32) -> Color {
-    let ray = program.ray(camera, i, j);
-    Color::new(ray.direction.x, ray.direction.y, 0.0)
-}
-
-/// Each point of the sphere in the gray of its t.
-fn gray_of_t(program: &Program, camera: &Camera, i: u32, j: u32) -> Color {
-    let ray = program.ray(camera, i, j);
-    match program.search(&ray) {
-        Some((t, _)) => t * Color::ONE,
-        None => program.ray_color(&ray),
-    }
-}

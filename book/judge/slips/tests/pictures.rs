@@ -31,7 +31,7 @@ fn table(rows: impl FnOnce(&mut dyn FnMut(Chapter, &str, u64))) -> String {
 fn every_mistake_draws_its_picture() {
     let drawn = table(|row| {
         for chapter in Chapter::OF_THE_BOOK {
-            for slip in slips::all().filter(|slip| slip.chapters.contains(&chapter)) {
+            for slip in slips::all().filter(|slip| slip.is_in(chapter)) {
                 row(chapter, slip.name, hash(&slip.program(chapter), WIDTH));
             }
         }
@@ -46,7 +46,7 @@ fn every_probe_edition_and_step_draws_its_picture() {
             let right = Program::right(chapter);
             row(chapter, "right", hash(&right, WIDTH));
             for probe in PROBES {
-                if let Some(probed) = probe.put_to(right) {
+                if let Some(probed) = probe.put_to(&right) {
                     row(chapter, probe.name, hash(&probed, probe.width));
                 }
             }
@@ -56,7 +56,7 @@ fn every_probe_edition_and_step_draws_its_picture() {
             }
             for (n, step) in (1..).zip(steps::of(chapter)) {
                 let name = format!("step {n}");
-                row(chapter, &name, hash(&step.put_to(right), WIDTH));
+                row(chapter, &name, hash(&step.put_to(&right), WIDTH));
             }
         }
     });
@@ -65,25 +65,33 @@ fn every_probe_edition_and_step_draws_its_picture() {
 
 /// Which mistakes the chapter's own picture hides, and which probes show them.
 #[test]
+#[ignore = "it draws some hundred pictures"]
 fn every_hidden_mistake_is_shown_by_the_same_probes() {
-    let mut shown = String::new();
-    for chapter in Chapter::OF_THE_BOOK {
-        let right = hash(&Program::right(chapter), chapter.book_width());
-        for slip in slips::all().filter(|slip| slip.chapters.contains(&chapter)) {
-            if hash(&slip.program(chapter), chapter.book_width()) != right {
-                continue;
-            }
-            let probes = PROBES.iter().filter(|probe| probe.tells(slip, chapter));
-            let probes: Vec<&str> = probes.map(|probe| probe.name).collect();
-            writeln!(
-                shown,
-                "{} {} {}",
-                chapter.name(),
-                slip.name,
-                probes.join(" ")
-            )
-            .expect("memory takes it");
+    let hidden = Chapter::OF_THE_BOOK.map(hidden_in).concat();
+    assert_eq!(hidden, include_str!("../src/hidden.txt"), "\n{hidden}");
+}
+
+fn hidden_in(chapter: Chapter) -> String {
+    let right = Program::right(chapter);
+    let mut hidden = String::new();
+    for slip in slips::all().filter(|slip| slip.is_in(chapter)) {
+        if !are_alike(&right, &slip.program(chapter), chapter.book_width()) {
+            continue;
         }
+        hidden += &format!("{} {}", chapter.name(), slip.name);
+        for probe in PROBES {
+            if let Some(right) = probe.put_to(&right)
+                && !are_alike(&right, &slip.put_to(&right), probe.width)
+            {
+                hidden += &format!(" {}", probe.name);
+            }
+        }
+        hidden += "\n";
     }
-    insta::assert_snapshot!("shown_by", shown);
+    hidden
+}
+
+fn are_alike(right: &Program, wrong: &Program, width: u32) -> bool {
+    let [right, wrong] = [right, wrong].map(|it| it.run(width));
+    right.size() == wrong.size() && right.rgb().eq(wrong.rgb())
 }

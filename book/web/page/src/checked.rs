@@ -212,7 +212,7 @@ impl Answered {
         let scene = scene_by_edition(&self.judged).fitting(width, height);
         let traced = iter::once(&[][..])
             .chain(mistake)
-            .map(|slips| scene.program(slips).traced(width, column, row));
+            .map(|slips| scene.program(slips).run(width).traced(at as u32));
         let lines = slips::side_by_side(&traced.collect::<Vec<_>>());
         format!("{lines}\nyours\t{r} {g} {b}")
     }

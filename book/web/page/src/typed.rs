@@ -107,15 +107,13 @@ impl Text {
 
     /// Judges it by its picture.
     pub fn judged(&self, program: interpreter::Program, picture: &Picture) -> Said {
-        // What judges keeps programs for good: the page begins with a new worker now and then.
-        let program = Box::leak(Box::new(program));
-        let mut verdict = self.verdict(program, picture);
+        let mut verdict = self.verdict(&program, picture);
         // A line that the picture never runs is run by the laws.
-        if let Some(refused) = self.refused(program) {
+        if let Some(refused) = self.refused(&program) {
             return refused;
         }
         if verdict.is_right {
-            verdict.headline += &self.unchecked(program);
+            verdict.headline += &self.unchecked(&program);
         }
         Said::new(&verdict, Vec::new())
     }
@@ -136,15 +134,12 @@ impl Text {
     }
 
     /// The chapter's program with what was typed in the place of its code.
-    fn in_place_of_ours(&self, typed: &'static interpreter::Program) -> Program {
-        Program {
-            code: Some(typed),
-            ..Program::right(self.chapter)
-        }
+    fn in_place_of_ours(&self, typed: &interpreter::Program) -> Program {
+        Program::typed(self.chapter, typed.clone())
     }
 
     /// What the picture, the laws and the typed lines come to.
-    pub fn verdict(&self, program: &'static interpreter::Program, picture: &Picture) -> Verdict {
+    pub fn verdict(&self, program: &interpreter::Program, picture: &Picture) -> Verdict {
         let scene = Scene::new(self.chapter, None).expect("without a probe it is a scene");
         let asked = self.in_place_of_ours(program);
         let laws = laws_of(&asked);
@@ -152,7 +147,7 @@ impl Text {
         let unlike =
             |program: &Program| lawful::unlike(&answers, self.chapter, program, MOST_UNLIKE);
         let can_be_made =
-            |slip: &Slip| slip.can_be_made_in(Letters::Rust) && slip.is_in_a_chapter();
+            |slip: &Slip| slip.can_be_made_in(Letters::Rust) && slip.is_typed_in(self.chapter);
         let known = Known {
             letters: Some(Letters::Rust),
             can_be_made: Some(&can_be_made),

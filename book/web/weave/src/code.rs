@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::path::Path;
 
-use slips::{Chapter, Letters, Words};
+use slips::{Chapter, Edit, Letters};
 
 use crate::controls;
 use crate::ground::{escaped, read};
@@ -80,14 +80,13 @@ fn tools(file: &str, code: &str) -> String {
     if file.ends_with("main.rs") {
         return String::new();
     }
-    let slips = slips::all().filter(|slip| {
-        let is_here = slip.chapters.contains(&chapter) && slip.is_in_a_chapter();
-        is_here && slip.can_be_made_in(Letters::Rust) && !slip.is_in_two_places
-    });
+    let slips =
+        slips::all().filter(|slip| slip.is_typed_in(chapter) && slip.can_be_made_in(Letters::Rust));
+    // The editor makes one change.
     let options: String = slips
-        .map(|slip| (slip.name, slip.words(Letters::Rust, chapter)))
-        .filter(|(_, words)| code.matches(&*words.right).count() == 1)
-        .map(|(name, words)| option(name, &words))
+        .filter_map(|slip| Some((slip.name, slip.only_edit(chapter)?)))
+        .filter(|(_, edit)| code.matches(&*edit.right).count() == 1)
+        .map(|(name, edit)| option(name, &edit))
         .collect();
     let breaks = if options.is_empty() {
         options
@@ -102,7 +101,7 @@ fn tools(file: &str, code: &str) -> String {
     )
 }
 
-fn option(name: &str, Words { wrong, right, .. }: &Words) -> String {
+fn option(name: &str, Edit { right, wrong }: &Edit) -> String {
     let [wrong, right] = [wrong, right].map(|it| escaped(it));
     format!(
         "<option value=\"{name}\" label=\"{}\" data-right=\"{right}\" data-wrong=\"{wrong}\"></option>",

@@ -14,7 +14,7 @@ use crate::ground::{escaped, read, split};
 pub(crate) fn slip(name: &str, chapter: &str) -> Result<String, String> {
     let slip = slips::find(name).ok_or_else(|| format!("there is no slip `{name}`"))?;
     let chapter = Chapter::find(chapter)
-        .filter(|chapter| slip.chapters.contains(chapter))
+        .filter(|chapter| slip.is_in(*chapter))
         .ok_or_else(|| format!("`{name}` can't be made in a chapter `{chapter}`"))?;
     let picture = slip.program(chapter).run(chapter.book_width()).picture();
     let why = slip.words(Letters::Book(Edition::V4), chapter).why;
@@ -175,7 +175,8 @@ fn id(slip: &Slip, sight: &Sight) -> String {
 /// The slip in words, as an item of a list.
 fn item(slip: &Slip, id: &str) -> String {
     let name = slip.name;
-    let Words { wrong, right, why } = slip.words(Letters::Book(Edition::V4), slip.chapters[0]);
+    let first = slip.chapters().next().unwrap_or(Chapter::HittableList);
+    let Words { wrong, right, why } = slip.words(Letters::Book(Edition::V4), first);
     let (page, heading) = slip.page_and_heading();
     format!(
         "* `{wrong}` should be `{right}`. {why} \
@@ -185,10 +186,10 @@ fn item(slip: &Slip, id: &str) -> String {
 
 /// The same for a slip that the book's pictures do not show, and what does.
 fn shown_by(slip: &Slip) -> String {
-    let mut chapters = slip.chapters.iter();
+    let mut chapters = slip.chapters();
     let shown = match slip.shown_by() {
         Some(probe) => format!("The probe *{probe}* shows it."),
-        None => match chapters.find_map(|&chapter| slip.unseen_in(chapter)) {
+        None => match chapters.find_map(|chapter| slip.unseen_in(chapter)) {
             Some(Unseen::OnlyByLaw(law)) => format!("Only a law shows it: {law}"),
             Some(Unseen::Equivalent(why)) => format!("Nothing shows it: {why}"),
             None => String::new(),

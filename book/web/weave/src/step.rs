@@ -13,7 +13,7 @@ pub(crate) fn step(chapter: &str, number: &str) -> Result<String, String> {
     let step = place
         .and_then(|place| steps.get(place))
         .ok_or_else(|| format!("{name} has no step {number}: it has {}", steps.len()))?;
-    let program = step.put_to(Program::right(chapter));
+    let program = step.put_to(&Program::right(chapter));
     let picture = program.run(chapter.book_width()).picture();
     Ok(format!(
         "<figure>{}<figcaption>{}</figcaption></figure>",

@@ -251,7 +251,7 @@ impl Subject {
         let has_own_prelude = self.folder.join("src/rtweekend.rs").exists();
         let can_be_made = |slip: &Slip| {
             letters.is_none_or(|letters| slip.can_be_made_in(letters))
-                && (!is_crate || has_own_prelude || slip.is_in_a_chapter())
+                && (!is_crate || has_own_prelude || slip.is_typed_in(chapter))
         };
         let warnings = built.map_or_else(Vec::new, |it| it.warnings);
         let asks = is_crate && !self.is_before_the_laws(bytes);

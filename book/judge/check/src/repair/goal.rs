@@ -8,7 +8,7 @@ use std::rc::Rc;
 
 use common::rtweekend::*;
 use interpreter::{Program, Sample};
-use slips::{Ball, Chapter, Interpreted};
+use slips::{Ball, Chapter};
 
 use crate::pixels::spread;
 use crate::reading::Reading;

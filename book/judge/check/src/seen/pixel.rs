@@ -14,7 +14,7 @@ impl View<'_> {
         let (i, j) = (n % self.reading.width, n / self.reading.width);
         let (should, is) = (self.expected(n), self.found(n));
         let first = format!("column {i}, row {j}: should be {should:?}, yours {is:?}");
-        let numbers = self.program().traced(self.reading.width, i, j).into_iter();
+        let numbers = self.output().traced(n).into_iter();
         let numbers = numbers.filter(|(label, _)| !KNOWN.contains(&&**label));
         let numbers: Vec<_> = numbers
             .map(|(label, it)| format!("{label} = {it}"))

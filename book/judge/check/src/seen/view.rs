@@ -1,7 +1,9 @@
 //! A picture beside the right one, and what can be asked about their pixels.
 
+use std::collections::HashSet;
+
 use common::rtweekend::Picture;
-use slips::Program;
+use slips::Output;
 
 use crate::pixels::{distance, spread};
 use crate::reading::Reading;
@@ -19,6 +21,8 @@ pub(super) struct View<'a> {
     pub(super) places: Vec<u32>,
     /// Those of them that are more than one level off.
     pub(super) wrong: Vec<u32>,
+    /// Those of which the right program's ray hits something.
+    hits: HashSet<u32>,
 }
 
 impl<'a> View<'a> {
@@ -30,9 +34,12 @@ impl<'a> View<'a> {
             right,
             places: Vec::new(),
             wrong: Vec::new(),
+            hits: HashSet::new(),
         };
         let is_wrong = |n: &u32| distance(view.expected(*n), view.found(*n)) > 1;
         view.wrong = places.iter().copied().filter(is_wrong).collect();
+        let output = view.output();
+        view.hits = places.iter().copied().filter(|n| output.hits(*n)).collect();
         view.places = places;
         view
     }
@@ -48,17 +55,13 @@ impl View<'_> {
         right[n as usize].map(i16::from)
     }
 
-    pub(super) fn program(&self) -> Program {
-        self.scene
-            .fitting(self.reading.width, self.reading.height)
-            .program(&[])
+    /// The right program's output.
+    pub(super) fn output(&self) -> Output {
+        let fitting = self.scene.fitting(self.reading.width, self.reading.height);
+        fitting.program(&[]).run(self.reading.width)
     }
 
     pub(super) fn is_hit(&self, n: u32) -> bool {
-        let program = self.program();
-        let camera = program.camera(self.reading.width);
-        let (i, j) = (n % self.reading.width, n / self.reading.width);
-        let ray = program.ray(&camera, i, j);
-        program.search(&ray).is_some()
+        self.hits.contains(&n)
     }
 }

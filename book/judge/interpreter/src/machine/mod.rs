@@ -10,8 +10,9 @@ mod operators;
 mod patterns;
 mod places;
 
+use std::collections::HashMap;
 use std::mem;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
 use common::rtweekend::Vec3;
 
@@ -39,10 +40,16 @@ pub(crate) struct Code {
     pub(crate) mutant: u32,
     /// Functions of the text that are called in place of those of the library.
     pub(crate) instead: Vec<(&'static str, usize)>,
+    /// Other texts of functions that were read before.
+    pub(crate) read: Arc<Mutex<Texts>>,
 }
 
-/// What a `let` has bound: the function, the slot, the value.
-pub(crate) type Bound = (usize, usize, Value);
+/// Functions by their numbers and texts.
+pub(crate) type Texts = HashMap<(usize, String), Arc<Function>>;
+
+/// What a `let` has bound, or a function has returned before its end: the function, the slot if
+/// there is one, the value.
+pub(crate) type Bound = (usize, Option<usize>, Value);
 
 /// What runs a program: the values of all functions that are being called.
 pub(crate) struct Machine<'c> {
@@ -50,8 +57,7 @@ pub(crate) struct Machine<'c> {
     stack: Vec<Value>,
     base: usize,
     depth: u32,
-    /// How many turns of loops and calls there may be, and how many are left.
-    limit: u32,
+    /// How many more turns of loops and calls there may be.
     turns: u32,
     /// How many bytes are left.
     memory: usize,
@@ -66,15 +72,14 @@ pub(crate) struct Machine<'c> {
 }
 
 impl<'c> Machine<'c> {
-    /// A machine that takes so many turns for what it is asked, and for each pixel.
-    pub(crate) fn new(code: &'c Code, limit: u32) -> Self {
+    /// A machine that takes so many turns for what it is asked.
+    pub(crate) fn new(code: &'c Code, turns: u32) -> Self {
         Self {
             code,
             stack: Vec::with_capacity(64),
             base: 0,
             depth: 0,
-            limit,
-            turns: limit,
+            turns,
             memory: MEMORY,
             left: Value::default(),
             fault: None,
@@ -82,12 +87,6 @@ impl<'c> Machine<'c> {
             function: 0,
             notes: None,
         }
-    }
-
-    /// Begins another pixel, which may take as much as the one before.
-    pub(crate) fn begin(&mut self) {
-        self.turns = self.limit;
-        self.memory = MEMORY;
     }
 
     /// Calls a function from outside; what stops it is a refusal.
@@ -179,7 +178,13 @@ impl<'c> Machine<'c> {
 
     fn returned(&mut self, result: Eval) -> Eval {
         match result {
-            Err(Stop::Return) => Ok(mem::take(&mut self.left)),
+            Err(Stop::Return) => {
+                let value = mem::take(&mut self.left);
+                if let Some(notes) = &mut self.notes {
+                    notes.push((self.function, None, value.clone()));
+                }
+                Ok(value)
+            }
             result => result,
         }
     }

@@ -176,7 +176,7 @@ impl Machine<'_> {
         match pattern {
             Pattern::Bind(slot) => {
                 if let Some(notes) = &mut self.notes {
-                    notes.push((self.function, *slot, value.clone()));
+                    notes.push((self.function, Some(*slot), value.clone()));
                 }
                 let slot = self.base + slot;
                 self.stack[slot] = value;

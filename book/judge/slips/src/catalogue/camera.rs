@@ -1,16 +1,10 @@
 //! Slips in the camera.
 
-use common::rtweekend::*;
-
 use super::chapters::{GRADIENT, RAYS};
-use crate::edition::Edition;
-use crate::slip::{Part, SLIP, Slip};
+use crate::slip::{SLIP, Slip};
 
 const GRID: Slip = Slip {
-    chapters: RAYS,
     page: "gradient#the-grid-of-pixels",
-    source: "common/src/camera.rs",
-    part: Part::Prelude,
     ..SLIP
 };
 const CAMERA: Slip = Slip {
@@ -19,7 +13,6 @@ const CAMERA: Slip = Slip {
 };
 const SIZE: Slip = Slip {
     page: "gradient#how-large-is-the-picture",
-    part: Part::Sizes,
     ..GRID
 };
 const PIXEL00: Slip = Slip {
@@ -53,6 +46,10 @@ const RATIO: Slip = Slip {
 pub(super) const SLIPS: &[Slip] = &[
     Slip {
         name: "viewport-upside-down",
+        more: &[
+            "Vec3::new(0.0, -viewport_height, 0.0)→Vec3::new(0.0, viewport_height, 0.0)",
+            "Vec3::new(0.0, viewport_height, 0.0)→Vec3::new(0.0, -viewport_height, 0.0)",
+        ],
         rust: "viewport_v = Vec3::new(0.0, -viewport_height, 0.0)",
         older: "vertical = (0, viewport_height, 0)",
         edits: &[
@@ -62,7 +59,6 @@ pub(super) const SLIPS: &[Slip] = &[
         why: "y points up, and rows are counted from above in version 4 and from below in others. \
               With the other sign the picture stands on its head.",
         reported: &["#879", "#1076", "#1579"],
-        alter: |p| p.edges[1] = -p.edges[1],
         ..GRID
     },
     Slip {
@@ -73,7 +69,6 @@ pub(super) const SLIPS: &[Slip] = &[
         why: "Left and right change places, which only the colors of normals show.",
         unseen_in: GRADIENT,
         equivalent: "Only the sign of x changes, and the sky has none of it.",
-        alter: |p| p.edges[0] = -p.edges[0],
         ..GRID
     },
     Slip {
@@ -82,29 +77,34 @@ pub(super) const SLIPS: &[Slip] = &[
         why: "A pixel is sampled in its middle. At its corner, everything moves by half a \
               pixel.",
         reported: &["#923", "PR #1158"],
-        alter: |p| p.inset = [0.0, 0.0],
         ..PIXEL00
     },
     Slip {
         name: "inset-whole-down",
         edits: &["(pixel_delta_u + pixel_delta_v)→pixel_delta_u + pixel_delta_v"],
         why: "Only one of the two is halved, so everything moves by half a pixel up.",
-        alter: |p| p.inset = [0.5, 1.0],
         ..PIXEL00
     },
     Slip {
         name: "older-camera",
+        more: &[
+            "viewport_u * (1.0 / f64::from(image_width))→viewport_u * (1.0 / f64::from(image_width - 1))",
+            "viewport_v * (1.0 / f64::from(image_height))→viewport_v * (1.0 / f64::from(image_height - 1))",
+            " + 0.5 * (pixel_delta_u + pixel_delta_v)→",
+        ],
         edits: &["→u = f64::from(i) / f64::from(image_width - 1), \
              v = f64::from(j) / f64::from(image_height - 1)"],
         why: "Older editions put the first and last pixels on the viewport's edges.",
-        alter: |p| {
-            p.last = 1.0;
-            p.inset = [0.0, 0.0];
-        },
         ..PIXEL
     },
     Slip {
         name: "deltas-from-last-pixel",
+        more: &[
+            "viewport_u * (1.0 / f64::from(image_width))→viewport_u * (1.0 / f64::from(image_width - 1))",
+            "viewport_v * (1.0 / f64::from(image_height))→viewport_v * (1.0 / f64::from(image_height - 1))",
+            "f64::from(i) / f64::from(self.image_width - 1)→(f64::from(i) + 0.5) / f64::from(self.image_width - 1)",
+            "f64::from(self.image_height - 1 - j) /→(f64::from(self.image_height - 1 - j) + 0.5) /",
+        ],
         rust: "pixel_delta_u = viewport_u * (1.0 / f64::from(image_width))",
         older: "u = i / …, v = j / …",
         edits: &[
@@ -112,13 +112,6 @@ pub(super) const SLIPS: &[Slip] = &[
             "image_width→image_width - 1",
         ],
         why: "Then the pixels are not where they should be, by half of one at most.",
-        alter: |p| {
-            if p.edition.counts_from_below() {
-                p.place = |place| place.map(|count| count + 0.5);
-            } else {
-                p.last = 1.0;
-            }
-        },
         ..GRID
     },
     Slip {
@@ -128,7 +121,6 @@ pub(super) const SLIPS: &[Slip] = &[
             " - horizontal / 2 - vertical / 2→",
         ],
         why: "Without the two halves the axis goes through a corner: a quarter is left.",
-        alter: |p| p.corner = [0.0; 2],
         ..CORNER
     },
     Slip {
@@ -138,7 +130,6 @@ pub(super) const SLIPS: &[Slip] = &[
             "horizontal / 2 - vertical / 2→horizontal - vertical",
         ],
         why: "With whole edges the axis goes through a corner: a quarter is left.",
-        alter: |p| p.corner = [1.0; 2],
         ..CORNER
     },
     Slip {
@@ -152,7 +143,6 @@ pub(super) const SLIPS: &[Slip] = &[
         reported: &["#1578"],
         unseen_in: GRADIENT,
         equivalent: "Only the sign of z changes, and the sky has none of it.",
-        alter: |p| p.focal_length = -1.0,
         ..CORNER
     },
     Slip {
@@ -163,7 +153,6 @@ pub(super) const SLIPS: &[Slip] = &[
             " - (0, 0, focal_length)→",
         ],
         why: "The eye lies in the plane of the viewport, and every ray stays in it.",
-        alter: |p| p.focal_length = 0.0,
         ..CORNER
     },
     Slip {
@@ -171,7 +160,6 @@ pub(super) const SLIPS: &[Slip] = &[
         rust: "focal_length = 1.0",
         edits: &["1.0→2.0"],
         why: "Twice as far from the viewport, the eye sees half as much, twice as large.",
-        alter: |p| p.focal_length = 2.0,
         ..CAMERA
     },
     Slip {
@@ -180,11 +168,11 @@ pub(super) const SLIPS: &[Slip] = &[
         edits: &["2.0→1.0"],
         why: "Through half a viewport everything is twice as large, as with a focal length of \
               2.",
-        alter: |p| p.viewport_height = 1.0,
         ..CAMERA
     },
     Slip {
         name: "integer-aspect-ratio",
+        more: &["16.0 / 9.0→f64::from(16 / 9)"],
         rust: "aspect_ratio = 16.0 / 9.0",
         cpp: "double aspect_ratio = 16.0 / 9.0",
         python: "aspect_ratio = 16 / 9",
@@ -195,23 +183,18 @@ pub(super) const SLIPS: &[Slip] = &[
         ],
         why: "Two integers divide to an integer, 1: the picture is a square.",
         reported: &["#952"],
-        alter: |p| p.aspect_ratio = 1.0,
         ..SIZE
     },
     Slip {
         name: "inverted-aspect-ratio",
         edits: &["/ aspect_ratio→* aspect_ratio"],
         why: "The height is the width divided by the ratio. Multiplied, it exceeds the width.",
-        alter: |p| p.image_height = |width, aspect_ratio| (width * aspect_ratio) as u32,
         ..HEIGHT
     },
     Slip {
         name: "height-rounded",
         edits: &["int(→round(", "ratio)→ratio).round()"],
         why: "The height is cut off, not rounded: at half of all widths there is a row too many.",
-        alter: |p| {
-            p.image_height = |width, aspect_ratio| ((width / aspect_ratio).round() as u32).max(1);
-        },
         ..HEIGHT
     },
     Slip {
@@ -225,11 +208,11 @@ pub(super) const SLIPS: &[Slip] = &[
             "→image_height = int(image_width / aspect_ratio)",
         ],
         why: "A picture one pixel wide is cut off to no row at all.",
-        alter: |p| p.image_height = |width, aspect_ratio| (width / aspect_ratio) as u32,
         ..SIZE
     },
     Slip {
         name: "ideal-viewport-ratio",
+        more: &["(f64::from(image_width) / f64::from(image_height))→(16.0 / 9.0)"],
         older: "horizontal = (viewport_height * image_width / image_height, 0, 0)",
         edits: &[
             "(f64::from(image_width) / f64::from(image_height))→aspect_ratio",
@@ -238,12 +221,6 @@ pub(super) const SLIPS: &[Slip] = &[
         why: "The picture's own ratio is another one, even where its height was only cut off. At \
               400 wide it happens to be 16:9. In quite another shape the sphere becomes an ellipse.",
         reported: &["#527", "#1246", "#1342", "#1486"],
-        alter: |p| {
-            p.viewport_ratio = match p.edition {
-                Edition::V1 | Edition::V1InDouble | Edition::V3_0 => |_, _, _| 2.0,
-                _ => |_, _, _| 16.0 / 9.0,
-            }
-        },
         ..RATIO
     },
     Slip {
@@ -257,22 +234,27 @@ pub(super) const SLIPS: &[Slip] = &[
             "image_width /→image_width //",
         ],
         why: "Two integers divide to 1: the viewport is a square, and the sphere an ellipse.",
-        alter: |p| p.viewport_ratio = |width, height, _| (width / height).floor(),
         ..RATIO
     },
     Slip {
         name: "inverted-viewport-ratio",
+        more: &[
+            "f64::from(image_width) / f64::from(image_height)→f64::from(image_height) / f64::from(image_width)",
+            "viewport_height * aspect_ratio→viewport_height / aspect_ratio",
+        ],
         edits: &["f64::from(image_width) / f64::from(image_height)→\
              f64::from(image_height) / f64::from(image_width)"],
         why: "The viewport is higher than wide and the picture is not: the sphere is an ellipse.",
         reported: &["PR #487", "#527", "#536"],
-        alter: |p| p.viewport_ratio = |width, height, _| height / width,
         ..RATIO
     },
     Slip {
         name: "viewport-width-four",
+        more: &[
+            "viewport_height * (f64::from(image_width) / f64::from(image_height))→4.0",
+            "viewport_height * aspect_ratio→4.0",
+        ],
         page: CAMERA.page,
-        part: Part::Prelude,
         older: "horizontal = vec3(aspect_ratio * viewport_height, 0, 0)",
         edits: &[
             "viewport_height * (f64::from(image_width) / f64::from(image_height))→4.0",
@@ -280,20 +262,26 @@ pub(super) const SLIPS: &[Slip] = &[
         ],
         why: "Pixels are squares only if width is height × image_width / image_height. 4 × 2 \
               fits a picture twice as wide as high; in another one a sphere is an egg.",
-        alter: |p| p.viewport_ratio = |_, _, _| 2.0,
         ..RATIO
     },
     Slip {
         name: "rows-by-width",
+        more: &[
+            "viewport_v * (1.0 / f64::from(image_height))→viewport_v * (1.0 / f64::from(image_width))",
+            "/ f64::from(self.image_height - 1)→/ f64::from(self.image_width - 1)",
+        ],
         rust: "pixel_delta_v = viewport_v * (1.0 / f64::from(image_height))",
         older: "v = j / (image_height - 1)",
         edits: &["image_height→image_width"],
         why: "A step is too short, and the rows end in the middle of the viewport.",
-        alter: |p| p.divisors = |width, _| [width; 2],
         ..GRID
     },
     Slip {
         name: "column-and-row-swapped",
+        more: &[
+            "f64::from(i) * self.pixel_delta_u + f64::from(j)→f64::from(j) * self.pixel_delta_u + f64::from(i)",
+            "(f64::from(i) / f64::from(self.image_width - 1)) * self.pixel_delta_u + (f64::from(self.image_height - 1 - j)→(f64::from(self.image_height - 1 - j) / f64::from(self.image_width - 1)) * self.pixel_delta_u + (f64::from(i)",
+        ],
         older: "u = i / (image_width - 1), v = j / (image_height - 1)",
         edits: &[
             "f64::from(i) * self.pixel_delta_u + f64::from(j)→\
@@ -301,7 +289,6 @@ pub(super) const SLIPS: &[Slip] = &[
             "i / (image_width - 1), v = j→j / (image_width - 1), v = i",
         ],
         why: "i counts to the right and j along a column. Swapped, all is transposed.",
-        alter: |p| p.place = |[i, j]| [j, i],
         ..PIXEL
     },
     Slip {
@@ -309,7 +296,6 @@ pub(super) const SLIPS: &[Slip] = &[
         edits: &["self.center, pixel_center - self.center→\
                   pixel_center - self.center, self.center"],
         why: "Swapped, the direction is (0, 0, 0), which has no unit vector and no color.",
-        alter: |p| p.aim = |_, ray| Ray::new(ray.direction, ray.origin),
         ..RAY
     },
     Slip {
@@ -320,7 +306,6 @@ pub(super) const SLIPS: &[Slip] = &[
             "pixel_center - self.center→self.center - pixel_center",
         ],
         why: "It points from the pixel to the eye: all is seen that lies behind.",
-        alter: |p| p.aim = |_, ray| Ray::new(ray.origin, -ray.direction),
         ..RAY
     },
     Slip {
@@ -329,7 +314,6 @@ pub(super) const SLIPS: &[Slip] = &[
         why: "The same lines, so the same picture; but t is no longer 1 on the viewport.",
         unseen_in: RAYS,
         law: "A ray meets the viewport at t = 1.",
-        alter: |p| p.aim = |p, ray| Ray::new(ray.origin, (p.unit)(ray.direction)),
         ..RAY
     },
 ];

@@ -1,13 +1,10 @@
 //! Slips in what a file holds: the order of pixels, and numbers for colors.
 
-use super::chapters::{BUILD_TEST, EVERY, RAYS};
-use crate::single;
-use crate::slip::{Part, SLIP, Slip};
+use super::chapters::{BUILD_TEST, RAYS};
+use crate::slip::{SLIP, Slip};
 
 const THE_CODE: Slip = Slip {
-    chapters: BUILD_TEST,
     page: "setup#the-code",
-    source: "chapters/0_build_test/src/lib.rs",
     ..SLIP
 };
 const COLOR: Slip = Slip {
@@ -15,10 +12,7 @@ const COLOR: Slip = Slip {
     ..THE_CODE
 };
 const PIXELS: Slip = Slip {
-    chapters: EVERY,
     page: "setup#a-picture-is-text",
-    source: "common/src/engine/picture.rs",
-    part: Part::Prelude,
     ..SLIP
 };
 const LOOPS: Slip = Slip {
@@ -31,7 +25,6 @@ const CHANNELS: Slip = Slip {
     ..PIXELS
 };
 const LEVELS: Slip = Slip {
-    source: "common/src/color.rs",
     rust: "(255.999 * component) as u8",
     ..PIXELS
 };
@@ -39,6 +32,13 @@ const LEVELS: Slip = Slip {
 pub(super) const SLIPS: &[Slip] = &[
     Slip {
         name: "integer-division",
+        more: &[
+            "last = f64::from((width - 1).max(1))→last = (width - 1).max(1)",
+            "f64::from(i) / last→f64::from(i / last)",
+            "f64::from(j) / last→f64::from(j / last)",
+            "f64::from(i) / f64::from(width - 1)→f64::from(i / (width - 1))",
+            "f64::from(width - 1 - j) / f64::from(width - 1)→f64::from((width - 1 - j) / (width - 1))",
+        ],
         rust: "f64::from(i) / last",
         cpp: "r = double(i) / (image_width - 1)",
         python: "r = i / (image_width - 1)",
@@ -47,14 +47,16 @@ pub(super) const SLIPS: &[Slip] = &[
             "double(i)→i",
             "i /→i //",
         ],
-        is_in_two_places: true,
         why: "Two integers divide to an integer: 0 but in the last column, where it is 1.",
-        alter: |p| p.ramp = |[i, j], [width, height]| [i / width, j / height].map(f64::floor),
         ..THE_CODE
     },
     Slip {
         name: "divided-by-size",
-        chapters: EVERY,
+        more: &[
+            "(width - 1).max(1)→width",
+            "f64::from(self.image_width - 1)→f64::from(self.image_width)",
+            "f64::from(self.image_height - 1)→f64::from(self.image_height)",
+        ],
         rust: "last = f64::from((width - 1).max(1))",
         cpp: "r = double(i) / (image_width - 1)",
         python: "r = i / (image_width - 1)",
@@ -69,28 +71,33 @@ pub(super) const SLIPS: &[Slip] = &[
         reported: &["#923"],
         unseen_in: RAYS,
         equivalent: "Rays of version 4 step by pixel_delta_u, the edge divided by image_width.",
-        alter: |p| p.last = 0.0,
         ..THE_CODE
     },
     Slip {
         name: "red-and-green-swapped",
+        more: &[
+            "f64::from(i) / last, f64::from(j)→f64::from(j) / last, f64::from(i)",
+            "f64::from(i) / f64::from(width - 1), f64::from(width - 1 - j)→f64::from(width - 1 - j) / f64::from(width - 1), f64::from(i)",
+        ],
         cpp: "r = i / (width - 1), g = j / (height - 1)",
         edits: &[
             "f64::from(i) / last, f64::from(j)→f64::from(j) / last, f64::from(i)",
             "i / (width - 1), g = j→j / (width - 1), g = i",
         ],
         why: "Columns run to the right and carry red; here the picture is transposed.",
-        alter: |p| p.ramp = |[i, j], [width, height]| [j / width, i / height],
         ..COLOR
     },
     Slip {
         name: "green-upwards",
+        more: &[
+            "f64::from(j) / last→1.0 - f64::from(j) / last",
+            "f64::from(width - 1 - j)→f64::from(j)",
+        ],
         cpp: "g = j / (height - 1)",
         older: "g = j / (image_height - 1)",
         edits: &["f64::from(j)→1.0 - f64::from(j)", "j /→1 - j /"],
         why: "Green is to grow with j, whether rows are counted from above or from below.",
         reported: &["#879"],
-        alter: |p| p.ramp = |[i, j], [width, height]| [i / width, (height - j) / height],
         ..COLOR
     },
     Slip {
@@ -100,22 +107,22 @@ pub(super) const SLIPS: &[Slip] = &[
         edits: &["0.0)→0.25)", "0.2→0.25", "0→0.25"],
         why: "Versions 3.1 to 3 have a quarter of blue here, and those before them a fifth.",
         reported: &["PR #1184"],
-        alter: |p| p.blue = 0.25,
         ..COLOR
     },
     Slip {
         name: "columns-first",
+        more: &["[i, j]→[n / image_height, n - n / image_height * image_height]"],
         cpp: "for j … for i … print",
         edits: &[
             "for j … for i→for i … for j",
             "→for i in 0..image_width { for j in 0..image_height {",
         ],
         why: "A file holds row after row. With the loops exchanged it gets column after column.",
-        alter: |p| p.order = |n, _, height| (n / height, n % height),
         ..LOOPS
     },
     Slip {
         name: "rows-from-below",
+        more: &["[i, j]→[i, image_height - 1 - j]"],
         rust: "for j in 0..image_height",
         cpp: "for j = 0 up to image_height - 1",
         python: "for j in range(image_height)",
@@ -129,11 +136,11 @@ pub(super) const SLIPS: &[Slip] = &[
         why: "A file begins with the highest row, and editions count rows from either end. From \
               the other one, the picture stands on its head.",
         reported: &["PR #1051", "#766", "#879"],
-        alter: |p| p.order = |n, width, height| (n % width, height - 1 - n / width),
         ..PIXELS
     },
     Slip {
         name: "header-swapped",
+        more: &["[image_width, image_height]→[image_height, image_width]"],
         rust: "P3\\n{image_width} {image_height}\\n255",
         cpp: "print image_width, image_height",
         edits: &[
@@ -143,23 +150,26 @@ pub(super) const SLIPS: &[Slip] = &[
         why: "The width comes first. Swapped, every row breaks at the wrong pixel.",
         unseen_in: BUILD_TEST,
         equivalent: "The picture is a square, so both numbers are the same.",
-        alter: |p| p.header = |width, height| (height, width),
         ..PIXELS
     },
     Slip {
         name: "channels-reversed",
+        more: &[
+            "[level(color.x), level(color.y), level(color.z)]→[level(color.z), level(color.y), level(color.x)]",
+        ],
         edits: &["{r} {g} {b}→{b} {g} {r}", "r, g, b→b, g, r"],
         why: "A pixel is red, green, blue. Reversed, red and blue change places, where they are \
               printed or in every color that is typed.",
-        alter: |p| p.channels = [2, 1, 0],
         ..CHANNELS
     },
     Slip {
         name: "green-before-red",
+        more: &[
+            "[level(color.x), level(color.y), level(color.z)]→[level(color.y), level(color.x), level(color.z)]",
+        ],
         edits: &["{r} {g}→{g} {r}", "r, g→g, r"],
         why: "A pixel is red, green, blue. Here red and green change places, where they are \
               printed or in every color that is typed: a blue sky turns violet.",
-        alter: |p| p.channels = [1, 0, 2],
         ..CHANNELS
     },
     Slip {
@@ -167,14 +177,12 @@ pub(super) const SLIPS: &[Slip] = &[
         edits: &["255.999→255.0"],
         why: "Only 1.0 itself gets level 255 then, and almost all pixels are a level darker.",
         reported: &["#1249"],
-        alter: |p| p.level = |component| (255.0 * component) as i32,
         ..LEVELS
     },
     Slip {
         name: "times-255-99",
         edits: &["255.999→255.99"],
         why: "The factor of older editions: a few pixels are a level darker.",
-        alter: |p| p.level = |component| (255.99 * component) as i32,
         ..LEVELS
     },
     Slip {
@@ -182,55 +190,41 @@ pub(super) const SLIPS: &[Slip] = &[
         edits: &["255.999→256.0"],
         why: "1.0 becomes 256, which is no level. Cut off at 255, a few pixels are brighter.",
         reported: &["RayTracing/TheRestOfYourLife PR #5"],
-        alter: |p| p.level = |component| (256.0 * component) as i32,
         ..LEVELS
     },
     Slip {
         name: "rounded",
         edits: &["(255.999 * component)→(255.0 * component).round()"],
         why: "Rounding is no worse, but it is another picture: half of it is a level off.",
-        alter: |p| p.level = |component| (255.0 * component).round() as i32,
         ..LEVELS
     },
     Slip {
         name: "cast-too-early",
         edits: &["(255.999 * component)→255 * component"],
         why: "All below 1 is cut off before the factor can spread it: levels are 0 or 255.",
-        alter: |p| p.level = |component| 255_i32.saturating_mul(component as i32),
         ..LEVELS
     },
     Slip {
         name: "color-not-scaled",
         edits: &["(255.999 * component)→component"],
         why: "A component runs from 0 to 1, a level from 0 to 255. Unscaled, all is black.",
-        alter: |p| p.level = |component| component as i32,
         ..LEVELS
     },
     Slip {
         name: "gamma-too-early",
         edits: &["component→component.sqrt()"],
         why: "The square root is the gamma correction of a later chapter: all is too bright.",
-        alter: |p| p.level = |component| (255.999 * component.sqrt()) as i32,
         ..LEVELS
     },
     Slip {
         name: "single-precision",
-        chapters: RAYS,
         page: "cpp_to_rust#small-words",
-        source: "tests/suite/methods/thresholds.rs",
-        part: Part::Prelude,
         rust: "f64",
         cpp: "double",
         python: "float",
         edits: &["f64→f32", "double→float", "float→numpy.float32"],
         why: "With 24 bits instead of 53, a few pixels are a level off, small far spheres more.",
         reported: &["mitsuba-renderer/mitsuba3#512"],
-        alter: |p| {
-            p.color = single::color;
-            if !p.edition.is_first() {
-                p.level = |component| (255.999_f32 * component as f32) as i32;
-            }
-        },
         ..SLIP
     },
 ];

@@ -1,21 +1,15 @@
 //! Slips in the list, and in what only chapter 5 has.
 
-use common::rtweekend::*;
-
 use super::chapters::HITTABLE_LIST;
-use crate::program::{BALL, Ball, Program};
 use crate::slip::{SLIP, Slip};
 
 const SEARCH: Slip = Slip {
-    chapters: HITTABLE_LIST,
     page: "hittable_list#the-nearest-one",
-    source: "chapters/5_hittable_list/src/hittable_list.rs",
     rust: "object.hit(ray, t_min, closest_so_far)",
     ..SLIP
 };
 const BOTH_ROOTS: Slip = Slip {
     page: "hittable_list#a-sphere-from-both-sides",
-    source: "chapters/5_hittable_list/src/sphere.rs",
     ..SEARCH
 };
 const RANGE: Slip = Slip {
@@ -26,13 +20,11 @@ const RANGE: Slip = Slip {
 };
 const FACE: Slip = Slip {
     page: "hittable_list#outward-or-against-the-ray",
-    source: "chapters/5_hittable_list/src/hittable.rs",
     rust: "record.set_face_normal(ray, outward_normal)",
     ..SEARCH
 };
 const GROUND: Slip = Slip {
     page: "hittable_list#the-world",
-    source: "chapters/5_hittable_list/src/lib.rs",
     rust: "Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0)",
     ..SEARCH
 };
@@ -45,7 +37,6 @@ pub(super) const SLIPS: &[Slip] = &[
         why: "Each hit replaces the one before, however far it is. The ground, added last, \
               covers the sphere's lower part.",
         reported: &["#671", "#1711"],
-        alter: |p| p.search = last_hit,
         ..SEARCH
     },
     Slip {
@@ -59,7 +50,6 @@ pub(super) const SLIPS: &[Slip] = &[
             "closest_so_far = temp_rec.t;→if (object.hit(…))",
         ],
         why: "closest_so_far stays, so each hit replaces the one before, however far it is.",
-        alter: |p| p.search = last_hit,
         ..SEARCH
     },
     Slip {
@@ -71,20 +61,18 @@ pub(super) const SLIPS: &[Slip] = &[
             "→return Some(record)",
         ],
         why: "The first object that is hit hides nearer ones, and the book adds the nearest first.",
-        alter: |p| p.search = |program, balls, ray| hits(program, balls, ray).next(),
         ..SEARCH
     },
     Slip {
         name: "farthest-wins",
+        more: &[
+            "object.hit(ray, t_min, closest_so_far)→object.hit(ray, t_min, t_max)",
+            "closest_so_far = t_max→closest_so_far = t_min",
+            "closest_so_far = record.t; nearest = Some(record);→if record.t > closest_so_far { closest_so_far = record.t; nearest = Some(record); }",
+        ],
         cpp: "if (rec.t < closest_so_far)",
         edits: &["<→>", "→if record.t > closest_so_far"],
-        is_in_two_places: true,
         why: "The farthest hit covers all nearer ones.",
-        alter: |p| {
-            p.search = |program, balls, ray| {
-                hits(program, balls, ray).max_by(|(t, _), (other, _)| t.total_cmp(other))
-            }
-        },
         ..SEARCH
     },
     Slip {
@@ -96,7 +84,6 @@ pub(super) const SLIPS: &[Slip] = &[
             "… root = (h + sqrtd)→root = (h - sqrtd)",
         ],
         why: "From inside a sphere the nearer root is behind, and the eye sees the far one.",
-        alter: |p| p.numerators = |first, sqrtd, _| [first - sqrtd; 2],
         ..BOTH_ROOTS
     },
     Slip {
@@ -113,12 +100,6 @@ pub(super) const SLIPS: &[Slip] = &[
             "→if not range.surrounds(root): root = (h + sqrtd) / a",
         ],
         why: "The second root has to be in the range too, or spheres behind the camera are hit.",
-        alter: |p| {
-            p.choice = |program, [near, far], t_min, t_max| {
-                let is_near = (program.in_range)(t_min, near, t_max);
-                Some(if is_near { near } else { far })
-            }
-        },
         ..RANGE
     },
     Slip {
@@ -129,7 +110,6 @@ pub(super) const SLIPS: &[Slip] = &[
             "→t = roots[0]",
         ],
         why: "Hits behind the camera count too, and beat others: the sky shows the ground's back.",
-        alter: |p| p.in_range = |_, _, _| true,
         ..RANGE
     },
     Slip {
@@ -138,17 +118,12 @@ pub(super) const SLIPS: &[Slip] = &[
         why: "A ray that leaves a surface must not hit it at t = 0, the end of the interval.",
         unseen_in: HITTABLE_LIST,
         law: "A root at an end of the interval is no hit.",
-        alter: |p| p.in_range = |t_min, t, t_max| t_min <= t && t <= t_max,
         ..RANGE
     },
     Slip {
         name: "face-normal-missing",
         edits: &["set_face_normal(ray, outward_normal)→normal = outward_normal"],
         why: "From inside a sphere, where no camera here is, the normal turns against the ray.",
-        alter: |p| {
-            p.front_face = |_, _, _| false;
-            p.face = |_, _, outward| outward;
-        },
         ..FACE
     },
     Slip {
@@ -159,10 +134,6 @@ pub(super) const SLIPS: &[Slip] = &[
             "→neither rec.normal nor rec.set_face_normal(…)",
         ],
         why: "The normal stays (0, 0, 0), which is drawn as gray.",
-        alter: |p| {
-            p.front_face = |_, _, _| false;
-            p.face = |_, _, _| Vec3::ZERO;
-        },
         ..FACE
     },
     Slip {
@@ -179,19 +150,12 @@ pub(super) const SLIPS: &[Slip] = &[
         ],
         why: "Every normal points along the ray, into what it belongs to.",
         reported: &["#720", "#1729"],
-        alter: |p| {
-            p.face = |program, direction, outward| {
-                let is_front = (program.front_face)(program, direction, outward);
-                if is_front { -outward } else { outward }
-            }
-        },
         ..FACE
     },
     Slip {
         name: "ground-too-high",
         edits: &["-100.5→-100.0"],
         why: "The sphere must stand on the ground, its lowest point at -0.5. Here it is half sunk.",
-        alter: |p| p.world = const { &[BALL, Ball::new(0.0, -100.0, -1.0, 100.0)] },
         ..GROUND
     },
     Slip {
@@ -204,23 +168,6 @@ pub(super) const SLIPS: &[Slip] = &[
             " and world.add(sphere((0, -100.5, -1), 100))→",
         ],
         why: "Without the ground the picture is that of the chapter before.",
-        alter: |p| p.world = &[BALL],
         ..GROUND
     },
 ];
-
-/// All hits in the order of the list, each looked for in the whole interval.
-fn hits<'a>(
-    program: &'a Program,
-    balls: &'a [Ball],
-    ray: &'a Ray,
-) -> impl DoubleEndedIterator<Item = (f64, Ball)> {
-    balls.iter().filter_map(|&ball| {
-        let t = program.hit(ball, ray, program.t_min, program.t_max)?;
-        Some((t, ball))
-    })
-}
-
-fn last_hit(program: &Program, balls: &[Ball], ray: &Ray) -> Option<(f64, Ball)> {
-    hits(program, balls, ray).next_back()
-}

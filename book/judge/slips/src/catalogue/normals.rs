@@ -1,21 +1,15 @@
 //! Slips in which hits count, and in the color of a hit.
 
-use common::rtweekend::*;
-
-use super::chapters::{HITTABLE_LIST, LONE_SPHERE, ONE_SPHERE, RED_SPHERE, ROOTS};
+use super::chapters::{HITTABLE_LIST, RED_SPHERE};
 use super::sphere::SIGN_OF_B;
 use crate::chapter::Chapter::HittableList;
-use crate::program::{BALL, Ball, Program};
-use crate::slip::{Part, SLIP, Slip};
+use crate::slip::{SLIP, Slip};
 
 const CHAPTER: Slip = Slip {
-    chapters: ROOTS,
     page: "normals#which-way-the-normal",
-    source: "chapters/3_normals/src/lib.rs",
     ..SLIP
 };
 const RANGE: Slip = Slip {
-    chapters: ONE_SPHERE,
     page: "normals#where-the-nearer-root",
     ..CHAPTER
 };
@@ -37,6 +31,7 @@ const SHADE: Slip = Slip {
 pub(super) const SLIPS: &[Slip] = &[
     Slip {
         name: "behind-drawn",
+        more: &["&& t > 0.0→"],
         rust: "if let Some(t) = hit_sphere(center, 0.5, ray) && t > 0.0 {",
         cpp: "if (t > 0)",
         python: "if t > 0:",
@@ -47,7 +42,6 @@ pub(super) const SLIPS: &[Slip] = &[
         ],
         why: "A negative t is a point behind the camera, where the book has no sphere to show it.",
         reported: &["#1570"],
-        alter: |p| p.t_min = f64::NEG_INFINITY,
         ..RANGE
     },
     Slip {
@@ -58,12 +52,10 @@ pub(super) const SLIPS: &[Slip] = &[
         edits: &["> 0→> -1"],
         why: "Readers try this to bring back a sphere that a wrong sign has lost.",
         reported: &["#1643", "#1558"],
-        alter: |p| p.t_min = -1.0,
         ..RANGE
     },
     Slip {
         name: "sphere-at-plus-one",
-        chapters: LONE_SPHERE,
         rust: "Point3::new(0.0, 0.0, -1.0)",
         cpp: "center = (0, 0, -1)",
         edits: &["-1→1"],
@@ -71,7 +63,6 @@ pub(super) const SLIPS: &[Slip] = &[
         reported: &["#1570"],
         unseen_in: RED_SPHERE,
         equivalent: SIGN_OF_B,
-        alter: |p| p.world = const { &[Ball::new(0.0, 0.0, 1.0, 0.5)] },
         ..RANGE
     },
     Slip {
@@ -81,25 +72,20 @@ pub(super) const SLIPS: &[Slip] = &[
             "(point - center) * (1.0 / radius)→point.normalize()",
         ],
         why: "A normal points away from the center of the sphere, not from the eye.",
-        alter: |p| p.outward = |program, point, _| (program.unit)(point),
         ..NORMAL
     },
     Slip {
         name: "normal-from-first-center",
-        chapters: HITTABLE_LIST,
-        source: "chapters/5_hittable_list/src/sphere.rs",
         edits: &[
             "(point - center) * (1.0 / radius)→(point - Point3::new(0.0, 0.0, -1.0)).normalize()",
         ],
         why: "With one sphere that was right. Any other has its normals from its own center.",
-        alter: |p| p.outward = |program, point, _| (program.unit)(point - BALL.center),
         ..NORMAL
     },
     Slip {
         name: "center-added",
         edits: &["- center→+ center"],
         why: "A normal is the way from the center to the point, a difference.",
-        alter: |p| p.outward = |program, point, ball| rescaled(program, point + ball.center, ball),
         ..NORMAL
     },
     Slip {
@@ -111,7 +97,6 @@ pub(super) const SLIPS: &[Slip] = &[
         why: "The way from the point to the center points in.",
         unseen_in: HITTABLE_LIST,
         law: "The front face is hit exactly when the ray comes from outside.",
-        alter: |p| p.outward = |program, point, ball| rescaled(program, ball.center - point, ball),
         ..NORMAL
     },
     Slip {
@@ -122,7 +107,6 @@ pub(super) const SLIPS: &[Slip] = &[
         ],
         why: "Its length is the radius, not 1: a small sphere fades to gray, a large one glares.",
         reported: &["#1062", "#525"],
-        alter: |p| p.outward = |_, point, ball| point - ball.center,
         ..NORMAL
     },
     Slip {
@@ -132,7 +116,6 @@ pub(super) const SLIPS: &[Slip] = &[
             "→color(N.x(), N.y(), N.z())",
         ],
         why: "A normal's components run from -1 to 1, a color's from 0 to 1.",
-        alter: |p| p.shade = |_, normal| normal,
         ..SHADE
     },
     Slip {
@@ -142,7 +125,6 @@ pub(super) const SLIPS: &[Slip] = &[
             "→0.5 * color(N.x(), N.y(), N.z())",
         ],
         why: "Without the 1 half of the components stay negative.",
-        alter: |p| p.shade = |_, normal| 0.5 * normal,
         ..SHADE
     },
     Slip {
@@ -152,7 +134,6 @@ pub(super) const SLIPS: &[Slip] = &[
             "0.5 * color→color",
         ],
         why: "Without the half components run from 0 to 2, and half of them are too bright.",
-        alter: |p| p.shade = |_, normal| normal + Vec3::ONE,
         ..SHADE
     },
     Slip {
@@ -160,7 +141,6 @@ pub(super) const SLIPS: &[Slip] = &[
         cpp: "",
         edits: &["(normal + Vec3::ONE)→normal + Vec3::ONE"],
         why: "The half takes the normal alone, so components run from 0.5 to 1.5: too bright.",
-        alter: |p| p.shade = |_, normal| 0.5 * normal + Vec3::ONE,
         ..SHADE
     },
     Slip {
@@ -171,30 +151,18 @@ pub(super) const SLIPS: &[Slip] = &[
             "→0.5 * color(N.z() + 1, N.y() + 1, N.x() + 1)",
         ],
         why: "x is red and z is blue. Here the sphere's red and blue have changed places.",
-        alter: |p| {
-            p.shade = |_, normal| 0.5 * (Vec3::new(normal.z, normal.y, normal.x) + Vec3::ONE);
-        },
         ..SHADE
     },
     Slip {
         name: "z-forward",
+        more: &[
+            "0.5 * (normal + Vec3::ONE)→0.5 * (Vec3::new(normal.x, normal.y, -normal.z) + Vec3::ONE)",
+            "0.5 * (record.normal + Vec3::ONE)→0.5 * (Vec3::new(record.normal.x, record.normal.y, -record.normal.z) + Vec3::ONE)",
+        ],
         page: "gradient#the-camera",
-        source: "common/src/camera.rs",
-        part: Part::Prelude,
         rust: "center - Vec3::new(0.0, 0.0, focal_length), and the spheres at z = -1.0",
         edits: &["→center + Vec3::new(0.0, 0.0, focal_length), and the spheres at z = 1.0"],
         why: "z points away from the eye then, and the normals' blue too. All else is the same.",
-        alter: |p| p.shade = |_, normal| 0.5 * (normal.with_z(-normal.z) + Vec3::ONE),
         ..CHAPTER
     },
 ];
-
-/// A vector as long as the sphere's radius made one of length 1, in the way of
-/// the chapter: by its own length, or from chapter 5 on by the radius.
-fn rescaled(program: &Program, v: Vec3, ball: Ball) -> Vec3 {
-    if program.chapter == HittableList {
-        v * (1.0 / ball.radius)
-    } else {
-        (program.unit)(v)
-    }
-}

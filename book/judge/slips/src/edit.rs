@@ -1,0 +1,102 @@
+//! Edits: what is typed in the place of what a chapter has.
+
+use std::borrow::Cow;
+
+/// A part of a text and what is typed in its place. Blanks and the ends of lines do not count.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Edit {
+    /// What the text has.
+    pub right: Cow<'static, str>,
+    /// What is typed.
+    pub wrong: Cow<'static, str>,
+}
+
+impl Edit {
+    /// The edit that puts a text in the place of another.
+    pub fn new(right: impl Into<Cow<'static, str>>, wrong: impl Into<Cow<'static, str>>) -> Self {
+        Self {
+            right: right.into(),
+            wrong: wrong.into(),
+        }
+    }
+
+    /// The edit that is written `right→wrong`.
+    pub fn written(said: &'static str) -> Self {
+        let (right, wrong) = said.split_once('→').unwrap_or((said, ""));
+        Self::new(right, wrong)
+    }
+
+    /// Whether it puts shorter numbers in the place of all.
+    pub(crate) fn is_precision(&self) -> bool {
+        *self == Self::new("f64", "f32") || self.is_as_in_cpp()
+    }
+
+    /// Whether it does so but for levels, since a number that is typed in C++ is a double.
+    pub(crate) fn is_as_in_cpp(&self) -> bool {
+        *self == Self::new("double", "float")
+    }
+
+    /// The text with the edit everywhere where it stands, if it stands there.
+    pub fn made_in(&self, text: &str) -> Option<String> {
+        let (mut made, mut done) = (String::new(), 0);
+        while let Some((start, end)) = self.found(text, done) {
+            made += &text[done..start];
+            made += &self.wrong;
+            done = end;
+        }
+        (done > 0).then(|| made + &text[done..])
+    }
+
+    /// Whether it stands in the text.
+    pub(crate) fn stands_in(&self, text: &str) -> bool {
+        self.found(text, 0).is_some()
+    }
+
+    /// Where it stands first, from a place on.
+    fn found(&self, text: &str, from: usize) -> Option<(usize, usize)> {
+        let first = *self.right.trim_start().as_bytes().first()?;
+        let starts = (from..text.len()).filter(|&at| text.as_bytes()[at] == first);
+        let mut all = starts.filter_map(|start| Some((start, self.end(text, start)?)));
+        all.find(|&(start, end)| is_whole(text, start, end))
+    }
+
+    /// Where it ends if it begins at that place.
+    fn end(&self, text: &str, start: usize) -> Option<usize> {
+        let is_said = |it: &u8| !it.is_ascii_whitespace();
+        let mut wanted = self.right.bytes().filter(is_said);
+        let mut next = wanted.next();
+        for (n, byte) in text
+            .bytes()
+            .enumerate()
+            .skip(start)
+            .filter(|it| is_said(&it.1))
+        {
+            match next {
+                Some(it) if it == byte => next = wanted.next(),
+                _ => return None,
+            }
+            if next.is_none() {
+                return Some(n + 1);
+            }
+        }
+        None
+    }
+}
+
+/// Whether no name goes on at either end, and none before it has this one as a part.
+fn is_whole(text: &str, start: usize, end: usize) -> bool {
+    let is_of_a_name = |it: char| it.is_alphanumeric() || it == '_';
+    let [first, last] = [
+        text[start..].chars().next(),
+        text[..end].chars().next_back(),
+    ];
+    let (before, after) = (
+        text[..start].chars().next_back(),
+        text[end..].chars().next(),
+    );
+    let goes_on = |one: Option<char>, other: Option<char>| {
+        one.is_some_and(is_of_a_name) && other.is_some_and(is_of_a_name)
+    };
+    let is_a_field = first.is_some_and(is_of_a_name) && before == Some('.');
+    !goes_on(before, first) && !goes_on(last, after) && !is_a_field
+}
