@@ -4,22 +4,11 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs, io};
 
-use course::workspace::workspace;
-
-/// The program, compiled as the book does and optimized with `-O3`, or why
-/// there is none: most often, because there is no C++ compiler.
+/// The program whose source is a single file, compiled as the book does and optimized with
+/// `-O3`, or why there is none: most often, because there is no C++ compiler. It is named
+/// after its source.
 ///
 /// The compiler is the one that the variable `CXX` names, or else `c++`.
-///
-/// # Errors
-/// If the compiler cannot be started, or cannot compile the program.
-pub fn build(folder: &Path) -> io::Result<PathBuf> {
-    let workspace =
-        workspace().ok_or_else(|| io::Error::other("its source is in no clone here"))?;
-    compiled(&workspace.join("book/measure/rival/book.cc"), folder)
-}
-
-/// The program whose source is a single file, likewise; it is named after it.
 ///
 /// # Errors
 /// If the compiler cannot be started, or cannot compile the program.

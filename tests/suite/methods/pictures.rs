@@ -2,7 +2,7 @@
 //! beside what it should look like.
 
 use measure::scene_file::find_scene;
-use speed_vs_accuracy::Method;
+use speed_vs_accuracy::{Eye, Method};
 use suite::drawn::assert_picture;
 
 const WIDTH: u32 = 200;
@@ -21,8 +21,8 @@ fn a_scene_in_which_a_method_fails_is_drawn_as_its_snapshot_by_that_method() {
         ("neighbors", Method::HALF_B),
     ] {
         let scene = find_scene(scene).expect("it is one of the seven");
-        let wrong = scene.picture(method, WIDTH);
-        let right = scene.right_picture(WIDTH);
+        let [wrong, right] =
+            [Eye::Method(method), Eye::Exact].map(|eye| scene.seen_by([eye; 2], WIDTH));
         assert_ne!(wrong, right);
         assert_picture(&format!("{}_{}", scene.name, method.name), &wrong);
         assert_picture(&format!("{}_right", scene.name), &right);
@@ -32,5 +32,6 @@ fn a_scene_in_which_a_method_fails_is_drawn_as_its_snapshot_by_that_method() {
 #[test]
 fn the_exact_method_draws_neighbors_as_its_snapshot() {
     let scene = find_scene("neighbors").expect("it is one of the seven");
-    assert_picture("neighbors_exact", &scene.picture(Method::EXACT, WIDTH));
+    let seen = scene.seen_by([Eye::Method(Method::EXACT); 2], WIDTH);
+    assert_picture("neighbors_exact", &seen);
 }

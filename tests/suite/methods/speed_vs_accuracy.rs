@@ -81,7 +81,7 @@ mod a_scene {
     #[test]
     fn of_the_book_is_the_picture_of_chapter_5() {
         let book = find_scene("book").expect("it is one of the seven");
-        let drawn = book.picture(Method::HALF_B, 100);
+        let drawn = book.seen_by([Eye::Method(Method::HALF_B); 2], 100);
         assert_eq!(drawn, hittable_list::picture(100));
     }
 }

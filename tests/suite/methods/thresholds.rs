@@ -89,14 +89,22 @@ fn each_method_decides_wrongly_as_often_as_its_row_says() {
         // It is enough for the book.
         (SINGLE, BOOK, 0.0, 0.0..=2e-4),
     ];
-    assert_rows(&rows, |method, cases| {
-        share(cases, |case| {
-            let given = case.rounded(method.precision());
-            let root = Exact::of(&given);
-            let is_hit = root.nearest_root_in(0.0, f64::INFINITY).is_some();
-            in_front(&given, method).is_some() != is_hit
-        })
-    });
+    for (row, (methods, rays, level, range)) in rows.iter().enumerate() {
+        let cases = samples(&rays(*level), CASES);
+        for method in *methods {
+            let found = share(&cases, |case| {
+                let given = case.rounded(method.precision());
+                let root = Exact::of(&given);
+                let is_hit = root.nearest_root_in(0.0, f64::INFINITY).is_some();
+                in_front(&given, method).is_some() != is_hit
+            });
+            assert!(
+                range.contains(&found),
+                "row {row}: {found} for {}, not {range:?}: if it is better, say so there",
+                method.name
+            );
+        }
+    }
 }
 
 /// The book's ray through the middle, d = (0, 0, −s): a = s², h = s, c = ¾, and the nearer
@@ -148,19 +156,6 @@ fn a_length_of_two_to_minus_515_tells_the_two_formulas_apart() {
         full.zip(half).is_some_and(|(full, half)| full != half)
     });
     assert!(differ > 0.1, "{differ}");
-}
-
-fn assert_rows(rows: &[Row], found: impl Fn(&Method, &[Case]) -> f64) {
-    for (row, (methods, rays, level, range)) in rows.iter().enumerate() {
-        let cases = samples(&rays(*level), CASES);
-        for method in *methods {
-            let (name, found) = (method.name, found(method, &cases));
-            assert!(
-                range.contains(&found),
-                "row {row}: {found} for {name}, not {range:?}: if it is better, say so there"
-            );
-        }
-    }
 }
 
 /// The share of the cases that count.

@@ -135,11 +135,6 @@ impl Case {
             .all(|scale| (1e-300..=1e300).contains(scale))
     }
 
-    /// The same ray, pointing the other way.
-    pub fn turned_round(&self) -> Self {
-        self.with_ray(self.ray.origin, -self.ray.direction)
-    }
-
     /// The same sphere, with another ray.
     pub fn with_ray(&self, origin: Point3, direction: Vec3) -> Self {
         Self {

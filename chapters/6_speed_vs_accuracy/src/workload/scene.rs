@@ -42,20 +42,9 @@ impl Scene {
         }
     }
 
-    /// The picture at `width` pixels wide, by `method`: the loop of chapter 5 asks it
-    /// about one sphere after the other.
-    pub fn picture(&self, method: Method, width: u32) -> Picture {
-        self.seen_by([Eye::Method(method); 2], width)
-    }
-
-    /// The picture that every method should draw, whatever it computes with: of the
-    /// numbers as they are, none is rounded to tell which sphere is first, or where.
-    pub fn right_picture(&self, width: u32) -> Picture {
-        self.seen_by([Eye::Exact; 2], width)
-    }
-
-    /// Left of the middle as one eye sees it, right of it as another does.
-    pub(crate) fn seen_by(&self, eyes: [Eye; 2], width: u32) -> Picture {
+    /// Draws the picture at `width` pixels wide: left of the middle as one eye sees it,
+    /// right of it as another does.
+    pub fn seen_by(&self, eyes: [Eye; 2], width: u32) -> Picture {
         let (scene, camera) = (self.clone(), Camera::new(width));
         Picture::paint(camera.image_width, camera.image_height, move |i, j| {
             if i >= width {
@@ -210,9 +199,11 @@ pub fn unit(v: Vec3) -> Vec3 {
 /// Who looks.
 #[derive(Clone, Copy, Debug)]
 pub enum Eye {
-    /// A method, in the precision that it computes with.
+    /// A method, in the precision that it computes with: the loop of chapter 5 asks it about
+    /// one sphere after the other.
     Method(Method),
-    /// Exact arithmetic: only the points that are found are rounded, to `f64`.
+    /// Exact arithmetic: only the points that are found are rounded, to `f64`. This is what
+    /// every method should see.
     Exact,
 }
 
