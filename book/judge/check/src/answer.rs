@@ -174,7 +174,9 @@ impl Judged<'_> {
             }
         } else if finding.near.is_none() && finding.difference.is_some() {
             parts.extend(whereabouts(finding));
-            if finding.sights.len() != 1 {
+            if let Some(title) = finding.drawn.title() {
+                parts.push(Part::Title(title.to_owned()));
+            } else if finding.sights.len() != 1 {
                 let unknown = match self.scene.probe {
                     None if self.known.sources.files().is_empty() => {
                         "No mistake in the catalogue draws this picture.".to_owned()

@@ -82,8 +82,13 @@ pub(crate) fn explain(evidence: &Evidence) -> Explanation {
     if left.is_nothing() || MANY * left.off <= reading.pixels.len() || left.is_rounding() {
         return near(left);
     }
-    let several = two_mistakes(evidence, &right, &left).map(Explanation::Mistakes);
-    several.unwrap_or_else(|| Explanation::Nothing(described_beside(evidence, right)))
+    let beside = described_beside(evidence, right.clone());
+    if !evidence.drawn(&beside.scene).is_told()
+        && let Some(pair) = two_mistakes(evidence, &right, &left)
+    {
+        return Explanation::Mistakes(pair);
+    }
+    Explanation::Nothing(beside)
 }
 
 /// The right program beside which a picture is described that nothing draws: the nearest, if a

@@ -7,8 +7,8 @@ use slips::{Edition, Letters, Program, Slip, Words};
 use crate::blind_spots;
 use crate::candidate::Candidate;
 use crate::reading::Reading;
-use crate::repair::Repair;
 use crate::scene::Scene;
+use crate::search::{self, Drawn, Repair};
 pub(crate) use crate::sources::Said;
 use crate::sources::{Line, Sources};
 
@@ -115,6 +115,7 @@ pub(crate) struct Evidence<'a> {
     /// What is known besides.
     pub(crate) known: &'a Known<'a>,
     repair: OnceCell<Option<Repair>>,
+    drawn: OnceCell<Drawn>,
     passed: OnceCell<Vec<&'static Slip>>,
 }
 
@@ -133,6 +134,7 @@ impl<'a> Evidence<'a> {
             has_no_levels: reading.outside().is_some(),
             known,
             repair: OnceCell::new(),
+            drawn: OnceCell::new(),
             passed: OnceCell::new(),
         }
     }
@@ -142,6 +144,12 @@ impl<'a> Evidence<'a> {
         let before = self.known.steps.len().saturating_sub(1);
         let repair = || Repair::of(&self.scene, self.reading, &self.known.sources, before);
         self.repair.get_or_init(repair).as_ref()
+    }
+
+    /// The single edits that draw the picture, of the text of the scene that comes nearest.
+    pub(crate) fn drawn(&self, right: &Scene) -> &Drawn {
+        let drawn = || search::drawn(right, self.reading, &self.known.sources);
+        self.drawn.get_or_init(drawn)
     }
 
     /// The slips that the reader can have made in the scene.

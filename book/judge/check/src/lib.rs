@@ -1,7 +1,7 @@
 //! What judges a picture, ours or a reader's.
 //!
 //! In the order in which a file passes through it: [`reading`] makes a picture of bytes that
-//! may be anything, the judge asks which program draws it, `repair` tries what makes the
+//! may be anything, the judge asks which program draws it, `search` tries what makes the
 //! reader's own program right, and the [`verdict`] is laid out as an [`answer`] to a picture,
 //! as the [`whole`] verdict on a program that is being typed, or as a [`report`] on a page. If
 //! the picture is right, [`blind_spots`] knows what it hides. Of a picture without a chapter's
@@ -22,9 +22,9 @@ pub mod known;
 mod pixels;
 pub mod png;
 pub mod reading;
-mod repair;
 pub mod report;
 pub mod scene;
+mod search;
 mod seen;
 pub mod sources;
 mod telling;

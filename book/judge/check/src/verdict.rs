@@ -8,8 +8,8 @@ use crate::comparison::{Comparison, Difference};
 use crate::judge::{Explanation, Fit, explain};
 use crate::known::{Evidence, Known};
 use crate::reading::{self, Cause, Reading};
-use crate::repair::Repair;
 use crate::scene::Scene;
+use crate::search::{Drawn, Repair};
 use crate::telling;
 use crate::{candidates, causes, seen};
 
@@ -85,6 +85,8 @@ pub struct Finding {
     pub near: Option<Near>,
     /// The mistakes that draw it, if some are known.
     pub mistakes: Option<Mistakes>,
+    /// The single edits of the chapter's text that draw it, where no known mistake does.
+    pub drawn: Drawn,
     /// What can be seen, where nothing known draws it.
     pub sights: Vec<String>,
     /// The numbers of the first pixel that differs, as they should be, likewise.
@@ -325,6 +327,7 @@ impl Finding {
             difference,
             near: None,
             mistakes: None,
+            drawn: Drawn::default(),
             sights: Vec::new(),
             first: Vec::new(),
             repair: None,
@@ -339,6 +342,10 @@ impl Finding {
         Self {
             sights,
             first,
+            drawn: match evidence.repair() {
+                Some(_) => Drawn::default(),
+                None => evidence.drawn(&right.scene).clone(),
+            },
             ..finding
         }
     }

@@ -7,8 +7,8 @@ use slips::{Chapter, Letters, Probe, Slip};
 use crate::Row;
 use crate::candidate::{Conversion, Left};
 use crate::known::Known;
-use crate::repair::{Change, Repair, Right};
 use crate::scene::Scene;
+use crate::search::{Change, Drawn, Mutant, Repair, Right};
 use crate::sources::Line;
 use crate::verdict::{Finding, Mistakes, Near};
 
@@ -36,10 +36,12 @@ impl Finding {
         let warnings = warnings.map(|it| ("warned", it.clone()));
         let explained = match &self.mistakes {
             Some(mistakes) => mistakes.rows(known),
+            None if self.drawn.is_told() => self.drawn.rows(known, &self.scene),
             None => {
                 let seen = self.sights.iter().map(|it| ("seen", it.clone()));
                 let first = self.first.iter().cloned();
-                seen.chain(first).collect()
+                let drawn = self.drawn.rows(known, &self.scene);
+                seen.chain(first).chain(drawn).collect()
             }
         };
         warnings.chain(explained).collect()
@@ -131,6 +133,43 @@ impl Mistakes {
             lines.chain(why.map(|why| ("why", why.to_owned())))
         });
         rows.collect()
+    }
+}
+
+impl Drawn {
+    /// What is known of the edits that draw it, if that are few.
+    pub fn title(&self) -> Option<&'static str> {
+        let title = match self.all.len() {
+            1 if self.count == 1 => "One edit of the chapter's text draws exactly this picture:",
+            _ => "Each of these edits draws exactly this picture, and so may others:",
+        };
+        Some(title).filter(|_| self.is_told())
+    }
+
+    /// The likeliest lines, each in the reader's letters.
+    fn rows(&self, known: &Known, scene: &Scene) -> Vec<Row> {
+        let letters = known.letters.unwrap_or(Letters::Book(scene.edition));
+        let typed = |line: &str| letters.spelled(line, scene.chapter);
+        if let ([it], 1) = (&self.all[..], self.count) {
+            if it.wrong.is_empty() {
+                return vec![("missing", typed(&it.right))];
+            }
+            let label = if it.is_in_text { "probably" } else { "perhaps" };
+            return vec![(label, typed(&it.wrong)), ("should be", typed(&it.right))];
+        }
+        let said = |it: &Mutant| match &*it.wrong {
+            "" => format!("{}  left out", typed(&it.right)),
+            wrong => typed(wrong),
+        };
+        let labels = iter::once("perhaps").chain(iter::repeat("or"));
+        let rows = labels.zip(self.all.iter().map(said));
+        let many = (!self.all.is_empty() && !self.is_told()).then(|| {
+            (
+                "",
+                "and many others draw this picture: it does not tell".to_owned(),
+            )
+        });
+        rows.chain(many).collect()
     }
 }
 

@@ -125,9 +125,8 @@ const MISTAKES: [(Text, &str, &str); 56] = [
 ];
 
 /// What is wrong in these is said to be right in words that are more like the chapter's.
-const IN_OTHER_WORDS: [(&str, &str); 3] = [
+const IN_OTHER_WORDS: [(&str, &str); 2] = [
     (GROUND, "100.0"),
-    ("dir.y + 1.0 * 0.5", "let t = 0.5 * (dir.y + 1.0);"),
     (
         "/ self.radius * self.radius",
         "rec.set_face_normal(r, (rec.point - self.center) * (1.0 / self.radius));",

@@ -314,7 +314,8 @@ impl Output {
         self.printed(n).unwrap_or_default()
     }
 
-    fn printed(&self, n: u32) -> Option<[i32; 3]> {
+    /// The same, or `None` where the program stops.
+    pub fn printed(&self, n: u32) -> Option<[i32; 3]> {
         let color = self.color(n)?;
         if self.is_right_around {
             return Some(

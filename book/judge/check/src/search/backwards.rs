@@ -5,11 +5,13 @@ use std::cell::Cell;
 use std::collections::HashSet;
 
 use super::edit::{Edit, words};
-use super::functions::{Files, Function, with};
-use super::goal::{Goal, program};
-use super::{chapter, generic};
+use interpreter::Program;
 
-/// So many bytes of programs are read, which takes two seconds at most.
+use super::functions::Function;
+use super::goal::Goal;
+use super::{mutation, nearer};
+
+/// So many bytes of functions are read, which takes two seconds at most.
 const READ: usize = 1 << 20;
 /// Nobody would recognize the mistake in a less likely edit.
 const READABLE: u32 = 16;
@@ -31,22 +33,28 @@ impl<'a> Fix<'a> {
 
 /// A reader's program and what it is compared with.
 pub(super) struct Search<'a> {
-    pub(super) files: &'a Files,
+    pub(super) program: &'a Program,
     pub(super) yours: &'a [Function],
     pub(super) chapter: &'a [Function],
     pub(super) goal: &'a Goal,
-    /// How many bytes of programs have been read.
+    /// How many bytes of functions have been read.
     pub(super) read: Cell<usize>,
 }
 
 /// A function of the reader's, and those of the same name that are right.
 type Common<'a> = (&'a Function, Vec<&'a Function>);
 
+/// Undoes what is often mistyped.
+fn generic(function: &Function) -> Vec<Edit> {
+    let all = mutation::mutations(function).into_iter();
+    all.map(|it| it.edit(&function.text)).collect()
+}
+
 /// Functions with other texts.
 type Changes<'a> = Vec<(&'a Function, String)>;
 
 impl<'a> Search<'a> {
-    /// What makes the program right, if something does.
+    /// Finds what makes the program right, if something does.
     pub(super) fn find(&self) -> Option<Vec<Fix<'a>>> {
         let common = self.common();
         let swapped = |(yours, right): &Common<'a>| {
@@ -68,7 +76,7 @@ impl<'a> Search<'a> {
         found.map(|edit| vec![Fix::edit(&edit)])
     }
 
-    /// The functions that the reader and the chapter have in common.
+    /// Finds the functions that the reader and the chapter have in common.
     fn common(&self) -> Vec<Common<'a>> {
         let common = self.yours.iter().map(|yours| {
             let right = self.chapter.iter().filter(|it| it.name == yours.name);
@@ -77,9 +85,9 @@ impl<'a> Search<'a> {
         common.filter(|(_, right)| !right.is_empty()).collect()
     }
 
-    /// Whether the program is right with these texts, as long as one more may be tried.
+    /// Returns true if the program is right with these texts, as long as one more may be tried.
     fn is_right(&self, changes: &Changes) -> bool {
-        let bytes: usize = self.files.iter().map(|(_, text)| text.len()).sum();
+        let bytes: usize = changes.iter().map(|(_, text)| text.len()).sum();
         self.read.set(self.read.get() + bytes);
         self.may_try() && self.meets_the_goal(changes)
     }
@@ -89,19 +97,26 @@ impl<'a> Search<'a> {
     }
 
     fn meets_the_goal(&self, changes: &Changes) -> bool {
-        let texts: Vec<_> = changes.iter().map(|(it, text)| (*it, &**text)).collect();
-        program(&with(self.files, &texts)).is_some_and(|it| self.goal.is_met_by(&it))
+        let mut changes = changes.iter();
+        let first = changes
+            .next()
+            .map(|(it, text)| self.program.patched(&it.name, text));
+        let patched = first.and_then(Result::ok);
+        let program = changes.fold(patched, |program, (it, text)| {
+            program?.patched(&it.name, text).ok()
+        });
+        program.is_some_and(|it| self.goal.is_met_by(&it))
     }
 
-    /// The likeliest edit that makes the program right, in this function or in what it calls.
+    /// Finds the likeliest edit that makes the program right, in this function or in what it calls.
     fn repair(&self, common: &Common<'a>, others: &Changes<'a>) -> Option<(&'a Function, Edit)> {
         self.first(self.edits(common), others)
     }
 
-    /// The edits of a function and of the helpers that it calls.
+    /// Makes the edits of a function and of the helpers that it calls.
     fn edits(&self, (yours, right): &Common<'a>) -> Vec<(&'a Function, Edit)> {
-        let generic = generic::edits(yours);
-        let own = self.of_chapter(yours, right).into_iter().chain(generic);
+        let mutations = generic(yours);
+        let own = self.of_chapter(yours, right).into_iter().chain(mutations);
         let mut edits: Vec<_> = own.map(|edit| (*yours, edit)).collect();
         let helpers = self.helpers(yours);
         let likest: Vec<_> = helpers.iter().map(|it| (*it, self.likest(it))).collect();
@@ -109,7 +124,7 @@ impl<'a> Search<'a> {
         callers.extend(right.iter().map(|right| (*yours, *right)));
         for (helper, _) in &likest {
             let others = callers.iter().filter(|(it, _)| it.name != helper.name);
-            let theirs = others.flat_map(|(it, right)| chapter::edits_of_helper(helper, it, right));
+            let theirs = others.flat_map(|(it, right)| nearer::edits_of_helper(helper, it, right));
             let all = self.keeping_calls(helper, theirs.collect());
             let all = all.into_iter().chain(self.of_likest(helper));
             edits.extend(all.map(|edit| (*helper, edit)));
@@ -117,7 +132,7 @@ impl<'a> Search<'a> {
         edits
     }
 
-    /// Those that write no call of a helper out: that would hide a mistake of the helper.
+    /// Drops those that write a call of a helper out: that would hide a mistake of the helper.
     fn keeping_calls(&self, yours: &Function, mut edits: Vec<Edit>) -> Vec<Edit> {
         for helper in self.helpers(yours) {
             edits.retain(|it| !it.writes_out(helper.short_name(), &yours.text));
@@ -135,11 +150,11 @@ impl<'a> Search<'a> {
         };
         let called = self.chapter.iter().filter(is_called).filter(is_missing);
         let all = right.iter().copied().chain(called);
-        let edits = all.flat_map(|right| chapter::edits(yours, right));
+        let edits = all.flat_map(|right| nearer::edits(yours, right));
         self.keeping_calls(yours, edits.collect())
     }
 
-    /// The chapter's function that is most like this one.
+    /// Finds the chapter's function that is most like this one.
     fn likest(&self, own: &Function) -> Option<&'a Function> {
         let like = |it: &&Function| it.body.likeness(&own.body);
         let all = self.chapter.iter();
@@ -149,9 +164,9 @@ impl<'a> Search<'a> {
     /// The edits of a function that the chapter does not have, by what is most like it there.
     fn of_likest(&self, own: &Function) -> Vec<Edit> {
         let right = self.likest(own);
-        let theirs = right.map_or(Vec::new(), |right| chapter::edits(own, right));
+        let theirs = right.map_or(Vec::new(), |right| nearer::edits(own, right));
         let theirs = self.keeping_calls(own, theirs);
-        [theirs, generic::edits(own)].concat()
+        [theirs, generic(own)].concat()
     }
 
     /// The reader's own functions that this one calls, and those that they call.
@@ -172,7 +187,7 @@ impl<'a> Search<'a> {
         called
     }
 
-    /// The likeliest of the edits that make the program right.
+    /// Finds the likeliest of the edits that make the program right.
     fn first(
         &self,
         mut edits: Vec<(&'a Function, Edit)>,
@@ -191,7 +206,7 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// Mistakes in two functions: each is repaired while the other is the chapter's.
+    /// Finds mistakes in two functions: each is repaired while the other is the chapter's.
     fn in_two(&self, common: &[Common<'a>]) -> Option<Vec<Fix<'a>>> {
         let pairs = (0..common.len()).flat_map(|n| (0..n).map(move |m| [n, m]));
         let swap = |n: usize| (common[n].0, common[n].1[0].text.clone());
@@ -207,13 +222,13 @@ impl<'a> Search<'a> {
         None
     }
 
-    /// The fixes, if the program is right with all of them together.
+    /// Returns the fixes, if the program is right with all of them together.
     fn whole(&self, fixes: Vec<Fix<'a>>) -> Option<Vec<Fix<'a>>> {
         let changes = fixes.iter().map(|it| (it.yours, it.text.clone())).collect();
         self.meets_the_goal(&changes).then_some(fixes)
     }
 
-    /// A mistake in what the chapter does not have, or where its functions don't fit.
+    /// Finds a mistake in what the chapter does not have, or where its functions don't fit.
     fn in_any(&self, common: &[Common<'a>]) -> Option<Vec<Fix<'a>>> {
         let of_common = common.iter().flat_map(|it| self.edits(it));
         let is_own = |it: &&Function| common.iter().all(|(other, _)| other.name != it.name);

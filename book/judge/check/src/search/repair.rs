@@ -1,31 +1,20 @@
 //! Verified repair: the smallest edit with which a reader's program is right.
 //!
 //! A mistake is a difference between the chapter's text and the reader's, and it is named if
-//! putting it right was tried: nothing is said here that did not draw the picture.
-
-mod chapter;
-mod edit;
-mod foreign;
-mod functions;
-mod generic;
-mod goal;
-mod letters;
-mod search;
-mod spelling;
-mod tree;
+//! putting it right was tried.
 
 use std::cell::Cell;
 
 use interpreter::Program;
-use slips::Chapter;
 
+use super::backwards::{Fix, Search};
+use super::functions::{Files, Function, functions, with};
+use super::goal::{self, Goal, program};
+use super::searched;
+use super::tree::squeezed;
 use crate::reading::Reading;
 use crate::scene::Scene;
 use crate::sources::{Line, Sources};
-use functions::{Files, Function, functions, with};
-use goal::{Goal, program};
-use search::{Fix, Search};
-use tree::squeezed;
 
 /// What makes a program right, tried.
 #[derive(Clone, Debug)]
@@ -63,17 +52,16 @@ pub enum Right {
 }
 
 impl Repair {
-    /// Whether each change is a line in the place of another.
+    /// Returns true if each change is a line in the place of another.
     pub(crate) fn is_of_lines(&self) -> bool {
         let mut changes = self.changes.iter();
         changes.all(|it| matches!(it.right, Right::Line(_)))
     }
 
-    /// What the chapter has in the place of a line in another language.
-    fn in_rust(chapter: Chapter, reading: &Reading, sources: &Sources) -> Option<Self> {
-        let theirs = right_files(chapter);
-        let (yours, line) = foreign::repair(chapter, &theirs, &sources.files(), reading)?;
-        let right = Right::InRust(line);
+    /// Finds what the chapter has in the place of a line in another language.
+    fn in_rust(scene: &Scene, reading: &Reading, sources: &Sources) -> Option<Self> {
+        let (yours, right) = searched(scene, reading, sources, |it| it.transplanted())?;
+        let right = Right::InRust(right);
         Some(Self {
             changes: vec![Change { yours, right }],
             files: Files::new(),
@@ -82,7 +70,7 @@ impl Repair {
         })
     }
 
-    /// What makes a program right that draws this picture of the scene, or of one of so many
+    /// Finds what makes a program right that draws this picture of the scene, or of one of so many
     /// steps on the way to it.
     pub(crate) fn of(
         scene: &Scene,
@@ -95,17 +83,18 @@ impl Repair {
             return None;
         }
         if files.is_empty() {
-            return Self::in_rust(scene.chapter, reading, sources);
+            return Self::in_rust(scene, reading, sources);
         }
         let (yours, loops) = drawing(&files, reading)?;
-        let theirs = right_files(scene.chapter);
-        let (own, chapter) = (functions(&files), functions(&theirs));
+        let chapter = slips::Program::right(scene.chapter);
+        let chapter = chapter.interpreted();
+        let (own, theirs) = (functions(&yours), functions(chapter));
         let right = |scene: &Scene| scene.right(reading.width, scene.height(reading.width));
         let goal_of = |scene: &Scene| {
             let goal = Goal::new(scene.chapter, &right(scene), reading);
             if loops { goal.looping(scene) } else { goal }
         };
-        let swapped = || with_one_of_the_chapter(&files, &own, &chapter);
+        let swapped = || with_one_of_the_chapter(&yours, &own, &theirs);
         let on_the_way = (0..steps).find_map(|step| {
             let scene = scene.at_step(step);
             let goal = goal_of(&scene);
@@ -117,19 +106,16 @@ impl Repair {
             Some(found) => found,
             // Of another scene only the picture is known.
             None if scene.probe.is_some() => (*scene, goal_of(scene)),
-            None => {
-                let right = program(&theirs[..scene.chapter.files().len()])?;
-                (*scene, goal_of(scene).asking(&right))
-            }
+            None => (*scene, goal_of(scene).asking(chapter)),
         };
         let is_hidden = right(&scene) == reading.picture();
         if is_hidden && goal.is_answered_by(&yours) {
             return None;
         }
         let search = Search {
-            files: &files,
+            program: &yours,
             yours: &own,
-            chapter: &chapter,
+            chapter: &theirs,
             goal: &goal,
             read: Cell::default(),
         };
@@ -145,8 +131,8 @@ impl Repair {
     }
 }
 
-/// The program of these files, if it draws this picture, and whether its own loop over the pixels
-/// does.
+/// Reads the program of these files, if it draws this picture, and tells whether its own loop
+/// over the pixels does.
 fn drawing(files: &Files, reading: &Reading) -> Option<(Program, bool)> {
     let yours = program(files)?;
     let has_a_loop = files.iter().any(|(_, text)| text.contains("struct Ray"));
@@ -162,7 +148,7 @@ fn drawing(files: &Files, reading: &Reading) -> Option<(Program, bool)> {
 /// The reader's program with one function of the chapter's in place of the reader's: on the way
 /// to the chapter, it shows what its step does.
 fn with_one_of_the_chapter<'a>(
-    files: &'a Files,
+    program: &'a Program,
     yours: &'a [Function],
     right: &'a [Function],
 ) -> impl Iterator<Item = Program> + 'a {
@@ -170,41 +156,16 @@ fn with_one_of_the_chapter<'a>(
         .iter()
         .flat_map(move |own| right.iter().map(move |it| (own, it)));
     let same = pairs.filter(|(own, it)| own.name == it.name);
-    same.filter_map(|(own, it)| program(&with(files, &[(own, &it.text)])))
-}
-
-/// What is right, by the files of this workspace: the chapter, its root first, and the prelude.
-fn right_files(chapter: Chapter) -> Files {
-    let folder = format!("chapters/{}_{}", chapter as usize, chapter.name());
-    let files = chapter.files().iter();
-    let mut files: Files = files
-        .map(|(name, text)| (format!("{folder}/{name}"), (*text).to_owned()))
-        .collect();
-    files.sort_by_key(|(name, _)| !name.ends_with("lib.rs"));
-    let more = [
-        (
-            "common/src/color.rs",
-            include_str!("../../../../../common/src/color.rs"),
-        ),
-        (
-            "common/src/ray.rs",
-            include_str!("../../../../../common/src/ray.rs"),
-        ),
-        (
-            "common/src/camera.rs",
-            include_str!("../../../../../common/src/camera.rs"),
-        ),
-    ];
-    files.extend(more.map(|(name, text)| (name.to_owned(), text.to_owned())));
-    files
+    same.filter_map(|(own, it)| program.patched(&own.name, &it.text).ok())
 }
 
 impl Fix<'_> {
-    /// The lines that are changed.
+    /// Finds the lines that are changed.
     fn changes(&self, files: &Files) -> Vec<Change> {
         let line = |files: &Files, function: &Function, n: usize| {
-            let (name, text) = &files[function.file];
-            let before = text[..function.at.start].matches('\n').count();
+            let (file, start) = function.place(files).unwrap_or_default();
+            let (name, text) = &files[file];
+            let before = text[..start].matches('\n').count();
             Line {
                 file: name.clone(),
                 number: before + n + 1,

@@ -3,7 +3,8 @@
 
 use std::borrow::Cow;
 
-use super::tree::{Reader, Tree};
+use super::parsed::Reader;
+use super::tree::{Op, Tree};
 use crate::sources::lexed;
 
 /// Longer expressions are left alone, and those with more signs that each may be a level deeper.
@@ -12,7 +13,7 @@ const DEEPEST: usize = 40;
 /// Signs of two letters.
 const SIGNS: [&str; 9] = ["->", "**", "&&", "||", "<=", ">=", "==", "!=", "::"];
 
-/// The expression as a tree of Rust, if it can be one.
+/// Reads an expression as a tree of Rust, if it can be one.
 pub(super) fn in_rust(text: &str, is_python: bool) -> Option<Tree> {
     let rust = (text.len() <= LONGEST).then(|| translated(text, is_python))?;
     let deep = rust.matches(|c: char| "([{-!&*|".contains(c));
@@ -20,11 +21,7 @@ pub(super) fn in_rust(text: &str, is_python: bool) -> Option<Tree> {
         return None;
     }
     let expression = syn::parse_str(&rust).ok()?;
-    let reader = Reader {
-        text: &rust,
-        start: 0,
-    };
-    Some(plain(&reader.expression(&expression)))
+    Some(plain(&Reader { text: &rust }.expression(&expression)))
 }
 
 fn translated(text: &str, is_python: bool) -> String {
@@ -94,52 +91,63 @@ fn divide(tokens: &mut Vec<Cow<str>>) {
 /// The same in the fewest words: methods for functions, one name for all vectors, fields for
 /// functions that return them.
 pub(super) fn plain(tree: &Tree) -> Tree {
-    let mut parts: Vec<Tree> = tree.parts.iter().map(plain).collect();
-    let name = parts.first().map_or("", |it| &it.op).to_lowercase();
-    let mut op = match (&*tree.op, name.trim_end_matches("::new")) {
-        ("□(□)", "double" | "float") => return parts.remove(1),
-        ("□(□)", "sqrt" | "abs" | "length" | "length_squared" | "normalize") => {
-            format!("□.{name}()")
-        }
-        ("□(□)", "fabs") => "□.abs()".to_owned(),
-        ("□(□)", "unit_vector" | "unit" | "normalized") => "□.normalize()".to_owned(),
-        ("□(□, □)", "dot") => "□.dot(□)".to_owned(),
-        ("□(□, □)", "add") => "□ + □".to_owned(),
-        ("□(□, □)", "sub") => "□ - □".to_owned(),
-        ("□(□, □)", "scale") => "□ * □".to_owned(),
-        ("□(□, □)", "sphere") => {
-            parts[0] = Tree::new("Sphere::new", Vec::new());
-            tree.op.clone()
-        }
-        ("□(□, □, □)", "vec3" | "point3" | "color") => {
-            parts[0] = Tree::new("Vec3::new", Vec::new());
-            tree.op.clone()
-        }
-        ("□.origin()" | "□.orig" | "□.orig()", _) => "□.origin".to_owned(),
-        ("□.direction()" | "□.dir" | "□.dir()", _) => "□.direction".to_owned(),
-        ("□.x()" | "□.y()" | "□.z()", _) => tree.op.trim_end_matches("()").to_owned(),
-        ("□.unit()" | "□.normalized()", _) => "□.normalize()".to_owned(),
-        ("Vec3::ZERO" | "Point3::ZERO", _) => return vector("0.0"),
-        ("Vec3::ONE" | "Color::ONE", _) => return vector("1.0"),
-        _ => tree.op.clone(),
-    };
-    // A method has no function before what it is given.
-    if op != tree.op && tree.op.starts_with("□(") {
-        parts.remove(0);
-    }
-    if op == "□.dot(□)" && parts[0].is_same(&parts[1]) {
-        op = "□.length_squared()".to_owned();
-        parts.pop();
-    }
-    Tree {
+    let parts: Vec<Tree> = tree.parts.iter().map(plain).collect();
+    let node = |op, parts: &[Tree]| Tree {
         op,
-        parts,
+        parts: parts.to_vec(),
         at: tree.at.clone(),
+    };
+    let method = |name: &str, parts: &[Tree]| node(Op::Method(name.to_owned()), parts);
+    let plain = match (&tree.op, &parts[..]) {
+        (Op::Call, [function, given @ ..]) => {
+            let name = function.name().unwrap_or_default().to_lowercase();
+            match (name.trim_end_matches("::new"), given) {
+                ("double" | "float", [one]) => return one.clone(),
+                (name @ ("sqrt" | "abs" | "length" | "length_squared" | "normalize"), [_]) => {
+                    method(name, given)
+                }
+                ("fabs", [_]) => method("abs", given),
+                ("unit_vector" | "unit" | "normalized", [_]) => method("normalize", given),
+                ("dot", [_, _]) => method("dot", given),
+                ("add", [_, _]) => node(Op::Sign("+".to_owned()), given),
+                ("sub", [_, _]) => node(Op::Sign("-".to_owned()), given),
+                ("scale", [_, _]) => node(Op::Sign("*".to_owned()), given),
+                ("sphere", [_, _]) => with_function("Sphere::new", tree, given),
+                ("vec3" | "point3" | "color", [_, _, _]) => with_function("Vec3::new", tree, given),
+                _ => node(Op::Call, &parts),
+            }
+        }
+        (Op::Method(name) | Op::Field(name), [of]) => match &**name {
+            "origin" | "orig" => node(Op::Field("origin".to_owned()), &parts),
+            "direction" | "dir" => node(Op::Field("direction".to_owned()), &parts),
+            "x" | "y" | "z" => node(Op::Field(name.clone()), &parts),
+            "unit" | "normalized" => method("normalize", &parts),
+            _ => node(tree.op.clone(), std::slice::from_ref(of)),
+        },
+        (Op::Leaf(name), []) => match &**name {
+            "Vec3::ZERO" | "Point3::ZERO" => vector("0.0"),
+            "Vec3::ONE" | "Color::ONE" => vector("1.0"),
+            _ => tree.clone(),
+        },
+        _ => node(tree.op.clone(), &parts),
+    };
+    match (&plain.op, &plain.parts[..]) {
+        (Op::Method(name), [one, other]) if name == "dot" && one.is_same(other) => {
+            method("length_squared", &plain.parts[..1])
+        }
+        _ => plain,
+    }
+}
+
+fn with_function(name: &str, tree: &Tree, given: &[Tree]) -> Tree {
+    let parts = [Tree::leaf(name)].into_iter().chain(given.iter().cloned());
+    Tree {
+        parts: parts.collect(),
+        ..tree.clone()
     }
 }
 
 fn vector(number: &str) -> Tree {
-    let leaves = ["Vec3::new", number, number, number];
-    let parts = leaves.map(|op| Tree::new(op, Vec::new()));
-    Tree::new("□(□, □, □)", parts.to_vec())
+    let parts = ["Vec3::new", number, number, number].map(Tree::leaf);
+    Tree::new(Op::Call, parts.to_vec())
 }

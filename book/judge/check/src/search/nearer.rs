@@ -3,10 +3,11 @@
 
 use std::ops::Range;
 
-use super::edit::{Edit, Proposal, Role, ranked, roots, words};
+use super::edit::{Edit, words};
 use super::functions::Function;
-use super::letters::{Local, in_common_letters, locals, name_of};
-use super::tree::Tree;
+use super::letters::{Local, in_common_letters, locals};
+use super::roots::{Role, roots};
+use super::tree::{Op, Tree};
 
 /// A reader's expression is compared with so many of the chapter's.
 const COMPARED: usize = 3;
@@ -22,20 +23,18 @@ const PARTIAL: u32 = 4;
 /// No expression here is deeper.
 const DEEPEST: u8 = 12;
 
-/// The edits by which the function comes nearer to the chapter's.
+/// Makes the edits by which a function comes nearer to the chapter's.
 pub(super) fn edits(yours: &Function, right: &Function) -> Vec<Edit> {
     let (own, theirs) = in_common_letters(yours, right);
     let name = |at: &Range<usize>, new: &str| with_names_of(yours, &own, at, new);
-    let mut proposals = expressions(&own, &roots(&theirs), false, &name);
-    proposals.extend(statements(&own, &theirs));
-    proposals.extend(numbers(&yours.body, &[&yours.body], &right.body));
-    ranked(yours, proposals)
+    let mut edits = expressions(&yours.text, &own, &roots(&theirs), false, &name);
+    edits.extend(statements(&yours.text, &own, &theirs));
+    edits
 }
 
-/// The edits by which a helper comes nearer to what the chapter's function has where the reader's
-/// calls it: its expressions, in the names of the helper's parameters.
+/// Makes the edits by which a helper comes nearer to what the chapter's function has where the
+/// reader's calls it: its expressions, in the names of the helper's parameters.
 pub(super) fn edits_of_helper(helper: &Function, caller: &Function, right: &Function) -> Vec<Edit> {
-    let numbers = numbers(&helper.body, &[&helper.body, &caller.body], &right.body);
     let (own, theirs) = in_common_letters(caller, right);
     let calls = own.nodes().into_iter().filter_map(|it| given(it, helper));
     let edits = calls.flat_map(|given| {
@@ -46,82 +45,44 @@ pub(super) fn edits_of_helper(helper: &Function, caller: &Function, right: &Func
         };
         let (own, theirs) = in_common_letters(helper, &right);
         let mut all = roots(&theirs);
-        let inner = theirs
-            .nodes()
-            .into_iter()
-            .filter(|it| it.parts.len() > 1 && !it.is_block());
+        let nodes = theirs.nodes().into_iter();
+        let inner = nodes.filter(|it| it.parts.len() > 1 && it.op != Op::Block);
         all.extend(inner.map(|it| (Role::Part, it)));
-        ranked(
-            helper,
-            expressions(&own, &all, true, &|_, new| new.to_owned()),
-        )
+        expressions(&helper.text, &own, &all, true, &|_, new| new.to_owned())
     });
-    edits.chain(ranked(helper, numbers)).collect()
+    edits.collect()
 }
 
-/// Numbers of the chapter's that these functions of the reader's do not have, for those that the
-/// chapter does not have.
-fn numbers(own: &Tree, yours: &[&Tree], right: &Tree) -> Vec<Proposal> {
-    let of = |tree: &'_ Tree| -> Vec<(Range<usize>, String)> {
-        let nodes = tree.nodes().into_iter();
-        let numbers = nodes.filter(|it| it.op.starts_with(|c: char| c.is_ascii_digit()));
-        numbers.map(|it| (it.at.clone(), it.op.clone())).collect()
-    };
-    let yours: Vec<_> = yours.iter().flat_map(|it| of(it)).collect();
-    let theirs = of(right);
-    let is_missing =
-        |new: &String, all: &[(Range<usize>, String)]| all.iter().all(|it| it.1 != *new);
-    let missing = theirs.iter().filter(|it| is_missing(&it.1, &yours));
-    let missing: Vec<&String> = missing.map(|it| &it.1).collect();
-    let wrong = of(own).into_iter().filter(|it| is_missing(&it.1, &theirs));
-    let pairs =
-        wrong.flat_map(|(at, _)| missing.iter().map(move |new| (at.clone(), (*new).clone())));
-    pairs.map(|(at, new)| Proposal::new(at, new, 0)).collect()
-}
-
-/// What the helper is given in a call of it, with the name of its parameter.
+/// Finds what the helper is given in a call of it, with the name of its parameter.
 fn given<'a>(call: &'a Tree, helper: &'a Function) -> Option<Vec<(&'a Tree, &'a str)>> {
-    let is_function =
-        call.op.starts_with("□(") && call.parts[0].op.rsplit(':').next()? == helper.short_name();
-    let is_method = call.op.contains('(') && call.member() == Some(helper.short_name());
-    let arguments = match (is_function, is_method) {
-        (true, _) => &call.parts[1..],
-        (_, true) => &call.parts[..],
+    let arguments = match &call.op {
+        Op::Call if call.parts[0].name()?.rsplit(':').next()? == helper.short_name() => {
+            &call.parts[1..]
+        }
+        Op::Method(name) if name == helper.short_name() => &call.parts[..],
         _ => return None,
     };
-    let names = helper
-        .parameters
-        .iter()
-        .map(|it| it.trim_start_matches("mut "));
+    let names = helper.parameters.iter().map(String::as_str);
     Some(arguments.iter().zip(names).collect())
 }
 
-/// The tree with names for what has one.
+/// Returns the tree with names for what has one.
 fn replaced(tree: &Tree, names: &[(&Tree, &str)]) -> Tree {
-    if let Some((_, name)) = names.iter().find(|(it, _)| it.is_same(tree)) {
-        let leaf = Tree::new(name, Vec::new());
-        return Tree {
-            at: tree.at.clone(),
-            ..leaf
-        };
-    }
-    // A parameter is given no other value, so that no name is left for what it would be.
-    let is_given = |it: &Tree| {
-        let name = name_of(&it.op).map(|it| it.0);
-        names.iter().any(|(_, given)| name == Some(given))
-    };
-    let bare = |it| match it {
-        it if is_given(it) => it.parts.first().unwrap_or(it),
-        it => it,
-    };
-    let parts = tree.parts.iter().map(|it| replaced(bare(it), names));
-    Tree {
-        parts: parts.collect(),
-        ..tree.clone()
-    }
+    tree.mapped(&|it| {
+        if let Some((_, name)) = names.iter().find(|(given, _)| given.is_same(it)) {
+            return Some(Tree {
+                at: it.at.clone(),
+                ..Tree::leaf(name)
+            });
+        }
+        // A parameter is given no other value, so that no name is left for what it would be.
+        let given = it.op.pattern()?;
+        let is_given = names.iter().any(|(_, name)| *name == given.name);
+        is_given.then(|| replaced(&it.parts[0], names))
+    })
 }
 
-/// The text with the names that only the reader has, where they stand already.
+/// Writes a text with the names that only the reader has, where they stand already.
 fn with_names_of(yours: &Function, own: &Tree, at: &Range<usize>, new: &str) -> String {
     let old = yours.text.get(at.clone()).unwrap_or_default();
     let kept = locals(own);
@@ -138,12 +99,13 @@ fn with_names_of(yours: &Function, own: &Tree, at: &Range<usize>, new: &str) -> 
 /// Expressions for those that are most like them. One that the chapter has is right, unless it
 /// may be a part of what is.
 fn expressions(
+    text: &str,
     own: &Tree,
     theirs: &[(Role, &Tree)],
     are_parts: bool,
     name: &dyn Fn(&Range<usize>, &str) -> String,
-) -> Vec<Proposal> {
-    let mut proposals = Vec::new();
+) -> Vec<Edit> {
+    let mut edits = Vec::new();
     for (role, yours) in roots(own) {
         let is_let = matches!(role, Role::Let(_));
         let score = |(other, right): &(Role, &Tree)| {
@@ -173,17 +135,17 @@ fn expressions(
             let unlike = (3.0 * (2.0 - score.min(2.0))) as u32 + n as u32;
             let mut found = Vec::new();
             differences(yours, right, 0, 0, &mut found);
-            proposals.extend(found.into_iter().map(|(at, new, right_part)| {
+            edits.extend(found.into_iter().map(|(at, new, right_part)| {
                 let new = name(&at, &new);
                 if yours.with(&at, right_part).is_same(right) && !new.contains("if ") {
-                    Proposal::new(at, new, unlike).whole()
+                    Edit::whole(text, at, new, unlike)
                 } else {
-                    Proposal::new(at, new, unlike + PARTIAL)
+                    Edit::new(text, at, new, unlike + PARTIAL)
                 }
             }));
         }
     }
-    proposals
+    edits
 }
 
 /// The places where two expressions differ, from the whole to the smallest, and what the other
@@ -198,7 +160,7 @@ fn differences<'a>(
     if yours.is_same(right) {
         return;
     }
-    if !yours.at.is_empty() && !yours.is_block() && !yours.op.starts_with("if ") {
+    if !yours.at.is_empty() && !matches!(yours.op, Op::Block | Op::If) {
         found.push((yours.at.clone(), right.within(least), right));
     }
     if depth > DEEPEST {
@@ -226,48 +188,45 @@ fn differences<'a>(
     }
 }
 
-/// Statements that only the chapter has, at every place, and without those that only the reader
-/// has.
-fn statements(own: &Tree, theirs: &Tree) -> Vec<Proposal> {
+/// Puts statements that only the chapter has at every place, and leaves out those that only the
+/// reader has.
+fn statements(text: &str, own: &Tree, theirs: &Tree) -> Vec<Edit> {
     let (own, theirs) = (all_statements(own), all_statements(theirs));
     let has = |all: &[&Tree], it: &Tree| all.iter().any(|other| other.is_same(it));
-    let is_one = |it: &&&Tree| it.op == "□;" || it.op.starts_with("if ");
-    let extra: Vec<_> = own
-        .iter()
-        .filter(is_one)
-        .filter(|it| !has(&theirs, it))
-        .collect();
-    let mut proposals = Vec::new();
+    let is_one = |it: &&&Tree| matches!(it.op, Op::Statement | Op::If);
+    let extra = own.iter().filter(is_one).filter(|it| !has(&theirs, it));
+    let extra: Vec<&&Tree> = extra.collect();
+    let mut edits = Vec::new();
     // What the reader asks too is not missing, and nothing stands behind what is returned.
     let asks = |it: &Tree| {
-        own.iter()
-            .any(|own| own.op == it.op && own.parts[0].is_same(&it.parts[0]))
+        let mut own = own.iter().filter(|own| own.op == it.op);
+        own.any(|own| own.parts[0].is_same(&it.parts[0]))
     };
     let is_missing = |it: &&&Tree| {
-        let is_asked = it.op.starts_with("if ") && asks(it);
-        !has(&own, it) && !is_asked && !it.text().starts_with("return")
+        let is_asked = it.op == Op::If && asks(it);
+        !has(&own, it) && !is_asked && it.parts[0].op != Op::Return
     };
     for missing in theirs.iter().filter(is_one).filter(is_missing) {
-        let text = missing.text();
-        let mut put = |at, new, penalty| proposals.push(Proposal::new(at, new, penalty).whole());
+        let new = missing.text();
+        let mut put = |at, new, penalty| edits.push(Edit::whole(text, at, new, penalty));
         for place in &own {
             let (start, end) = (place.at.start, place.at.end);
-            put(start..start, format!("{text}\n"), 3);
-            if place.op == "□;" {
-                put(end..end, format!("\n{text}"), 3);
+            put(start..start, format!("{new}\n"), 3);
+            if place.op == Op::Statement {
+                put(end..end, format!("\n{new}"), 3);
             }
         }
-        for it in extra.iter().filter(|it| it.op == "□;") {
-            put(it.at.clone(), text.clone(), 1);
+        for it in extra.iter().filter(|it| it.op == Op::Statement) {
+            put(it.at.clone(), new.clone(), 1);
         }
     }
     let left_out = extra.iter().map(|it| it.at.clone());
-    proposals.extend(left_out.map(|at| Proposal::new(at, String::new(), 1)));
-    proposals
+    edits.extend(left_out.map(|at| Edit::new(text, at, String::new(), 1)));
+    edits
 }
 
-/// The statements of all blocks.
+/// Lists the statements of all blocks.
 fn all_statements(body: &Tree) -> Vec<&Tree> {
-    let blocks = body.nodes().into_iter().filter(|it| it.is_block());
+    let blocks = body.nodes().into_iter().filter(|it| it.op == Op::Block);
     blocks.flat_map(|it| &it.parts).collect()
 }

@@ -6,7 +6,7 @@
 use std::collections::{HashMap, HashSet};
 
 use super::functions::Function;
-use super::tree::{Tree, likeness};
+use super::tree::{Op, Tree, likeness};
 
 /// A name that a function gives to something.
 #[derive(Clone, Copy)]
@@ -17,43 +17,27 @@ pub(super) struct Local<'a> {
     is_fixed: bool,
 }
 
-/// The names that a function gives, in their order.
+/// Lists the names that a function gives, in their order.
 pub(super) fn locals(body: &Tree) -> Vec<Local<'_>> {
     let local = |node| -> Option<Local> {
         let tree: &Tree = node;
-        let (name, _, is_fixed) = name_of(&tree.op)?;
-        let value = tree.parts.first()?;
+        let pattern = tree.op.pattern()?;
         Some(Local {
-            name,
-            value,
-            is_fixed,
+            name: &pattern.name,
+            value: tree.parts.first()?,
+            is_fixed: matches!(tree.op, Op::Let(_, true)) && pattern.is_whole(),
         })
     };
     body.nodes().into_iter().filter_map(local).collect()
 }
 
-/// The name that a node gives, where it stands there, and whether it never changes.
-pub(super) fn name_of(op: &str) -> Option<(&str, usize, bool)> {
-    let pattern = op
-        .strip_prefix("let ")
-        .or_else(|| op.strip_prefix("for "))?;
-    let marked = pattern
-        .strip_prefix("mut ")
-        .or_else(|| pattern.strip_prefix("Some("));
-    let rest = marked.unwrap_or(pattern);
-    let end = rest.find(|c: char| !c.is_alphanumeric() && c != '_')?;
-    let is_fixed = marked.is_none() && op.starts_with("let ") && op.ends_with("= □;");
-    (end > 0).then_some((&rest[..end], op.len() - rest.len(), is_fixed))
-}
-
 /// In which places of which nodes the name stands.
-fn uses(body: &Tree, name: &str) -> Vec<String> {
+fn uses(body: &Tree, name: &str) -> Vec<(usize, Op)> {
     let nodes = body.nodes().into_iter();
     let places = nodes.flat_map(|node| {
         let parts = node.parts.iter().enumerate();
-        parts
-            .filter(|(_, it)| it.op == name)
-            .map(|(n, _)| format!("{n} {}", node.op))
+        let here = parts.filter(|(_, it)| it.name() == Some(name));
+        here.map(|(n, _)| (n, node.op.clone()))
     });
     places.collect()
 }
@@ -63,16 +47,16 @@ fn uses(body: &Tree, name: &str) -> Vec<String> {
 const ALIKE: f64 = 0.6;
 const SAME: f64 = 4.0;
 
-/// The reader's body and the chapter's, both in the reader's letters.
+/// Spells the reader's body and the chapter's, both in the reader's letters.
 pub(super) fn in_common_letters(yours: &Function, right: &Function) -> (Tree, Tree) {
     let mut letters = Letters::default();
     for (theirs, own) in right.parameters.iter().zip(&yours.parameters) {
-        letters.insert(theirs, Tree::new(own, Vec::new()));
+        letters.insert(theirs, Tree::leaf(own));
     }
     let (mut theirs, mut own) = (locals(&right.body), locals(&yours.body));
     while let Some((n, m)) = likest((&right.body, &theirs), (&yours.body, &own), &letters) {
         let (theirs, own) = (theirs.remove(n), own.remove(m));
-        letters.insert(theirs.name, Tree::new(own.name, Vec::new()));
+        letters.insert(theirs.name, Tree::leaf(own.name));
     }
     letters.write_out(&theirs);
     let mut own_letters = Letters::default();
@@ -80,7 +64,7 @@ pub(super) fn in_common_letters(yours: &Function, right: &Function) -> (Tree, Tr
     (own_letters.spell(&yours.body), letters.spell(&right.body))
 }
 
-/// The two names that are most alike, if any are.
+/// Finds the two names that are most alike, if any are.
 fn likest(
     (right, theirs): (&Tree, &[Local]),
     (yours, own): (&Tree, &[Local]),
@@ -130,23 +114,21 @@ impl Letters {
         }
     }
 
-    /// The tree in these letters.
+    /// Spells a tree in these letters.
     fn spell(&self, tree: &Tree) -> Tree {
-        if tree.parts.is_empty()
-            && let Some(other) = self.names.get(&tree.op)
-        {
+        if let Some(other) = tree.name().and_then(|name| self.names.get(name)) {
             return other.clone();
         }
-        let is_written_out = |part: &&Tree| {
-            name_of(&part.op).is_some_and(|(name, ..)| self.written_out.contains(name))
-        };
+        let name = |it: &Tree| it.op.pattern().map(|it| it.name.clone());
+        let is_written_out =
+            |part: &&Tree| name(part).is_some_and(|name| self.written_out.contains(&name));
         let parts = tree.parts.iter().filter(|part| !is_written_out(part));
         let parts = parts.map(|part| self.spell(part)).collect();
         let mut op = tree.op.clone();
-        if let Some((name, at, _)) = name_of(&tree.op)
-            && let Some(other) = self.names.get(name)
+        if let Op::Let(pattern, _) | Op::For(pattern) = &mut op
+            && let Some(other) = self.names.get(&pattern.name).and_then(Tree::name)
         {
-            op.replace_range(at..at + name.len(), &other.op);
+            other.clone_into(&mut pattern.name);
         }
         Tree {
             op,

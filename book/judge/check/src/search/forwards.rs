@@ -1,0 +1,281 @@
+//! Mutation testing, turned round: of the mutants of a chapter those that draw a picture, to the
+//! last pixel. They tell what a reader may have typed.
+
+use std::collections::HashSet;
+use std::rc::Rc;
+
+use laws::answers::Answers;
+use slips::{Output, Program};
+
+use super::edit::Edit;
+use super::foreign::{Lines, Transplant};
+use super::functions::Function;
+use super::goal::answers;
+use super::mutation;
+use super::tree::squeezed;
+use crate::pixels::{distance, spread};
+use crate::reading::Reading;
+use crate::sources::{Line, Said};
+
+/// So many wrong and right pixels are looked at first, and then so many of all.
+const FIRST: u32 = 24;
+const LOOKED: u32 = 1500;
+/// A picture that more edits draw does not tell which was made. So many are shown.
+const MOST: usize = 5;
+const SHOWN: usize = 3;
+
+/// What was typed before the chapter, or for it, is less likely wrong.
+const ELSEWHERE: u32 = 4;
+
+/// The edits that draw a picture.
+#[derive(Clone, Debug, Default)]
+pub struct Drawn {
+    /// The likeliest, in their order.
+    pub all: Vec<Mutant>,
+    /// How many were found, of those that change the same value in the same way only one.
+    pub count: usize,
+}
+
+/// An edit of a line.
+#[derive(Clone, Debug)]
+pub struct Mutant {
+    /// The chapter's line.
+    pub right: String,
+    /// The same with the edit, or nothing if it is left out.
+    pub wrong: String,
+    /// Whether it stands in the reader's files.
+    pub(crate) is_in_text: bool,
+    does: Option<Does>,
+}
+
+/// What a program does, seen from outside.
+#[derive(Clone, Debug)]
+struct Does {
+    program: Program,
+    answers: Answers,
+    /// The pixels of small pictures.
+    small: Vec<[i32; 3]>,
+}
+
+/// So wide are pictures of other sizes.
+const SMALL: [u32; 2] = [24, 33];
+
+/// A picture and the right program of its scene, beside what a reader typed.
+pub(super) struct Forwards<'a> {
+    right: &'a Program,
+    reading: &'a Reading,
+    functions: &'a [Function],
+    lines: &'a Lines<'a>,
+    /// The pixels that are looked at, those first that tell most.
+    places: Vec<u32>,
+}
+
+impl<'a> Forwards<'a> {
+    pub(super) fn new(
+        right: &'a Program,
+        functions: &'a [Function],
+        reading: &'a Reading,
+        lines: &'a Lines<'a>,
+    ) -> Self {
+        Self {
+            right,
+            reading,
+            functions,
+            lines,
+            places: places(right, reading),
+        }
+    }
+
+    /// Finds the reader's line with which the chapter draws the picture. Where several do, as with
+    /// one that shows only sky, it is one that stands for what the chapter's stands for.
+    pub(super) fn transplanted(&self) -> Option<(Line, String)> {
+        let all = self.lines.transplants().into_iter();
+        let found: Vec<_> = all.filter(|it| self.is_drawn_with(it)).collect();
+        let is_one = |all: &[Transplant]| all.iter().all(|it| it.line == all[0].line);
+        let mut same = found.iter().filter(|it| it.has_same_role);
+        let it = same
+            .next()
+            .or_else(|| found.first().filter(|_| is_one(&found)))?;
+        let right = Mutant::new(it.function, &it.edit).right;
+        Some((it.line.clone(), right))
+    }
+
+    fn is_drawn_with(&self, it: &Transplant) -> bool {
+        let text = it.edit.applied_to(&it.function.text);
+        let program = self.right.with_text(&it.function.name, &text);
+        program.is_some_and(|it| self.may_draw(&it) && self.draws(&it))
+    }
+
+    /// Finds the single edits that draw the picture, as far as the reader's lines can have them.
+    /// Where no lines are known and too many do, not all are looked for.
+    pub(super) fn mutants(&self) -> Drawn {
+        let mut drawn = Drawn::default();
+        let mut seen = HashSet::new();
+        for (program, number, function, edit) in self.mutated() {
+            let mutant = program.interpreted().with_mutant(number);
+            if !self.may_draw(&Program::typed(self.right.chapter, mutant)) {
+                continue;
+            }
+            let text = edit.applied_to(&function.text);
+            if !seen.insert((&function.name, text.clone())) {
+                continue;
+            }
+            let said = self.lines.say(function, &text);
+            if said == Said::Right {
+                continue;
+            }
+            let Some(program) = self.right.with_text(&function.name, &text) else {
+                continue;
+            };
+            drawn.add(Mutant {
+                is_in_text: said == Said::Wrong,
+                does: Some(Does::of(program)),
+                ..Mutant::new(function, &edit)
+            });
+            if self.lines.is_empty() && drawn.all.len() > MOST {
+                break;
+            }
+        }
+        drawn.checked(|it| self.draws(it))
+    }
+
+    /// Writes all mutations of each function into it, each with its number, the likeliest first.
+    fn mutated(&self) -> Vec<(Rc<Program>, u32, &'a Function, Edit)> {
+        let mut all = Vec::new();
+        for function in self.functions {
+            let mutations = mutation::mutations(function);
+            let text = mutation::schemata(function, &mutations, 1);
+            let Some(program) = self.right.with_text(&function.name, &text) else {
+                continue;
+            };
+            let program = Rc::new(program);
+            for (number, it) in (1..).zip(&mutations) {
+                let edit = it.edit(&function.text);
+                all.push((Rc::clone(&program), number, function, edit));
+            }
+        }
+        // What stands in the chapter itself was typed last.
+        let files = self.right.chapter.files();
+        let is_own = |it: &Function| files.iter().any(|(_, text)| text.contains(&it.text));
+        all.sort_by_cached_key(|(_, _, function, edit)| {
+            let elsewhere = if is_own(function) { 0 } else { ELSEWHERE };
+            edit.rank + edit.brackets(&function.text) + elsewhere
+        });
+        all
+    }
+
+    fn may_draw(&self, program: &Program) -> bool {
+        draws(program, self.reading, self.places.iter().copied())
+    }
+
+    fn draws(&self, program: &Program) -> bool {
+        draws(program, self.reading, 0..self.reading.pixels.len() as u32)
+    }
+}
+
+impl Drawn {
+    /// Returns true if they are so few that the picture tells something of the mistake.
+    pub(crate) fn is_told(&self) -> bool {
+        (1..=MOST).contains(&self.count)
+    }
+
+    /// Adds a mutant, unless one is known that changes the same value in the same way.
+    fn add(&mut self, mutant: Mutant) {
+        let mut known = self.all.iter_mut();
+        match known.find(|it| it.does_as(&mutant)) {
+            Some(known) if mutant.is_in_text && !known.is_in_text => *known = mutant,
+            Some(_) => {}
+            None => self.all.push(mutant),
+        }
+    }
+
+    /// Keeps those that stand in the reader's files, if some do; and of few those that draw all of
+    /// the picture.
+    fn checked(mut self, draws: impl Fn(&Program) -> bool) -> Self {
+        if self.all.iter().any(|it| it.is_in_text) {
+            self.all.retain(|it| it.is_in_text);
+        }
+        self.count = self.all.len();
+        if self.is_told() {
+            let is_it = |it: &Mutant| it.does.as_ref().is_some_and(|it| draws(&it.program));
+            self.all.retain(is_it);
+            self.count = self.all.len();
+        }
+        self.all.truncate(SHOWN);
+        self
+    }
+}
+
+impl Mutant {
+    fn new(function: &Function, edit: &Edit) -> Self {
+        let wrong = edit.applied_to(&function.text);
+        let after = function.text.len() - edit.at.end;
+        Self {
+            right: lines(&function.text, edit.at.start, after),
+            wrong: lines(&wrong, edit.at.start, after),
+            is_in_text: false,
+            does: None,
+        }
+    }
+
+    fn does_as(&self, other: &Self) -> bool {
+        let both = self.does.as_ref().zip(other.does.as_ref());
+        both.is_some_and(|(one, other)| {
+            one.small == other.small && one.answers.unlike(&other.program, 1).1 == 0
+        })
+    }
+}
+
+impl Does {
+    fn of(program: Program) -> Self {
+        Self {
+            answers: answers(&program),
+            small: SMALL
+                .iter()
+                .flat_map(|&width| program.run(width).pixels().collect::<Vec<_>>())
+                .collect(),
+            program,
+        }
+    }
+}
+
+/// Returns the whole lines around a part of a text.
+fn lines(text: &str, before: usize, after: usize) -> String {
+    let end = text.len() - after;
+    let start = text[..before].rfind('\n').map_or(0, |at| at + 1);
+    let end = text[end..].find('\n').map_or(text.len(), |at| end + at);
+    squeezed(&text[start..end])
+}
+
+/// Chooses pixels of which wrong programs draw few: wrong ones, right ones, and some of all.
+fn places(right: &Program, reading: &Reading) -> Vec<u32> {
+    let total = reading.pixels.len() as u32;
+    let output = right.run(reading.width);
+    let is_whole = output.size() == (reading.width, reading.height);
+    let is_fine = |n: u32| is_whole && is_drawn(&output, reading, n);
+    let (fine, wrong): (Vec<u32>, Vec<u32>) = spread(LOOKED, total).partition(|n| is_fine(*n));
+    let some = |all: &[u32]| -> Vec<u32> {
+        let places = spread(FIRST, all.len() as u32);
+        places.map(|n| all[n as usize]).collect()
+    };
+    let (first, next) = (some(&wrong), some(&fine));
+    let pairs = (0..FIRST as usize).flat_map(|n| [first.get(n), next.get(n)]);
+    let pairs = pairs.flatten().copied();
+    pairs.chain(spread(LOOKED, total)).collect()
+}
+
+/// Returns true if the program draws these pixels.
+fn draws(program: &Program, reading: &Reading, mut places: impl Iterator<Item = u32>) -> bool {
+    let output = program.run(reading.width);
+    output.size() == (reading.width, reading.height)
+        && places.all(|n| is_drawn(&output, reading, n))
+}
+
+/// Returns true if a pixel is printed so, or stored so by what has only levels.
+fn is_drawn(output: &Output, reading: &Reading, n: u32) -> bool {
+    output.printed(n).is_some_and(|levels| {
+        let levels = levels.map(|it| it.clamp(i16::MIN.into(), i16::MAX.into()) as i16);
+        let found = reading.pixels[n as usize];
+        distance(levels, found) == 0 || levels.map(|it| it.clamp(0, 255)) == found
+    })
+}

@@ -1,0 +1,68 @@
+//! Functions of a program, each with its text and its tree.
+
+use interpreter::Program;
+
+use super::parsed::Reader;
+use super::tree::Tree;
+
+/// The names and texts of a program's files, the root first.
+pub(super) type Files = Vec<(String, String)>;
+
+/// A function with a body.
+#[derive(Clone, Debug)]
+pub(super) struct Function {
+    /// Its name; a method's with the type that it belongs to.
+    pub(super) name: String,
+    pub(super) text: String,
+    pub(super) parameters: Vec<String>,
+    pub(super) body: Tree,
+}
+
+impl Function {
+    /// Reads a function, from `fn` to its last brace.
+    pub(super) fn read(name: &str, text: &str) -> Option<Self> {
+        let item: syn::ImplItemFn = syn::parse_str(text).ok()?;
+        let parameter = |it: &syn::FnArg| match it {
+            syn::FnArg::Typed(it) => match &*it.pat {
+                syn::Pat::Ident(it) => it.ident.to_string(),
+                _ => String::new(),
+            },
+            syn::FnArg::Receiver(_) => "self".to_owned(),
+        };
+        Some(Self {
+            name: name.to_owned(),
+            text: text.to_owned(),
+            parameters: item.sig.inputs.iter().map(parameter).collect(),
+            body: Reader { text }.block(&item.block),
+        })
+    }
+
+    /// Returns its own name, without that of a type.
+    pub(super) fn short_name(&self) -> &str {
+        self.name.rsplit(':').next().unwrap_or(&self.name)
+    }
+
+    /// Where it stands in the files: in which, and where its text begins.
+    pub(super) fn place(&self, files: &Files) -> Option<(usize, usize)> {
+        let mut places = files.iter().enumerate();
+        places.find_map(|(n, (_, text))| Some((n, text.find(&self.text)?)))
+    }
+}
+
+/// Returns all functions of a program.
+pub(super) fn functions(program: &Program) -> Vec<Function> {
+    let all = program.functions();
+    all.filter_map(|(name, text)| Function::read(name, text))
+        .collect()
+}
+
+/// Returns the files with other texts for some functions.
+pub(super) fn with(files: &Files, changes: &[(&Function, &str)]) -> Files {
+    let mut changed = files.clone();
+    for (function, text) in changes {
+        if let Some((file, _)) = function.place(files) {
+            changed[file].1 = changed[file].1.replacen(&function.text, text, 1);
+        }
+    }
+    changed
+}

@@ -1,0 +1,70 @@
+//! One search for edits, both ways: forwards from the chapter, for those that draw the reader's
+//! picture; backwards from the reader's text, for those that make it right.
+//!
+//! Both try the likeliest first: edits that bring one text nearer to the other, and those that
+//! people make when they type. Nothing is said here that did not draw the picture.
+
+mod backwards;
+mod edit;
+mod foreign;
+mod forwards;
+mod functions;
+mod goal;
+mod letters;
+mod mutation;
+mod nearer;
+mod parsed;
+mod repair;
+mod roots;
+mod spelling;
+mod statements;
+mod tree;
+
+use std::cmp::Reverse;
+
+use slips::Edition;
+
+use crate::reading::Reading;
+use crate::scene::Scene;
+use crate::sources::Sources;
+use foreign::Lines;
+use forwards::Forwards;
+pub(crate) use forwards::{Drawn, Mutant};
+use functions::functions;
+pub(crate) use repair::{Change, Repair, Right};
+
+/// Of a larger picture not every pixel is drawn for each edit.
+const LARGEST: usize = 500_000;
+
+/// Finds the single edits of the chapter that draw the picture, as far as the reader's files can
+/// have them.
+pub(crate) fn drawn(scene: &Scene, reading: &Reading, sources: &Sources) -> Drawn {
+    if scene.probe.is_some() || reading.pixels.len() > LARGEST {
+        return Drawn::default();
+    }
+    searched(scene, reading, sources, |it| Some(it.mutants())).unwrap_or_default()
+}
+
+/// Searches forwards, from the edition to which the lines keep, or else from that of the scene.
+fn searched<T>(
+    scene: &Scene,
+    reading: &Reading,
+    sources: &Sources,
+    search: impl Fn(&Forwards) -> Option<T>,
+) -> Option<T> {
+    let statements = foreign::read(&sources.files());
+    let programs = match statements.is_empty() {
+        true => vec![scene.program(&[])],
+        false => [Edition::V4, Edition::V3]
+            .map(|it| it.program(scene.chapter))
+            .to_vec(),
+    };
+    let functions: Vec<_> = programs
+        .iter()
+        .map(|it| functions(it.interpreted()))
+        .collect();
+    let lines = functions.iter().map(|it| Lines::new(it, &statements));
+    let all = programs.iter().zip(&functions).zip(lines);
+    let ((right, functions), lines) = all.min_by_key(|(_, lines)| Reverse(lines.count()))?;
+    search(&Forwards::new(right, functions, reading, &lines))
+}

@@ -1,0 +1,378 @@
+//! Mutation operators: the single edits that people make when they type, at each expression of
+//! a function. Forwards they are mistakes; backwards they undo some.
+
+use std::cmp::Reverse;
+use std::collections::HashSet;
+
+use super::edit::Edit;
+use super::functions::Function;
+use super::letters::locals;
+use super::roots::roots;
+use super::tree::{Op, Tree};
+
+/// Words and signs, each of which is mistaken for the others of its group, and how unlikely that
+/// is.
+const MISTAKEN: [(u32, &[&str]); 11] = [
+    (7, &["+", "-"]),
+    (9, &["*", "/"]),
+    (9, &["+", "*"]),
+    (7, &["<", ">", "<=", ">="]),
+    (7, &["&&", "||"]),
+    (7, &["x", "y", "z"]),
+    (9, &["origin", "direction"]),
+    (8, &["point", "normal"]),
+    (7, &["length", "length_squared"]),
+    (8, &["min", "max"]),
+    (8, &["floor", "round", "ceil", "trunc"]),
+];
+/// Numbers that stand in the place of others, and in that of the factor of a level.
+const NUMBERS: [f64; 11] = [0.0, 1.0, -1.0, 2.0, 3.0, 4.0, 0.1, 0.3, 0.5, 0.7, 1e-3];
+const LEVELS: [f64; 4] = [255.0, 255.5, 255.99, 256.0];
+/// Of so many names in an expression each is swapped with each other.
+const SWAPPED: usize = 8;
+
+/// A tree that may stand in the place of another, and what makes it unlikely: more than an edit
+/// that brings one text nearer to another.
+type Other = (Tree, u32);
+
+/// A node of a function and what may stand in its place.
+pub(super) struct Mutation<'t> {
+    old: &'t Tree,
+    /// How firm the place wants it.
+    least: u8,
+    new: Tree,
+    penalty: u32,
+}
+
+/// Makes all mutations of a function. Those of one node follow one another.
+pub(super) fn mutations(function: &Function) -> Vec<Mutation<'_>> {
+    let mut names: Vec<String> = function.parameters.clone();
+    names.extend(locals(&function.body).iter().map(|it| it.name.to_owned()));
+    names.retain(|it| it != "self");
+    names.sort();
+    names.dedup();
+    let roots = roots(&function.body).into_iter();
+    let exchanged = roots.flat_map(|(_, root)| exchanged_names(root, &names));
+    let mut all: Vec<Mutation> = exchanged.collect();
+    all.extend(of_tree(&function.body, 0, &names));
+    all.sort_by_key(|it| it.penalty);
+    let mut seen = HashSet::new();
+    all.retain(|it| {
+        let node = std::ptr::from_ref(it.old);
+        !it.new.is_same(it.old) && seen.insert((node, it.new.text()))
+    });
+    all.sort_by_key(|it| {
+        let at = &it.old.at;
+        (at.start, Reverse(at.end), std::ptr::from_ref(it.old))
+    });
+    all
+}
+
+impl Mutation<'_> {
+    /// Makes the edit of its function's text.
+    pub(super) fn edit(&self, text: &str) -> Edit {
+        let new = self.new.within(self.least);
+        Edit::new(text, self.old.at.clone(), new, self.penalty)
+    }
+}
+
+/// Writes a function with all of its mutations in it, counted from a number on: so they are read
+/// at once, and each is run by its number (mutant schemata: Untch, Offutt and Harrold, 1993).
+pub(super) fn schemata(function: &Function, mutations: &[Mutation], first: u32) -> String {
+    let head = &function.text[..function.body.at.start];
+    format!("{head}{}", written(&function.body, 0, mutations, first))
+}
+
+fn written(tree: &Tree, least: u8, mutations: &[Mutation], first: u32) -> String {
+    let text = tree.text_of(&|part, least| {
+        let text = written(part, least, mutations, first);
+        let is_last = std::ptr::eq(part, &tree.parts[tree.parts.len() - 1]);
+        let is_statement = tree.op == Op::Block
+            && !is_last
+            && text.starts_with("mutants!")
+            && !text.ends_with(';');
+        if is_statement { text + ";" } else { text }
+    });
+    let is_own = |it: &Mutation| std::ptr::eq(it.old, tree);
+    let Some(n) = mutations.iter().position(is_own) else {
+        return if tree.op.level() < least {
+            format!("({text})")
+        } else {
+            text
+        };
+    };
+    let others = mutations[n..].iter().take_while(|it| is_own(it));
+    let others = others.map(|it| match it.new.text() {
+        nothing if nothing.is_empty() => ", ()".to_owned(),
+        text => format!(", {text}"),
+    });
+    let (others, number) = (others.collect::<String>(), first + n as u32);
+    match text.strip_suffix(';').filter(|_| tree.op == Op::Statement) {
+        Some(text) => format!("mutants!({number}, {text}{others});"),
+        None => format!("mutants!({number}, {text}{others})"),
+    }
+}
+
+fn of_tree<'t>(tree: &'t Tree, least: u8, names: &[String]) -> Vec<Mutation<'t>> {
+    let mutation = |(new, penalty): Other| Mutation {
+        old: tree,
+        least,
+        new,
+        penalty,
+    };
+    // What is given a name as a condition has it in what stands beside.
+    let is_named = |it: &Tree| matches!(it.op, Op::Let(_, false));
+    let is_bound = tree.op != Op::If && tree.parts.iter().any(is_named);
+    let own = others(tree, names).into_iter().filter(|_| !is_bound);
+    let mut all: Vec<Mutation> = own.map(mutation).collect();
+    for (n, part) in tree.parts.iter().enumerate().skip(fixed(tree)) {
+        all.extend(of_tree(part, tree.least(n), names));
+    }
+    if let Some(three) = components(tree) {
+        all.extend(in_all(tree, three, names).into_iter().map(mutation));
+    }
+    all
+}
+
+/// Counts the first parts of a tree that are no values: a function's name, and what is changed.
+fn fixed(tree: &Tree) -> usize {
+    let is_fixed = match &tree.op {
+        Op::Call => true,
+        Op::Sign(sign) => sign.ends_with('=') && !["<=", ">=", "==", "!="].contains(&&**sign),
+        Op::Method(_) if tree.parts.len() > 1 => {
+            let object = &tree.parts[0];
+            let is_own = object.parts.iter().any(|it| it.name() == Some("self"));
+            object.name().is_some() || is_own
+        }
+        Op::Other(texts) => texts[0].starts_with("&mut"),
+        _ => false,
+    };
+    usize::from(is_fixed)
+}
+
+/// Makes the same edit in all three components.
+fn in_all(tree: &Tree, three: [&Tree; 3], names: &[String]) -> Vec<Other> {
+    let first = of_tree(three[0], 0, names).into_iter();
+    let all = first.map(|it| {
+        let first = three[0].with(&it.old.at, &it.new);
+        let parts = three.iter().enumerate();
+        let all = parts.fold(tree.clone(), |all, (n, part)| {
+            all.with(&part.at, &on_axis(&first, n))
+        });
+        (all, it.penalty)
+    });
+    all.collect()
+}
+
+/// Finds the three parts of a tree that are the same but for x, y and z.
+fn components(tree: &Tree) -> Option<[&Tree; 3]> {
+    let three: [&Tree; 3] = match (&tree.op, &tree.parts[..]) {
+        (Op::Call, [_, x, y, z]) | (Op::Other(_), [x, y, z]) => [x, y, z],
+        (Op::Sign(_), [sum, z]) if sum.op == tree.op => [&sum.parts[0], &sum.parts[1], z],
+        _ => return None,
+    };
+    let is_like = |n: usize| on_axis(three[0], n).is_same(three[n]);
+    (is_like(1) && is_like(2) && !three[0].is_same(three[1])).then_some(three)
+}
+
+/// Returns the tree with the letter of another axis for each x.
+fn on_axis(tree: &Tree, axis: usize) -> Tree {
+    let letter = ["x", "y", "z"][axis].to_owned();
+    tree.mapped(&|it| {
+        let op = match &it.op {
+            Op::Field(x) if x == "x" => Op::Field(letter.clone()),
+            Op::Member(x) if x == "x" => Op::Member(letter.clone()),
+            _ => return None,
+        };
+        let parts = it.parts.iter().map(|part| on_axis(part, axis)).collect();
+        Some(Tree {
+            op,
+            parts,
+            ..it.clone()
+        })
+    })
+}
+
+/// Returns what may stand in the place of a node.
+fn others(tree: &Tree, names: &[String]) -> Vec<Other> {
+    let mut all = mistaken(tree);
+    let first = tree.parts.first();
+    match &tree.op {
+        Op::Sign(sign) if "+-*/&&||".contains(&**sign) => all.extend(of_sign(tree, sign)),
+        Op::Leaf(text) => all.extend(of_leaf(tree, text, names)),
+        Op::Sign(sign) if ["<", ">", "<=", ">="].contains(&&**sign) => {
+            all.push((Tree::leaf("true"), 8));
+        }
+        Op::Prefix(sign) if sign != "&" => all.extend(first.map(|it| (it.clone(), 7))),
+        Op::Field(name) => {
+            all.push((negated(tree), 8));
+            if name == "direction" {
+                let unit = Op::Method("normalize".to_owned());
+                all.push((Tree::new(unit, vec![tree.clone()]), 9));
+            }
+        }
+        Op::Method(name) if tree.parts.len() == 1 || name == "max" || name == "min" => {
+            all.extend([(tree.parts[0].clone(), 8), (negated(tree), 8)]);
+        }
+        Op::Call if first.is_some_and(|it| it.name() == Some("Some")) => {
+            all.push((Tree::leaf("None"), 9));
+        }
+        Op::Call if tree.parts.len() == 2 => all.push((tree.parts[1].clone(), 8)),
+        Op::If => all.extend(of_choice(tree)),
+        Op::Statement => all.push((Tree::leaf(""), 11)),
+        _ => {}
+    }
+    all.extend(of_list(tree));
+    all
+}
+
+/// Puts one word or sign in the place of another of its group.
+fn mistaken(tree: &Tree) -> Vec<Other> {
+    let (Op::Sign(name) | Op::Method(name) | Op::Field(name)) = &tree.op else {
+        return Vec::new();
+    };
+    let groups = MISTAKEN
+        .iter()
+        .filter(|(_, group)| group.contains(&&**name));
+    let others = groups.flat_map(|(penalty, group)| group.iter().map(move |it| (it, *penalty)));
+    let others = others
+        .filter(|(it, _)| *it != name)
+        .map(|(other, penalty)| {
+            let op = match &tree.op {
+                Op::Sign(_) => Op::Sign((*other).to_owned()),
+                Op::Method(_) => Op::Method((*other).to_owned()),
+                _ => Op::Field((*other).to_owned()),
+            };
+            (Tree { op, ..tree.clone() }, penalty)
+        });
+    others.collect()
+}
+
+/// Leaves one side of a sign out, swaps the sides, and moves brackets or loses them.
+fn of_sign(tree: &Tree, sign: &str) -> Vec<Other> {
+    let (one, other) = (&tree.parts[0], &tree.parts[1]);
+    let mut all = vec![(one.clone(), 8), (other.clone(), 8)];
+    let inner = [one, other].into_iter().filter(|it| it.op.sign().is_some());
+    all.extend(inner.flat_map(|it| it.parts.iter().map(|part| (part.clone(), 9))));
+    if let (Op::Sign(inner), [first, last]) = (&one.op, &one.parts[..]) {
+        let new = Tree::binary(inner, first, &Tree::binary(sign, last, other));
+        all.push((new, 7));
+    }
+    if let (Op::Sign(inner), [first, last]) = (&other.op, &other.parts[..]) {
+        let new = Tree::binary(inner, &Tree::binary(sign, one, first), last);
+        all.push((new, 7));
+    }
+    if let ([a, x], [b, y]) = (&one.parts[..], &other.parts[..])
+        && one.op == other.op
+        && "+-".contains(sign)
+    {
+        let [first, last] = [(a, y), (b, x)]
+            .map(|(it, with)| Tree::new(one.op.clone(), vec![it.clone(), with.clone()]));
+        all.push((Tree::binary(sign, &first, &last), 7));
+    }
+    if "-/".contains(sign) {
+        all.push((Tree::binary(sign, other, one), 7));
+    }
+    if !sign.contains(['&', '|']) {
+        all.push((negated(tree), 9));
+    }
+    all
+}
+
+/// Puts another number there, or another name, or a factor that belongs elsewhere.
+fn of_leaf(tree: &Tree, text: &str, names: &[String]) -> Vec<Other> {
+    if text.contains('.')
+        && let Ok(number) = text.parse::<f64>()
+    {
+        let near = [-1.0, 2.0, 0.5, 0.1, 10.0].map(|factor| factor * number);
+        let all = match number {
+            255.0.. => LEVELS.to_vec(),
+            _ => {
+                let steps = [number + 1.0, number - 1.0, number.trunc()];
+                [&near[..], &steps, &NUMBERS].concat()
+            }
+        };
+        let all = all.into_iter().filter(|it| *it != number);
+        return all
+            .map(|it| (Tree::leaf(&format!("{:?}", it + 0.0)), 9))
+            .collect();
+    }
+    if !names.iter().any(|it| it == text) {
+        return Vec::new();
+    }
+    let others = names.iter().filter(|it| *it != text);
+    let mut all: Vec<Other> = others.map(|it| (Tree::leaf(it), 8)).collect();
+    all.push((negated(tree), 8));
+    let factors = ["2.0", "0.5"].map(Tree::leaf);
+    all.extend(factors.map(|it| (Tree::binary("*", &it, tree), 10)));
+    all
+}
+
+/// Turns a condition round, or leaves it out.
+fn of_choice(tree: &Tree) -> Vec<Other> {
+    let (condition, branches) = (&tree.parts[0], &tree.parts[1..]);
+    if matches!(condition.op, Op::Let(..)) {
+        return Vec::new();
+    }
+    let mut all: Vec<Other> = branches.iter().map(|it| (it.clone(), 11)).collect();
+    match branches {
+        [then, other] => {
+            let parts = [condition, other, then].map(Tree::clone);
+            all.push((Tree::new(Op::If, parts.to_vec()), 8));
+        }
+        _ => all.push((Tree::leaf(""), 11)),
+    }
+    all
+}
+
+/// Swaps two of what a function is given, or of a list, or puts one of them there twice.
+fn of_list(tree: &Tree) -> Vec<Other> {
+    let first = match &tree.op {
+        Op::Method(name) if name == "dot" => 0,
+        Op::Call | Op::Method(_) => 1,
+        Op::Other(texts) if texts[0] == "[" || texts[0] == "(" => 0,
+        _ => return Vec::new(),
+    };
+    let places = first..tree.parts.len();
+    let pairs = places
+        .clone()
+        .flat_map(|n| places.clone().map(move |m| (n, m)));
+    let pairs = pairs.filter(|(n, m)| n != m && !tree.parts[*n].is_same(&tree.parts[*m]));
+    let all = pairs.flat_map(|(n, m)| {
+        let [mut swapped, mut twice] = [tree.clone(), tree.clone()];
+        swapped.parts.swap(n, m);
+        twice.parts[n] = twice.parts[m].clone();
+        [(swapped, 3), (twice, 9)]
+            .into_iter()
+            .skip(usize::from(n > m))
+    });
+    all.collect()
+}
+
+/// Swaps two names, wherever they stand in an expression.
+fn exchanged_names<'t>(root: &'t Tree, names: &[String]) -> Vec<Mutation<'t>> {
+    let nodes = root.nodes();
+    let is_bound = nodes.iter().any(|it| matches!(it.op, Op::Let(_, false)));
+    let stands = |name: &&String| nodes.iter().any(|it| it.name() == Some(name));
+    let here: Vec<&String> = names.iter().filter(stands).take(SWAPPED).collect();
+    let pairs = (0..here.len()).flat_map(|n| (0..n).map(move |m| (n, m)));
+    let pairs = pairs.filter(|_| !is_bound).map(|(n, m)| {
+        let new = root.mapped(&|it| match it.name()? {
+            name if name == here[n] => Some(Tree::leaf(here[m])),
+            name if name == here[m] => Some(Tree::leaf(here[n])),
+            _ => None,
+        });
+        Mutation {
+            old: root,
+            least: 0,
+            new,
+            penalty: 5,
+        }
+    });
+    pairs.collect()
+}
+
+/// Adds a sign.
+fn negated(tree: &Tree) -> Tree {
+    Tree::new(Op::Prefix("-".to_owned()), vec![tree.clone()])
+}

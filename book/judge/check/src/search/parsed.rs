@@ -1,0 +1,135 @@
+//! Parsing: trees of what `syn` reads.
+
+use syn::spanned::Spanned;
+use syn::visit::{self, Visit};
+use syn::{Block, Expr, FieldValue, Pat, Stmt, Type};
+
+use super::tree::{Op, Pattern, Tree, squeezed};
+
+/// Reads the trees of a function.
+pub(super) struct Reader<'a> {
+    pub(super) text: &'a str,
+}
+
+impl Reader<'_> {
+    pub(super) fn block(&self, block: &Block) -> Tree {
+        let statements = block.stmts.iter().map(|it| self.statement(it));
+        node(block, Op::Block, statements.collect())
+    }
+
+    fn statement(&self, statement: &Stmt) -> Tree {
+        match statement {
+            Stmt::Local(local) => match &local.init {
+                Some(init) if init.diverge.is_none() => {
+                    let op = Op::Let(self.pattern(&local.pat), true);
+                    node(statement, op, vec![self.expression(&init.expr)])
+                }
+                _ => self.other(statement, Vec::new()),
+            },
+            Stmt::Expr(it, Some(_)) => node(statement, Op::Statement, vec![self.expression(it)]),
+            Stmt::Expr(it, None) => self.expression(it),
+            _ => self.other(statement, Vec::new()),
+        }
+    }
+
+    pub(super) fn expression(&self, it: &Expr) -> Tree {
+        let text = |it: &dyn Spanned| squeezed(&self.text[it.span().byte_range()]);
+        let op = match it {
+            Expr::Paren(inner) => {
+                return Tree {
+                    at: it.span().byte_range(),
+                    ..self.expression(&inner.expr)
+                };
+            }
+            Expr::Block(it) => return self.block(&it.block),
+            Expr::Binary(it) => Op::Sign(text(&it.op)),
+            Expr::Assign(_) => Op::Sign("=".to_owned()),
+            Expr::Range(range) if range.start.is_some() && range.end.is_some() => {
+                Op::Sign(text(&range.limits))
+            }
+            Expr::Unary(it) => Op::Prefix(text(&it.op)),
+            Expr::Reference(it) if it.mutability.is_none() => Op::Prefix("&".to_owned()),
+            Expr::MethodCall(it) if it.turbofish.is_none() => Op::Method(it.method.to_string()),
+            Expr::Field(it) => Op::Field(text(&it.member)),
+            Expr::Call(_) => Op::Call,
+            Expr::Let(it) => Op::Let(self.pattern(&it.pat), false),
+            Expr::ForLoop(it) => Op::For(self.pattern(&it.pat)),
+            Expr::If(_) => Op::If,
+            Expr::While(_) => Op::While,
+            Expr::Return(it) if it.expr.is_some() => Op::Return,
+            _ => return self.other(it, self.parts(it)),
+        };
+        node(it, op, self.parts(it))
+    }
+
+    fn pattern(&self, it: &Pat) -> Pattern {
+        Pattern::of(&squeezed(&self.text[it.span().byte_range()]))
+    }
+
+    /// Reads the parts of an expression in their order, each with its own.
+    fn parts(&self, it: &Expr) -> Vec<Tree> {
+        let mut parts = Parts {
+            reader: self,
+            found: Vec::new(),
+        };
+        visit::visit_expr(&mut parts, it);
+        parts.found
+    }
+
+    /// Makes a node whose parts stand in this order in its text.
+    fn other(&self, it: &impl Spanned, parts: Vec<Tree>) -> Tree {
+        const PART: char = '\0';
+        let at = it.span().byte_range();
+        let mut text = String::new();
+        let mut before = at.start;
+        for part in &parts {
+            text += &self.text[before..part.at.start.max(before)];
+            text.push(PART);
+            before = part.at.end;
+        }
+        text += &self.text[before..at.end.max(before)];
+        let text = squeezed(&text);
+        let op = if parts.is_empty() {
+            Op::Leaf(text)
+        } else {
+            Op::Other(text.split(PART).map(str::to_owned).collect())
+        };
+        Tree { op, parts, at }
+    }
+}
+
+fn node(it: &impl Spanned, op: Op, parts: Vec<Tree>) -> Tree {
+    let at = it.span().byte_range();
+    Tree { op, parts, at }
+}
+
+/// The parts of an expression.
+struct Parts<'a> {
+    reader: &'a Reader<'a>,
+    found: Vec<Tree>,
+}
+
+impl<'a> Visit<'a> for Parts<'_> {
+    fn visit_expr(&mut self, it: &'a Expr) {
+        self.found.push(self.reader.expression(it));
+    }
+
+    fn visit_block(&mut self, it: &'a Block) {
+        self.found.push(self.reader.block(it));
+    }
+
+    /// Writes a field out that is given a name of its own.
+    fn visit_field_value(&mut self, it: &'a FieldValue) {
+        let member = self.reader.text[it.member.span().byte_range()].to_owned();
+        let value = vec![self.reader.expression(&it.expr)];
+        self.found.push(node(it, Op::Member(member), value));
+    }
+
+    fn visit_pat(&mut self, it: &'a Pat) {
+        if let Pat::Guard(it) = it {
+            self.visit_expr(&it.guard);
+        }
+    }
+
+    fn visit_type(&mut self, _: &'a Type) {}
+}

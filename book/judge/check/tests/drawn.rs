@@ -1,0 +1,121 @@
+//! Mutation testing, turned round: a table of pictures that no known mistake draws, and the line
+//! that is named for each.
+
+use check::Row;
+use check::known::Known;
+use check::reading::Reading;
+use check::scene::Scene;
+use check::sources::Sources;
+use check::verdict::judge;
+use slips::{Chapter, Edit, Letters, Program};
+
+const GRADIENT: Chapter = Chapter::Gradient;
+const RED_SPHERE: Chapter = Chapter::RedSphere;
+const NORMALS: Chapter = Chapter::Normals;
+const HALF_B: Chapter = Chapter::HalfBSphere;
+const LIST: Chapter = Chapter::HittableList;
+
+/// What stands in a chapter, and wrong in its place.
+const MISTAKES: [(Chapter, &str, &str); 12] = [
+    (
+        GRADIENT,
+        "Color::new(0.5, 0.7, 1.0)",
+        "Color::new(0.5, 1.0, 0.7)",
+    ),
+    (GRADIENT, "(1.0 - a) * white", "(1.0 + a) * white"),
+    (
+        RED_SPHERE,
+        "Color::new(1.0, 0.0, 0.0)",
+        "Color::new(0.0, 1.0, 0.0)",
+    ),
+    (
+        RED_SPHERE,
+        "oc.dot(oc) - radius * radius",
+        "oc.dot(oc) - radius",
+    ),
+    (NORMALS, "-b - discriminant.sqrt()", "-b - discriminant"),
+    (
+        NORMALS,
+        "0.5 * (normal + Vec3::ONE)",
+        "0.5 * (normal - Vec3::ONE)",
+    ),
+    (HALF_B, "h * h - a * c", "-(h * h - a * c)"),
+    (
+        HALF_B,
+        "ray.direction.length_squared()",
+        "ray.direction.length()",
+    ),
+    (LIST, "ray.direction.dot(oc)", "oc.dot(oc)"),
+    (
+        LIST,
+        "(record.normal + Vec3::ONE)",
+        "(record.point + Vec3::ONE)",
+    ),
+    (LIST, "0.0, -100.5, -1.0", "0.0, -100.0, -1.0"),
+    (
+        LIST,
+        "[(h - sqrtd) / a, (h + sqrtd) / a]",
+        "[(h + sqrtd) / a, (h + sqrtd) / a]",
+    ),
+];
+
+#[test]
+fn the_edit_that_draws_a_picture_is_among_at_most_three_that_are_named() {
+    for (chapter, right, wrong) in MISTAKES {
+        let rows = rows(chapter, &picture(chapter, right, wrong), Sources::default());
+        let named = |(label, _): &&Row| ["probably", "perhaps", "or"].contains(label);
+        let named: Vec<&Row> = rows.iter().filter(named).collect();
+        let is_it = |(_, said): &&Row| said.contains(wrong);
+        assert!(
+            named.len() <= 3 && named.iter().any(is_it),
+            "{wrong}: {rows:#?}"
+        );
+    }
+}
+
+/// Each draws only sky, as many other mistakes do. Only a line that stands in the file is named.
+#[test]
+fn of_all_edits_that_draw_only_sky_the_one_that_was_typed_is_named() {
+    const TYPED: &str = "\
+function hitSphere(center, radius, r) {
+  const oc = sub(center, r.origin);
+  const a = dot(r.direction, r.direction);
+  const b = -2.0 * dot(r.direction, oc);
+  const c = dot(oc, oc) - radius * radius;
+  const discriminant = b * b - 4 * a * c;
+  return discriminant >= 0;
+}
+";
+    for (right, wrong, line) in [
+        (
+            "oc.dot(oc) - radius",
+            "oc.dot(oc) + radius",
+            "dot(oc, oc) + radius * radius",
+        ),
+        ("b * b - 4.0 * a", "b / b - 4.0 * a", "b / b - 4 * a * c"),
+    ] {
+        let typed = match wrong {
+            "b / b - 4.0 * a" => TYPED.replace("b * b", "b / b"),
+            _ => TYPED.replace("oc) - radius", "oc) + radius"),
+        };
+        let sources = Sources::new(vec![("red.js".to_owned(), typed)], Vec::new());
+        let rows = rows(RED_SPHERE, &picture(RED_SPHERE, right, wrong), sources);
+        assert!(rows[0].1.contains(line), "{rows:#?}");
+    }
+}
+
+fn picture(chapter: Chapter, right: &'static str, wrong: &'static str) -> Reading {
+    let program = Program::right(chapter).with(&[Edit::new(right, wrong)]);
+    Reading::of(&program.expect("it is one edit").run(100).picture())
+}
+
+fn rows(chapter: Chapter, reading: &Reading, sources: Sources) -> Vec<Row> {
+    let known = Known {
+        letters: Some(Letters::Rust),
+        sources,
+        ..Known::default()
+    };
+    let scene = Scene::new(chapter, None).expect("without a probe it is a scene");
+    let check = judge(&scene, reading, 0, &known);
+    check.finding().map_or(Vec::new(), |it| it.rows(&known))
+}
