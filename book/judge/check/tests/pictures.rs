@@ -93,12 +93,12 @@ fn each_picture_has_its_answer() {
 
 /// A metamorphic relation: odd pixels do not change the answer.
 #[test]
-#[ignore = "it judges some thousand pictures"]
-fn the_picture_of_each_slip_is_named_in_each_chapter_and_size() {
+#[ignore = "it judges some seven hundred pictures"]
+fn the_picture_of_each_slip_is_named_in_each_chapter() {
     let unnamed = |chapter: Chapter| {
         let slips = slips::all().filter(|slip| slip.is_in(chapter));
-        let all = slips.flat_map(|slip| [(slip, same as Way), (slip, odd::<1>), (slip, odd::<5>)]);
-        all.map(|(slip, way)| unnamed_in(slip, chapter, 400, way))
+        let all = slips.flat_map(|slip| [(slip, same as Way), (slip, odd::<5>)]);
+        all.map(|(slip, way)| unnamed_in(slip, chapter, WIDTH, way))
             .collect::<String>()
     };
     let unnamed: String = thread::scope(|scope| {
