@@ -6,7 +6,7 @@ use common::rtweekend::*;
 
 use crate::host::Eval;
 use crate::library;
-use crate::machine::Machine;
+use crate::machine::{Bound, Machine};
 use crate::program::{Program, missing, u32_value};
 use crate::refusal::Fault;
 use crate::refusal::Refusal;
@@ -119,12 +119,8 @@ impl Canvas {
     /// What each `let` comes to on the way to the color of a pixel, and what each function
     /// returns before its end, in the order in which they run.
     pub fn notes(&self, i: u32, j: u32) -> Vec<Note> {
-        let mut machine = self.program.machine();
-        machine.notes = Some(Vec::new());
-        let _ = self.colored_by(&mut machine, i, j);
         let code = &self.program.code;
-        let notes = machine.notes.take().into_iter().flatten();
-        let noted = notes.filter_map(|(function, slot, value)| {
+        let noted = self.noted(i, j).filter_map(|(function, slot, value)| {
             let name = match slot {
                 Some(slot) => code.functions[function].names.get(slot)?,
                 None => "return",
@@ -133,6 +129,21 @@ impl Canvas {
             Some((within, name.to_owned(), said(&value)?))
         });
         noted.collect()
+    }
+
+    /// Finds whether a function of that name returns before its end on the way to the pixel.
+    pub fn returns_early(&self, name: &str, i: u32, j: u32) -> bool {
+        let written = &self.program.code.written;
+        let is_it = |of: usize| written[of].as_ref().is_some_and(|it| *it.name == *name);
+        self.noted(i, j)
+            .any(|(of, slot, _)| slot.is_none() && is_it(of))
+    }
+
+    fn noted(&self, i: u32, j: u32) -> impl Iterator<Item = Bound> {
+        let mut machine = self.program.machine();
+        machine.notes = Some(Vec::new());
+        let _ = self.colored_by(&mut machine, i, j);
+        machine.notes.take().into_iter().flatten()
     }
 }
 

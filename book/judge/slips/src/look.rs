@@ -53,13 +53,14 @@ pub const SIGHT_WIDTH: u32 = 96;
 /// Everything that can be seen: each slip in the first chapter in which it has
 /// a look, and again in the first one in which it has another.
 pub fn sights() -> Vec<Sight> {
-    let right = Chapter::OF_THE_BOOK.map(|chapter| Drawn::by(&Program::right(chapter)));
+    let right = Chapter::OF_THE_BOOK.map(|chapter| Drawn::by(&Program::right(chapter), None));
     let mut sights: Vec<Sight> = Vec::new();
     for slip in all() {
         let mut looks = vec![Look::Right];
         for chapter in slip.chapters() {
-            let wrong = Drawn::by(&slip.program(chapter));
-            let look = Look::of(&right[chapter as usize], &wrong);
+            let right = &right[chapter as usize];
+            let wrong = Drawn::by(&slip.program(chapter), Some(right));
+            let look = Look::of(right, &wrong);
             if looks.contains(&look) {
                 continue;
             }
@@ -121,12 +122,20 @@ struct Drawn {
 }
 
 impl Drawn {
-    fn by(program: &Program) -> Self {
+    /// Draws what the program draws. A pixel that looks as the right one shows the same.
+    fn by(program: &Program, right: Option<&Self>) -> Self {
         let output = program.run(SIGHT_WIDTH);
-        let (width, height) = output.size();
+        let picture = output.picture();
+        let pixel = |picture: &Picture, n: usize| picture.rgb().as_chunks::<3>().0[n];
+        let right = right.filter(|it| it.is_hit.len() == picture.rgb().len() / 3);
+        let as_right = |n| right.filter(|it| pixel(&it.picture, n) == pixel(&picture, n));
+        let is_hit = |n| match as_right(n) {
+            Some(right) => right.is_hit[n],
+            None => output.hits(n as u32),
+        };
         Self {
-            picture: output.picture(),
-            is_hit: (0..width * height).map(|n| output.hits(n)).collect(),
+            is_hit: (0..picture.rgb().len() / 3).map(is_hit).collect(),
+            picture,
         }
     }
 }

@@ -368,8 +368,10 @@ impl Output {
 
     /// Whether the ray of the `n`th pixel hits something: `ray_color` returns before its end.
     pub fn hits(&self, n: u32) -> bool {
-        let is_hit = |it: &Note| it.0 == "ray_color" && it.1 == "return";
-        self.notes(n).iter().any(is_hit)
+        match (&self.canvas, self.place(n)) {
+            (Some(canvas), Some((i, j))) => canvas.returns_early("ray_color", i, j),
+            _ => false,
+        }
     }
 
     /// All pixels as the same program stores them in Rust, where a conversion to a byte
