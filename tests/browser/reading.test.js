@@ -22,8 +22,8 @@ const FOUND = {
     "NaN": "setup.html#a-picture-is-text",
     "quadratic": "red_sphere.html",
     "proof": "proofs.html#proofs",
-    "error": "speed_vs_accuracy.html",
-    "f32": "methods.html",
+    "error": "measurements.html#three-kinds-of-error",
+    "f32": "speed_vs_accuracy.html",
     "errata": "errata.html#errata",
     "C++ to Rust": "cpp_to_rust.html",
 };

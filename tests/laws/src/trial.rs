@@ -71,6 +71,9 @@ impl Default for Trial {
 /// A law about what a function answers to the question.
 pub(crate) type Law<'a, Q> = Box<dyn Fn(&Q) -> Verdict + 'a>;
 
+/// Asks a function, and writes its answer as numbers.
+pub(crate) type Answering<'a, Q> = Box<dyn Fn(&Q) -> Vec<f64> + 'a>;
+
 /// What a function is asked, and the laws for it.
 pub(crate) struct Exam<'a, Q> {
     /// What the function is called.
@@ -80,7 +83,7 @@ pub(crate) struct Exam<'a, Q> {
     /// Questions to which different mistakes give different answers.
     pub(crate) telling: Vec<Q>,
     pub(crate) question: fn(Q) -> Question,
-    pub(crate) answer: Box<dyn Fn(&Q) -> Vec<f64> + 'a>,
+    pub(crate) answer: Answering<'a, Q>,
     pub(crate) laws: Vec<Law<'a, Q>>,
     /// The body of a test that asks this again. It stands where the function has its name, so it
     /// need not guess from where to import it.

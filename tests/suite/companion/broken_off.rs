@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -237,7 +237,7 @@ impl Writer {
 }
 
 /// Whether it is, or is in, what is moved to its place when it is whole.
-fn is_partial(path: &PathBuf) -> bool {
+fn is_partial(path: &Path) -> bool {
     path.components()
         .any(|it| it.as_os_str().to_string_lossy().ends_with(".partial"))
 }

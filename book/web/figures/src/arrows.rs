@@ -30,7 +30,7 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     handles: &[point!(BOTH, u), point!(BOTH, v)],
     actions: &[
         ("A right angle", |it| {
-            (it.u, it.v) = (xy(1.5, 0.5), xy(-0.25, 0.75))
+            (it.u, it.v) = (xy(1.5, 0.5), xy(-0.25, 0.75));
         }),
         ("Apart", |it| (it.u, it.v) = (xy(1.5, 0.5), xy(-1.0, 0.25))),
         ("v on u", |it| (it.u, it.v) = (xy(1.5, 0.5), xy(1.5, 0.5))),

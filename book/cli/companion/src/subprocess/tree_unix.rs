@@ -51,10 +51,13 @@ pub(super) fn swept(mark: &str) {
     const ROUNDS: usize = 200;
     let mark = format!("{}={mark}", super::guard::MARK);
     for _ in 0..ROUNDS {
-        let marked = processes().filter(|it| has(*it, mark.as_bytes()));
-        let killed = marked.map(|it| kill_process(it, Signal::KILL)).count();
-        if killed == 0 {
+        let marked: Vec<Pid> = processes().filter(|it| has(*it, mark.as_bytes())).collect();
+        if marked.is_empty() {
             break;
+        }
+        for process in marked {
+            // It may have ended meanwhile.
+            let _ = kill_process(process, Signal::KILL);
         }
         thread::sleep(Duration::from_millis(1));
     }
