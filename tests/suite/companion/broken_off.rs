@@ -115,8 +115,8 @@ impl Writer {
 
     /// Sees to it that there is something else to be written than the time before.
     fn turn(self, desk: &Desk, n: usize) {
-        let picture = [gradient::picture, normals::picture, red_sphere::picture][n % 3](16);
-        desk.write_picture("n.ppm", &picture);
+        // A right picture is judged at once.
+        desk.write_picture("n.ppm", &normals::picture([16, 17, 18][n % 3]));
         if self.line.starts_with("rtrace start") {
             let _ = fs::remove_dir_all(desk.path(self.target));
         }
