@@ -3,7 +3,6 @@
 use interpreter::Ball;
 
 use super::program::Program;
-use super::slip::Slip;
 use crate::chapter::{Chapter, Room};
 use crate::edit::Edit;
 use crate::letters::Letters;
@@ -161,15 +160,6 @@ impl Probe {
             ]),
         }
         edits
-    }
-
-    /// Whether a chapter with that slip draws another picture of this scene.
-    pub fn tells(&self, slip: &Slip, chapter: Chapter) -> bool {
-        let Some(right) = self.put_to(&Program::right(chapter)) else {
-            return false;
-        };
-        let [right, wrong] = [slip.put_to(&right), right].map(|it| it.run(self.width));
-        right.size() != wrong.size() || !right.rgb().eq(wrong.rgb())
     }
 
     /// What a reader changes, a line each: the width, the focal length if it

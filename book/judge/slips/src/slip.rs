@@ -10,11 +10,13 @@ use crate::chapter::Chapter;
 use crate::edit::Edit;
 use crate::edition::Edition;
 use crate::letters::{Letters, in_chapter, in_cpp, in_python};
+use crate::probes::PROBES;
 use crate::program::{Program, files, source};
+use crate::sight::kept;
 
 /// The slips that the picture of a chapter hides at the book's width, and what probes show them:
 /// drawn once, since that takes longer than a reader waits.
-const HIDDEN: &str = include_str!("hidden.txt");
+const HIDDEN: &str = include_str!("../tests/pictures/snapshots/pictures__hidden.snap");
 
 /// A mistake that readers make, as an edit of the right line.
 ///
@@ -265,12 +267,22 @@ impl Slip {
 
     /// The probes that show the slip in that chapter, or `None` if its own picture does.
     pub fn hidden_in(&self, chapter: Chapter) -> Option<Vec<&'static str>> {
-        let mut rows = HIDDEN.lines().map(str::split_whitespace);
+        let mut rows = kept(HIDDEN).map(str::split_whitespace);
         let is_it = |row: &mut SplitWhitespace<'static>| {
             row.next() == Some(chapter.name()) && row.next() == Some(self.name)
         };
         let probes = rows.find_map(|mut row| is_it(&mut row).then_some(row))?;
         Some(probes.collect())
+    }
+
+    /// The first probe that shows the slip where a chapter's picture hides it.
+    pub fn shown_by(&self) -> Option<&'static str> {
+        let hidden: Vec<_> = self
+            .chapters()
+            .filter_map(|it| self.hidden_in(it))
+            .collect();
+        let mut probes = PROBES.iter().map(|probe| probe.name);
+        probes.find(|name| hidden.iter().any(|probes| probes.contains(name)))
     }
 
     /// The page and its heading apart.

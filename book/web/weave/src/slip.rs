@@ -6,6 +6,7 @@ use std::sync::LazyLock;
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use check::png;
 use common::rtweekend::Picture;
+use rayon::prelude::*;
 use slips::{Chapter, Edition, Letters, Sight, Slip, Unseen, Words};
 
 use crate::ground::{escaped, read, split};
@@ -31,7 +32,7 @@ pub(crate) fn editions() -> String {
     let mut editions = Edition::ALL.to_vec();
     editions.retain(|edition| *edition != Edition::V1InDouble);
     editions.sort();
-    editions.into_iter().map(one_edition).collect()
+    editions.into_par_iter().map(one_edition).collect()
 }
 
 fn one_edition(edition: Edition) -> String {
@@ -60,7 +61,7 @@ pub(crate) fn gallery(chosen: &str) -> Result<String, String> {
     if chosen == "Right" {
         return Ok(unseen().map(|slip| shown_by(slip) + "\n").collect());
     }
-    Ok(sights(chosen)?.into_iter().map(tile).collect())
+    Ok(sights(chosen)?.into_par_iter().map(tile).collect())
 }
 
 /// The parts of the page of slips in the folder `notes`, each as one of its pictures, that of the
@@ -107,7 +108,7 @@ fn card((part, shown): (&str, &str)) -> Result<String, String> {
     let first = first.ok_or_else(|| format!("\"{title}\" shows no slip `{shown}`"))?;
     Ok(format!(
         "<a class=\"symptom\" href=\"#{id}\">{}<span>{}</span></a>",
-        image(&first.picture, ""),
+        image(first.picture(), ""),
         escaped(title)
     ))
 }
@@ -124,7 +125,7 @@ fn sights(chosen: &str) -> Result<Vec<&'static Sight>, String> {
     let has = |sight: &Sight, name: &&str| {
         sight.chapter.name() == *name || sight.slips.iter().any(|slip| slip.name == *name)
     };
-    let of_look = SIGHTS.iter().filter(|it| format!("{:?}", it.look) == look);
+    let of_look = SIGHTS.iter().filter(|it| it.look == look);
     let of_look: Vec<&Sight> = of_look.collect();
     if let Some(name) = names
         .iter()
@@ -159,7 +160,7 @@ fn tile(sight: &Sight) -> String {
         .collect();
     format!(
         "<div class=\"slip\">\n<figure>{}<figcaption>{chapter}</figcaption></figure>\n<div>\n\n{items}\n</div>\n</div>\n\n",
-        image(&sight.picture, &alt)
+        image(sight.picture(), &alt)
     )
 }
 

@@ -1,19 +1,14 @@
 //! Appearance: what a wrong picture looks like beside the right one.
 
 use common::rtweekend::Picture;
-
-use super::catalogue::all;
-use super::probes::{PROBES, Probe};
-use super::program::Program;
-use super::slip::Slip;
-use crate::chapter::Chapter;
+use slips::{Program, SIGHT_WIDTH};
 
 /// What sets a wrong picture apart at first sight.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Look {
+pub(crate) enum Look {
     /// The right picture.
     Right,
-    /// No level is more than 2 off, which nobody sees.
+    /// No level is more than 2 off, which no eye sees.
     Faint,
     /// Another width or height.
     OtherSize,
@@ -35,63 +30,9 @@ pub enum Look {
     OtherColors,
 }
 
-/// A wrong picture, and the slips that draw exactly this one.
-pub struct Sight {
-    /// How it differs from the right one.
-    pub look: Look,
-    /// Whose picture it should be.
-    pub chapter: Chapter,
-    /// What each of the slips draws.
-    pub picture: Picture,
-    /// The slips.
-    pub slips: Vec<&'static Slip>,
-}
-
-/// How wide the pictures of all sights are, in pixels: exactly 16:9.
-pub const SIGHT_WIDTH: u32 = 96;
-
-/// Everything that can be seen: each slip in the first chapter in which it has
-/// a look, and again in the first one in which it has another.
-pub fn sights() -> Vec<Sight> {
-    let right = Chapter::OF_THE_BOOK.map(|chapter| Drawn::by(&Program::right(chapter), None));
-    let mut sights: Vec<Sight> = Vec::new();
-    for slip in all() {
-        let mut looks = vec![Look::Right];
-        for chapter in slip.chapters() {
-            let right = &right[chapter as usize];
-            let wrong = Drawn::by(&slip.program(chapter), Some(right));
-            let look = Look::of(right, &wrong);
-            if looks.contains(&look) {
-                continue;
-            }
-            looks.push(look);
-            let same = |sight: &&mut Sight| {
-                (sight.look, sight.chapter) == (look, chapter) && sight.picture == wrong.picture
-            };
-            match sights.iter_mut().find(same) {
-                Some(sight) => sight.slips.push(slip),
-                None => sights.push(Sight {
-                    look,
-                    chapter,
-                    picture: wrong.picture,
-                    slips: vec![slip],
-                }),
-            }
-        }
-    }
-    sights
-}
-
-impl Slip {
-    /// The first probe that shows the slip in one of its chapters.
-    pub fn shown_by(&self) -> Option<&'static str> {
-        let shows = |probe: &&Probe| self.chapters().any(|it| probe.tells(self, it));
-        PROBES.iter().find(shows).map(|probe| probe.name)
-    }
-}
-
 impl Look {
-    fn of(right: &Drawn, wrong: &Drawn) -> Self {
+    /// Looks at a wrong picture beside the right one.
+    pub(crate) fn of(right: &Drawn, wrong: &Drawn) -> Self {
         let size = |drawn: &Drawn| (drawn.picture.width(), drawn.picture.height());
         if size(right) != size(wrong) {
             return Self::OtherSize;
@@ -116,14 +57,14 @@ impl Look {
 }
 
 /// A picture, and which of its pixels show something that was hit.
-struct Drawn {
-    picture: Picture,
+pub(crate) struct Drawn {
+    pub(crate) picture: Picture,
     is_hit: Vec<bool>,
 }
 
 impl Drawn {
     /// Draws what the program draws. A pixel that looks as the right one shows the same.
-    fn by(program: &Program, right: Option<&Self>) -> Self {
+    pub(crate) fn by(program: &Program, right: Option<&Self>) -> Self {
         let output = program.run(SIGHT_WIDTH);
         let picture = output.picture();
         let pixel = |picture: &Picture, n: usize| picture.rgb().as_chunks::<3>().0[n];
