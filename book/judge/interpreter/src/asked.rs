@@ -2,9 +2,9 @@
 
 use common::rtweekend::*;
 
+use crate::machine::value::{Data, Value};
 use crate::program::{Program, u32_value};
 use crate::refusal::At;
-use crate::value::{Data, Value};
 
 /// A sphere.
 #[derive(Clone, Copy, Debug, PartialEq)]

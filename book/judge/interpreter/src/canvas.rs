@@ -4,14 +4,12 @@ use std::rc::Rc;
 
 use common::rtweekend::*;
 
-use crate::host::Eval;
 use crate::library;
+use crate::machine::value::{Brush, Data, Value};
 use crate::machine::{Bound, Machine};
 use crate::program::{Program, missing, u32_value};
 use crate::refusal::Fault;
-use crate::refusal::Refusal;
 use crate::types::Int;
-use crate::value::{Brush, Data, Value};
 
 /// A picture that a program draws, pixel by pixel.
 #[derive(Clone, Debug)]
@@ -84,11 +82,11 @@ impl Canvas {
         let colored = match &*self.brush {
             Brush::Pixel(color, at) => {
                 let pixel = [i, j].map(|it| Value::whole(it.into(), Int::U32));
-                machine.asked_for(|own| own.colored(color, &mut { pixel }, *at))
+                machine.colored(color, &mut { pixel }, *at)
             }
             Brush::Ray(camera, color, at) => {
                 let ray = Value::from(Data::Ray(Rc::new(camera.ray(i, j)))).lent();
-                machine.asked_for(|own| own.colored(color, &mut [ray], *at))
+                machine.colored(color, &mut [ray], *at)
             }
             Brush::Role(camera, color, world) => {
                 let ray = [program.ray(&camera.ray(i, j))].into_iter();
@@ -144,13 +142,6 @@ impl Canvas {
         machine.notes = Some(Vec::new());
         let _ = self.colored_by(&mut machine, i, j);
         machine.notes.take().into_iter().flatten()
-    }
-}
-
-impl Machine<'_> {
-    /// What becomes of a question from outside.
-    fn asked_for<T>(&mut self, ask: impl FnOnce(&mut Self) -> Eval<T>) -> Result<T, Refusal> {
-        ask(self).map_err(|_| self.fault())
     }
 }
 

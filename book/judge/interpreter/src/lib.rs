@@ -1,8 +1,8 @@
 //! Runs what a reader types in the page: the Rust that our chapters are written in, and
 //! what people write instead.
 //!
-//! `read` makes trees of the files, `names` finds what their names mean, `lower` makes nodes
-//! of the trees, and `machine` walks these. Operations on numbers happen in the order in which
+//! `read` makes trees of the files, `names` finds what their names mean, and `lower` makes
+//! closures of the trees, which run on `machine` and call `library`. Operations on numbers happen in the order in which
 //! they are written, so a picture is that of the compiled program to the last bit. What is found
 //! by its name is found before it runs: names, fields, methods, how many arguments there are.
 //! Types are checked when values meet what is declared, so a line that never ran is not checked:
@@ -10,23 +10,19 @@
 
 mod asked;
 mod canvas;
-mod host;
 mod library;
 mod limits;
 mod lower;
 mod machine;
 mod names;
 pub mod nesting;
-mod node;
 mod operators;
 mod patch;
 mod program;
 mod read;
 mod refusal;
 mod roles;
-mod sizes;
 mod types;
-mod value;
 mod written;
 
 pub use asked::{Ball, Hit};

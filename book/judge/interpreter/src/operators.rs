@@ -118,8 +118,4 @@ impl Order {
             Self::AtLeast => found.is_some_and(Ordering::is_ge),
         }
     }
-
-    pub(crate) fn is_of_equality(self) -> bool {
-        matches!(self, Self::Equal | Self::Unequal)
-    }
 }

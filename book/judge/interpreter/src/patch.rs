@@ -3,9 +3,8 @@
 use std::sync::{Arc, PoisonError};
 
 use crate::lower;
-use crate::machine::Code;
+use crate::machine::{Code, Function};
 use crate::names::collect::Inside;
-use crate::node::Function;
 use crate::program::Program;
 use crate::refusal::{Fault, FaultKind};
 use crate::written::Written;

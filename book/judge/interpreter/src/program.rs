@@ -8,12 +8,12 @@ use std::sync::{Arc, OnceLock};
 use common::rtweekend::*;
 
 use crate::limits::{TURNS, TURNS_OF_A_PICTURE, WIDEST};
+use crate::machine::value::{Data, Value};
 use crate::machine::{Code, Machine};
 use crate::names::collect::collect;
 use crate::refusal::{Fault, FaultKind, Refusal, lines};
 use crate::roles::Roles;
 use crate::types::Int;
-use crate::value::{Data, Value};
 use crate::written::Written;
 use crate::{lower, read as parsing};
 

@@ -38,6 +38,8 @@ pub(crate) enum Head {
     Own(u32),
     /// Anything that has a trait of the reader's, behind a pointer or as a parameter.
     Dyn(usize),
+    /// That of what a method of the library is called on.
+    Like,
 }
 
 /// An integer type.
@@ -79,7 +81,7 @@ impl Int {
         self.row().map_or("{integer}", |it| it.1)
     }
 
-    /// The least number and the greatest.
+    /// Returns the least number and the greatest.
     pub(crate) fn ends(self) -> (i128, i128) {
         self.row()
             .map_or((i64::MIN.into(), i64::MAX.into()), |it| (it.2, it.3))
@@ -90,13 +92,13 @@ impl Int {
         (least..=most).contains(&number)
     }
 
-    /// What is left of a number that does not fit.
+    /// Returns what is left of a number that does not fit.
     pub(crate) fn wrapped(self, number: i128) -> i128 {
         let (least, most) = self.ends();
         (number - least).rem_euclid(most - least + 1) + least
     }
 
-    /// Which of two it is, if a number without a type gives way.
+    /// Returns which of two it is, if a number without a type gives way.
     pub(crate) fn joined(self, other: Self) -> Option<Self> {
         match (self, other) {
             (Self::Any, it) | (it, Self::Any) => Some(it),
@@ -129,13 +131,26 @@ impl Type {
         self.is(Head::Unknown)
     }
 
-    /// What an `Option`, a `Box`, a list or a reference is of.
+    /// Returns what an `Option`, a `Box`, a list or a reference is of.
     pub(crate) fn inner(&self) -> &Self {
         static NOTHING: Type = Type::UNKNOWN;
         self.1.first().unwrap_or(&NOTHING)
     }
 
-    /// Without its references and boxes.
+    /// Returns the type of a function of so many parameters.
+    pub(crate) fn function(parameters: usize) -> Self {
+        Self(Head::Fn, vec![Self::UNKNOWN; parameters + 1])
+    }
+
+    /// Returns the type with another in the place of what a method is called on.
+    pub(crate) fn with(&self, like: &Self) -> Self {
+        match self.0 {
+            Head::Like => like.clone(),
+            head => Self(head, self.1.iter().map(|it| it.with(like)).collect()),
+        }
+    }
+
+    /// Returns the type without its references and boxes.
     pub(crate) fn stripped(&self) -> &Self {
         match (self.0, self.1.first()) {
             (Head::Ref | Head::RefMut | Head::Box, Some(inner)) => inner.stripped(),
@@ -144,62 +159,59 @@ impl Type {
     }
 }
 
-/// Of which types a function of the library is one, or whose functions a value has.
+/// Of which types a function of the library is one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Owners(pub(crate) u32);
-
-impl Owners {
+pub(crate) enum Owner {
     /// Functions that are no type's.
-    pub(crate) const NONE: Self = Self(0);
-    pub(crate) const F64: Self = Self(1);
-    pub(crate) const F32: Self = Self(1 << 1);
-    pub(crate) const INT: Self = Self(1 << 2);
-    pub(crate) const BOOL: Self = Self(1 << 3);
-    pub(crate) const VEC3: Self = Self(1 << 4);
-    pub(crate) const RAY: Self = Self(1 << 5);
-    pub(crate) const PICTURE: Self = Self(1 << 6);
-    pub(crate) const STR: Self = Self(1 << 7);
-    pub(crate) const ORDERING: Self = Self(1 << 8);
-    pub(crate) const OPTION: Self = Self(1 << 9);
-    pub(crate) const BOX: Self = Self(1 << 10);
-    pub(crate) const VEC: Self = Self(1 << 11);
-    pub(crate) const ARRAY: Self = Self(1 << 12);
+    Nobody,
+    Float,
+    F64,
+    F32,
+    Int,
+    Bool,
+    Vec3,
+    Ray,
+    Picture,
+    Str,
+    Ordering,
+    Option,
+    Box,
+    Vec,
+    Array,
     /// A vector, an array or a slice.
-    pub(crate) const LIST: Self = Self(1 << 13);
-    pub(crate) const RANGE: Self = Self(1 << 14);
-    pub(crate) const ITERATOR: Self = Self(1 << 15);
+    List,
+    Range,
+    Iterator,
     /// Whatever can be copied.
-    pub(crate) const ANY: Self = Self(1 << 16);
+    Any,
+}
 
-    pub(crate) const fn or(self, other: Self) -> Self {
-        Self(self.0 | other.0)
-    }
-
-    pub(crate) fn has(self, other: Self) -> bool {
-        self.0 & other.0 != 0
-    }
-
-    /// Those whose functions the type has.
-    pub(crate) fn of(head: Head) -> Self {
-        match head {
-            Head::F64 => Self::F64.or(Self::ANY),
-            Head::F32 => Self::F32.or(Self::ANY),
-            Head::Int(_) => Self::INT.or(Self::ANY),
-            Head::Bool => Self::BOOL.or(Self::ANY),
-            Head::Vec3 => Self::VEC3.or(Self::ANY),
-            Head::Ray => Self::RAY.or(Self::ANY),
-            Head::Picture => Self::PICTURE,
-            Head::Str => Self::STR.or(Self::ANY),
-            Head::Ordering => Self::ORDERING.or(Self::ANY),
-            Head::Option => Self::OPTION.or(Self::ANY),
-            Head::Box => Self::BOX,
-            Head::Vec => Self::VEC.or(Self::LIST).or(Self::ANY),
-            Head::Array(_) => Self::ARRAY.or(Self::LIST).or(Self::ANY),
-            Head::Slice => Self::LIST,
-            Head::Range => Self::RANGE.or(Self::ITERATOR).or(Self::ANY),
-            Head::Iterator => Self::ITERATOR.or(Self::ANY),
-            Head::Tuple => Self::ANY,
-            _ => Self::NONE,
+impl Owner {
+    /// Finds whether its functions are those of a type.
+    #[inline]
+    pub(crate) fn has(self, head: Head) -> bool {
+        match (self, head) {
+            (Self::Float, Head::F64 | Head::F32)
+            | (Self::F64, Head::F64)
+            | (Self::F32, Head::F32)
+            | (Self::Int, Head::Int(_))
+            | (Self::Bool, Head::Bool)
+            | (Self::Vec3, Head::Vec3)
+            | (Self::Ray, Head::Ray)
+            | (Self::Picture, Head::Picture)
+            | (Self::Str, Head::Str)
+            | (Self::Ordering, Head::Ordering)
+            | (Self::Option, Head::Option)
+            | (Self::Box, Head::Box)
+            | (Self::Vec, Head::Vec)
+            | (Self::Array, Head::Array(_))
+            | (Self::List, Head::Vec | Head::Array(_) | Head::Slice)
+            | (Self::Range, Head::Range)
+            | (Self::Iterator, Head::Range | Head::Iterator) => true,
+            (Self::Any, Head::Picture | Head::Box | Head::Own(_) | Head::Fn | Head::RefMut) => {
+                false
+            }
+            (owner, _) => owner == Self::Any,
         }
     }
 }

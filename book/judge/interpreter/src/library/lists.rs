@@ -2,112 +2,98 @@
 
 use std::rc::Rc;
 
-use super::iterators::{iterator, next};
-use super::{Native, library};
-use crate::host::{Eval, Host};
-use crate::refusal::{At, Refusal};
-use crate::types::Type;
-use crate::value::{Data, Iter, List, Value};
+use super::iterators::{iterator, rest};
+use super::library;
+use crate::machine::value::{Data, List, Value};
+use crate::machine::{Eval, Machine};
+use crate::refusal::At;
+use crate::types::Head::{self, Unknown};
+use crate::types::{Int, Type};
 
 /// Adds values to a list that is changed in its place.
-fn added(host: &mut dyn Host, to: &Value, all: Vec<Value>, at: At) -> Eval {
-    let (mut of, mut first) = (Type::UNKNOWN, None);
-    host.change(to, &mut |it| {
-        if let Data::List(list) = &it.data {
-            of = list.of.clone();
-            first = list.all.first().cloned();
-        }
-    });
+fn added(m: &mut Machine<'_>, to: &Value, all: Vec<Value>, at: At) -> Eval {
+    let list = m.end_of(to).list();
+    let (of, mut first) = (list.of.clone(), list.all.first().cloned());
+    drop(list);
     let mut checked = Vec::new();
     for value in all {
-        let value = host.declared(value, &of, at)?;
-        if let Some(first) = &first
-            && !value.is_like(first)
-        {
-            let label = format!("expected {}, found {}", host.said(first), host.said(&value));
-            return Err(host.refuse(Refusal::new(at, "mismatched types", &label, "")));
+        let value = m.as_declared(value, &of, at.into())?;
+        if let Some(first) = &first {
+            m.must_be_like(&value, first, at.into())?;
         }
-        host.keep(&value, at)?;
+        m.keep(&value, at)?;
         first.get_or_insert_with(|| value.clone());
         checked.push(value);
     }
-    host.change(to, &mut |it| {
+    changed(m, to, |list| list.append(&mut checked));
+    Ok(Value::default())
+}
+
+/// Changes a list in its place.
+fn changed(m: &mut Machine<'_>, list: &Value, mut change: impl FnMut(&mut Vec<Value>)) {
+    m.change(list, |it| {
         if let Data::List(list) = &mut it.data {
-            Rc::make_mut(list).all.append(&mut checked);
+            change(&mut Rc::make_mut(list).all);
         }
     });
-    Ok(Value::default())
 }
 
 fn list(value: &Value) -> Rc<List> {
     value.list()
 }
 
-pub(super) static TABLE: &[Native] = library! {
-    VEC {
+library! { table:
+    Vec {
         new _ () => |_, _, _| Ok(Value::vector(Vec::new()));
-        with_capacity _ (Usize) => |_, _, _| Ok(Value::vector(Vec::new()));
-        push mut (Any) => |host, a, at| {
+        with_capacity _ (Head::Int(Int::Usize)) => |_, _, _| Ok(Value::vector(Vec::new()));
+        push mut (Unknown) => |m, a, at| {
             let value = std::mem::take(&mut a[1]);
-            added(host, &a[0], vec![value], at)
+            added(m, &a[0], vec![value], at)
         };
-        extend mut (Any) => |host, a, at| {
-            let mut each = iterator(host, &a[1], at)?;
-            let mut all = Vec::new();
-            while let Some(value) = next(host, &mut each, at)? {
-                host.turn(at)?;
-                all.push(value);
-            }
-            added(host, &a[0], all, at)
+        extend mut (Unknown) => |m, a, at| {
+            let mut each = iterator(m, &a[1], at)?;
+            let all = rest(m, &mut each, at)?;
+            added(m, &a[0], all, at)
         };
-        pop mut () => |host, a, _| {
+        pop mut () => |m, a, _| {
             let mut last = None;
-            host.change(&a[0], &mut |it| {
-                if let Data::List(list) = &mut it.data {
-                    last = Rc::make_mut(list).all.pop();
-                }
-            });
+            changed(m, &a[0], |list| last = list.pop());
             Ok(last.into())
         };
-        clear mut () => |host, a, _| {
-            host.change(&a[0], &mut |it| {
-                if let Data::List(list) = &mut it.data {
-                    Rc::make_mut(list).all.clear();
-                }
-            });
+        clear mut () => |m, a, _| {
+            changed(m, &a[0], Vec::clear);
             Ok(Value::default())
         };
     }
-    LIST {
+    List {
         len self () => |_, a, _| Ok(Value::usize(list(&a[0]).all.len()));
         is_empty self () => |_, a, _| Ok(list(&a[0]).all.is_empty().into());
         first self () => |_, a, _| Ok(list(&a[0]).all.first().cloned().map(Value::lent).into());
         last self () => |_, a, _| Ok(list(&a[0]).all.last().cloned().map(Value::lent).into());
-        get self (Usize) => |_, a, _| {
+        get self (Head::Int(Int::Usize)) => |_, a, _| {
             let part = list(&a[0]).all.get(a[1].int() as usize).cloned();
             Ok(part.map(Value::lent).into())
         };
-        iter self () => |_, a, _| {
-            let list = list(&a[0]);
-            let count = list.all.len();
-            Ok(Value::iter(Iter::List(list, 0, count, 1)))
+        iter self () => |m, a, at| {
+            let list = a[0].clone().owned().lent();
+            Ok(Value::iter(iterator(m, &list, at)?))
         };
-        iter_mut mut () => |host, a, at| Ok(Value::iter(iterator(host, &a[0], at)?));
-        into_iter self () => |host, a, at| Ok(Value::iter(iterator(host, &a[0], at)?));
+        iter_mut mut () => |m, a, at| Ok(Value::iter(iterator(m, &a[0], at)?));
+        into_iter self () => |m, a, at| Ok(Value::iter(iterator(m, &a[0], at)?));
         to_vec self () => |_, a, _| Ok(Value::vector(list(&a[0]).all.clone()));
-        contains self (Any) => |_, a, _| {
+        contains self (Unknown) => |_, a, _| {
             Ok(list(&a[0]).all.iter().any(|it| it.equals(&a[1])).into())
         };
     }
-    ARRAY {
-        map self (Fn(1)) => |host, a, at| {
+    Array {
+        map self (Type::function(1)) => |m, a, at| {
             let mut all = Vec::new();
             for value in &list(&a[0]).all {
-                host.turn(at)?;
-                all.push(host.apply(&a[1], &mut [value.clone()], at)?);
+                m.turn(at)?;
+                all.push(m.applied(&a[1], &mut [value.clone()], at)?);
             }
-            host.take(all.len() * size_of::<Value>(), at)?;
+            m.take(all.len() * size_of::<Value>(), at)?;
             Ok(Value::array(all))
         };
     }
-};
+}

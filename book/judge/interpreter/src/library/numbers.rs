@@ -1,115 +1,120 @@
 //! Numbers: floats of both kinds, integers, truth and order.
 
-use std::cmp::Ordering;
+use super::library;
+use crate::machine::value::{Data, Value};
+use crate::machine::{Eval, Machine};
+use crate::refusal::At;
+use crate::types::Head::{Like, Unknown};
+use crate::types::{Head, Int, Type};
 
-use super::{Native, library};
-use crate::host::Eval;
-use crate::refusal::Refusal;
-use crate::types::Int;
-use crate::value::{Data, Value};
-
-/// A number or a truth.
-fn plain(value: impl Into<Value>) -> Eval {
-    Ok(value.into())
-}
-
-fn order(value: Ordering) -> Eval {
-    Ok(Data::Ordering(value).into())
-}
-
-/// Functions of one number or two that come to a number, or to a truth.
-macro_rules! floats {
-    (
-        { $($one:ident)* } { $($two:ident)* } { $($is:ident)* } { $($rest:tt)* }
-        { $($single:ident)* } { $($singles:ident)* }
-    ) => {
-        library! {
-            F64 {
-                $($one self () => |_, a, _| plain(a[0].float().$one());)*
-                $($two self (Own) => |_, a, _| plain(a[0].float().$two(a[1].float()));)*
-                $($is self () => |_, a, _| plain(a[0].float().$is());)*
-                $($rest)*
+/// Computes with one, two or three floats that are equally wide.
+macro_rules! float {
+    ($a:ident: $x:ident => $result:expr) => {
+        match $a[0].data {
+            Data::Single($x) => Ok($result.into()),
+            _ => {
+                let $x = $a[0].float();
+                Ok($result.into())
             }
-            F32 {
-                $($single self () => |_, a, _| match a[0].data {
-                    Data::Single(it) => Ok(Data::Single(it.$single()).into()),
-                    _ => unreachable!("types are checked"),
-                };)*
-                $($singles self (Own) => |_, a, _| match (&a[0].data, &a[1].data) {
-                    (Data::Single(one), Data::Single(other)) => {
-                        Ok(Data::Single(one.$singles(*other)).into())
-                    }
-                    _ => Ok(a[0].clone()),
-                };)*
-                from _ (Any) => |host, a, at| match a[0].data {
-                    Data::Single(it) => Ok(Data::Single(it).into()),
-                    Data::Int(it, Int::U8 | Int::U16 | Int::Any) => {
-                        Ok(Data::Single(it.get() as f32).into())
-                    }
-                    _ => no_conversion(host, "f32", &a[0], at),
-                };
-                powi self (I32) => |_, a, _| match a[0].data {
-                    Data::Single(it) => Ok(Data::Single(it.powi(a[1].int() as i32)).into()),
-                    _ => unreachable!("types are checked"),
-                };
+        }
+    };
+    ($a:ident: $x:ident $y:ident $($z:ident)? => $result:expr) => {
+        match [&$a[0].data, &$a[1].data, &$a[$a.len() - 1].data] {
+            [Data::Single($x), Data::Single($y), Data::Single(_last)] => {
+                let ($x, $y) = (*$x, *$y);
+                $(let $z = *_last;)?
+                Ok($result.into())
+            }
+            _ => {
+                let ($x, $y) = ($a[0].float(), $a[1].float());
+                $(let $z = $a[2].float();)?
+                Ok($result.into())
             }
         }
     };
 }
 
-pub(super) static FLOATS: &[Native] = floats! {
+/// Lists functions of one float or two that come to a float, or to a truth.
+macro_rules! floats {
+    ({ $($one:ident)* } { $($two:ident)* } { $($is:ident)* } $($rest:tt)*) => {
+        library! { floats:
+            Float {
+                $($one self () => |_, a, _| float!(a: x => x.$one());)*
+                $($two self (Like) => |_, a, _| float!(a: x y => x.$two(y));)*
+                $($is self () => |_, a, _| float!(a: x => x.$is());)*
+                powi self (Head::Int(Int::I32)) => |_, a, _| {
+                    let n = a[1].int() as i32;
+                    float!(a: x => x.powi(n))
+                };
+                total_cmp self (Type::of(Head::Ref, Like.into())) =>
+                    |_, a, _| float!(a: x y => x.total_cmp(&y));
+                partial_cmp self (Type::of(Head::Ref, Like.into())) => |_, a, _| {
+                    float!(a: x y => x.partial_cmp(&y).map(Value::from))
+                };
+                mul_add self (Like, Like) => |_, a, _| float!(a: x y z => x.mul_add(y, z));
+                clamp self (Like, Like) => |m, a, at| {
+                    if a[1].float() <= a[2].float() {
+                        float!(a: x y z => x.clamp(y, z))
+                    } else {
+                        m.panic(at, "min > max, or either was NaN")
+                    }
+                };
+            }
+            $($rest)*
+        }
+    };
+}
+
+floats! {
     {
         sqrt abs floor ceil round trunc fract signum recip exp ln cbrt
         sin cos tan asin acos atan to_radians to_degrees exp2 log10 log2 sinh cosh tanh
     }
     { max min powf atan2 hypot copysign rem_euclid log }
     { is_nan is_finite is_infinite is_sign_negative is_sign_positive }
-    {
-        powi self (I32) => |_, a, _| plain(a[0].float().powi(a[1].int() as i32));
-        mul_add self (Own, Own) =>
-            |_, a, _| plain(a[0].float().mul_add(a[1].float(), a[2].float()));
-        clamp self (Own, Own) => |host, a, at| {
-            let [x, least, most] = [0, 1, 2].map(|n| a[n].float());
-            if least <= most {
-                plain(x.clamp(least, most))
-            } else {
-                host.panic(at, "min > max, or either was NaN")
-            }
-        };
-        from _ (Any) => |host, a, at| match a[0].data {
+    F64 {
+        from _ (Unknown) => |m, a, at| match a[0].data {
             Data::Int(_, int) if int == Int::Any || int.ends().1 < 1 << 32 => {
-                plain(a[0].float())
+                Ok(a[0].float().into())
             }
-            Data::Float(_) | Data::Single(_) if a[0].lent == 0 => plain(a[0].float()),
-            _ => no_conversion(host, "f64", &a[0], at),
-        };
-        total_cmp self (OwnLent) => |_, a, _| order(a[0].float().total_cmp(&a[1].float()));
-        partial_cmp self (OwnLent) => |_, a, _| {
-            let order = a[0].compared(&a[1]).map(|it| Value::from(Data::Ordering(it)));
-            Ok(order.into())
+            Data::Float(_) | Data::Single(_) if a[0].lent == 0 => Ok(a[0].float().into()),
+            _ => no_conversion(m, "f64", &a[0], at),
         };
     }
-    { sqrt abs floor ceil round trunc fract signum recip }
-    { max min }
-};
-
-fn no_conversion(
-    host: &mut dyn crate::host::Host,
-    to: &str,
-    from: &Value,
-    at: crate::refusal::At,
-) -> Eval {
-    let from = host.said(from);
-    let from = from.trim_matches('`');
-    let message = format!("the trait bound `{to}: From<{from}>` is not satisfied");
-    Err(host.refuse(Refusal::new(at, message, "", &format!("`… as {to}`"))))
+    F32 {
+        from _ (Unknown) => |m, a, at| match a[0].data {
+            Data::Single(_) if a[0].lent == 0 => Ok(a[0].clone()),
+            Data::Int(it, Int::U8 | Int::U16 | Int::Any) => Ok((it.get() as f32).into()),
+            _ => no_conversion(m, "f32", &a[0], at),
+        };
+    }
 }
 
-pub(super) static OTHERS: &[Native] = library! {
-    INT {
-        max self (Own) => |_, a, _| Ok(a[usize::from(a[1].int() > a[0].int())].clone().owned());
-        min self (Own) => |_, a, _| Ok(a[usize::from(a[1].int() < a[0].int())].clone().owned());
-        clamp self (Own, Own) => |_, a, _| {
+fn no_conversion(m: &mut Machine<'_>, to: &str, from: &Value, at: At) -> Eval {
+    let from = m.named(from);
+    let message = format!("the trait bound `{to}: From<{from}>` is not satisfied");
+    m.wrong(at, message, &format!("`… as {to}`"))
+}
+
+/// Lists the questions that an order answers.
+macro_rules! others {
+    ({ $($is:ident)* } $($rest:tt)*) => {
+        library! { others:
+            Ordering {
+                reverse self () => |_, a, _| Ok(a[0].ordering().reverse().into());
+                $($is self () => |_, a, _| Ok(a[0].ordering().$is().into());)*
+            }
+            $($rest)*
+        }
+    };
+}
+
+others! {
+    { is_lt is_gt is_le is_ge is_eq }
+    Int {
+        max self (Like) => |_, a, _| Ok(a[usize::from(a[1].int() > a[0].int())].clone().owned());
+        min self (Like) => |_, a, _| Ok(a[usize::from(a[1].int() < a[0].int())].clone().owned());
+        clamp self (Like, Like) => |_, a, _| {
             let n = if a[0].int() < a[1].int() { 1 } else { 0 };
             let n = if a[0].int() > a[2].int() { 2 } else { n };
             Ok(a[n].clone().owned())
@@ -118,27 +123,32 @@ pub(super) static OTHERS: &[Native] = library! {
             Data::Int(it, int) => Ok(Value::whole(it.get().abs(), int)),
             _ => unreachable!("types are checked"),
         };
-        cmp self (OwnLent) => |_, a, _| order(a[0].int().cmp(&a[1].int()));
+        cmp self (Type::of(Head::Ref, Like.into())) =>
+            |_, a, _| Ok(a[0].int().cmp(&a[1].int()).into());
     }
-    BOOL {
-        then_some self (Any) => |_, a, _| Ok(a[0].truth().then(|| a[1].clone()).into());
-        then self (Fn(0)) => |host, a, at| match a[0].truth() {
-            true => Ok(Some(host.apply(&a[1], &mut [], at)?).into()),
+    Bool {
+        then_some self (Unknown) => |_, a, _| Ok(a[0].truth().then(|| a[1].clone()).into());
+        then self (Type::function(0)) => |m, a, at| match a[0].truth() {
+            true => Ok(Some(m.applied(&a[1], &mut [], at)?).into()),
             false => Ok(None.into()),
         };
     }
-    ORDERING {
-        reverse self () => |_, a, _| order(a[0].ordering().reverse());
-        is_lt self () => |_, a, _| plain(a[0].ordering().is_lt());
-        is_gt self () => |_, a, _| plain(a[0].ordering().is_gt());
-        is_le self () => |_, a, _| plain(a[0].ordering().is_le());
-        is_ge self () => |_, a, _| plain(a[0].ordering().is_ge());
-        is_eq self () => |_, a, _| plain(a[0].ordering().is_eq());
+    Any {
+        clone self () => |m, a, at| match &a[0].data {
+            Data::Iter(_) => m.unread(at, "copies of iterators"),
+            _ => Ok(a[0].clone().owned()),
+        };
     }
-    ANY {
-        clone self () => |_, a, _| Ok(match &a[0].data {
-            Data::Iter(it) => Value::iter(it.borrow().clone()),
-            _ => a[0].clone().owned(),
-        });
+    Str {
+        new _ () => |_, _, _| Ok(Value::str(""));
+        with_capacity _ (Head::Int(Int::Usize)) => |_, _, _| Ok(Value::str(""));
+        from _ (Type::of(Head::Ref, Head::Str.into())) => |_, a, _| Ok(a[0].clone().owned());
+        to_string self () => |_, a, _| Ok(a[0].clone().owned());
+        to_owned self () => |_, a, _| Ok(a[0].clone().owned());
+        as_str self () => |_, a, _| Ok(a[0].clone().owned().lent());
+        len self () => |_, a, _| Ok(Value::usize(a[0].text().len()));
+        is_empty self () => |_, a, _| Ok(a[0].text().is_empty().into());
+        push_str mut (Type::of(Head::Ref, Head::Str.into())) =>
+            |m, a, at| m.append(&a[0], &a[1].text(), at);
     }
-};
+}

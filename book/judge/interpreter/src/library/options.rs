@@ -2,31 +2,28 @@
 
 use std::rc::Rc;
 
-use super::{Native, library};
-use crate::host::{Eval, Host};
+use super::library;
+use crate::machine::value::{Data, Value};
+use crate::machine::{Eval, Machine};
 use crate::refusal::At;
-use crate::types::{Head, Type};
-use crate::value::{Data, Value};
+use crate::types::Head::{self, Unknown};
+use crate::types::Type;
 
-/// What a function comes to, which is an option.
-fn chosen(host: &mut dyn Host, f: &Value, given: &mut [Value], at: At) -> Eval {
-    let value = host.apply(f, given, at)?;
-    host.declared(value, &Type::of(Head::Option, Type::UNKNOWN), at)
+/// Calls a function that comes to an option.
+pub(super) fn chosen(m: &mut Machine<'_>, f: &Value, given: &mut [Value], at: At) -> Eval {
+    let value = m.applied(f, given, at)?;
+    m.as_declared(value, &Type::of(Head::Option, Type::UNKNOWN), at.into())
 }
 
-fn option(value: Option<Value>) -> Eval {
-    Ok(value.into())
-}
-
-/// The value behind one reference.
-fn copied(value: Value) -> Value {
+/// Returns the value behind one reference.
+pub(super) fn copied(value: Value) -> Value {
     Value {
         lent: value.lent.saturating_sub(1),
         ..value
     }
 }
 
-/// What an option has, without that of the reference to it.
+/// Returns what an option has, without that of the reference to it.
 fn inside(value: &Value) -> Option<Value> {
     match &value.data {
         Data::Some(it) => Some((**it).clone()),
@@ -34,79 +31,76 @@ fn inside(value: &Value) -> Option<Value> {
     }
 }
 
-pub(super) static TABLE: &[Native] = library! {
-    OPTION {
+library! { table:
+    Option {
         is_some self () => |_, a, _| Ok(inside(&a[0]).is_some().into());
         is_none self () => |_, a, _| Ok(inside(&a[0]).is_none().into());
-        is_some_and self (Fn(1)) => |host, a, at| match inside(&a[0]) {
-            Some(it) => Ok(host.asked(&a[1], &mut [it], at)?.into()),
+        is_some_and self (Type::function(1)) => |m, a, at| match inside(&a[0]) {
+            Some(it) => Ok(m.asked(&a[1], &mut [it], at)?.into()),
             None => Ok(false.into()),
         };
-        is_none_or self (Fn(1)) => |host, a, at| match inside(&a[0]) {
-            Some(it) => Ok(host.asked(&a[1], &mut [it], at)?.into()),
+        is_none_or self (Type::function(1)) => |m, a, at| match inside(&a[0]) {
+            Some(it) => Ok(m.asked(&a[1], &mut [it], at)?.into()),
             None => Ok(true.into()),
         };
-        unwrap self () => |host, a, at| match inside(&a[0]) {
+        unwrap self () => |m, a, at| match inside(&a[0]) {
             Some(it) => Ok(it),
-            None => host.panic(at, "called `Option::unwrap()` on a `None` value"),
+            None => m.panic(at, "called `Option::unwrap()` on a `None` value"),
         };
-        expect self (Str) => |host, a, at| match inside(&a[0]) {
+        expect self (Type::of(Head::Ref, Head::Str.into())) => |m, a, at| match inside(&a[0]) {
             Some(it) => Ok(it),
-            None => host.panic(at, "called `Option::expect()` on a `None` value"),
+            None => m.panic(at, "called `Option::expect()` on a `None` value"),
         };
-        unwrap_or self (Any) => |_, a, _| Ok(inside(&a[0]).unwrap_or_else(|| a[1].clone()));
-        unwrap_or_else self (Fn(0)) => |host, a, at| match inside(&a[0]) {
+        unwrap_or self (Unknown) => |_, a, _| Ok(inside(&a[0]).unwrap_or_else(|| a[1].clone()));
+        unwrap_or_else self (Type::function(0)) => |m, a, at| match inside(&a[0]) {
             Some(it) => Ok(it),
-            None => host.apply(&a[1], &mut [], at),
+            None => m.applied(&a[1], &mut [], at),
         };
-        map self (Fn(1)) => |host, a, at| match inside(&a[0]) {
-            Some(it) => option(Some(host.apply(&a[1], &mut [it], at)?)),
-            None => option(None),
+        map self (Type::function(1)) => |m, a, at| match inside(&a[0]) {
+            Some(it) => Ok(Some(m.applied(&a[1], &mut [it], at)?).into()),
+            None => Ok(None.into()),
         };
-        map_or self (Any, Fn(1)) => |host, a, at| match inside(&a[0]) {
-            Some(it) => host.apply(&a[2], &mut [it], at),
+        map_or self (Unknown, Type::function(1)) => |m, a, at| match inside(&a[0]) {
+            Some(it) => m.applied(&a[2], &mut [it], at),
             None => Ok(a[1].clone()),
         };
-        map_or_else self (Fn(0), Fn(1)) => |host, a, at| match inside(&a[0]) {
-            Some(it) => host.apply(&a[2], &mut [it], at),
-            None => host.apply(&a[1], &mut [], at),
+        map_or_else self (Type::function(0), Type::function(1)) => |m, a, at| match inside(&a[0]) {
+            Some(it) => m.applied(&a[2], &mut [it], at),
+            None => m.applied(&a[1], &mut [], at),
         };
-        and_then self (Fn(1)) => |host, a, at| match inside(&a[0]) {
-            Some(it) => chosen(host, &a[1], &mut [it], at),
-            None => option(None),
+        and_then self (Type::function(1)) => |m, a, at| match inside(&a[0]) {
+            Some(it) => chosen(m, &a[1], &mut [it], at),
+            None => Ok(None.into()),
         };
-        filter self (Fn(1)) => |host, a, at| match inside(&a[0]) {
-            Some(it) if host.asked(&a[1], &mut [it.clone().lent()], at)? => option(Some(it)),
-            _ => option(None),
+        filter self (Type::function(1)) => |m, a, at| match inside(&a[0]) {
+            Some(it) if m.asked(&a[1], &mut [it.clone().lent()], at)? => Ok(Some(it).into()),
+            _ => Ok(None.into()),
         };
-        or self (Option) => |_, a, _| option(inside(&a[0]).or_else(|| inside(&a[1])));
-        or_else self (Fn(0)) => |host, a, at| match inside(&a[0]) {
-            Some(it) => option(Some(it)),
-            None => chosen(host, &a[1], &mut [], at),
+        or self (Type::of(Head::Option, Type::UNKNOWN)) =>
+            |_, a, _| Ok(inside(&a[0]).or_else(|| inside(&a[1])).into());
+        or_else self (Type::function(0)) => |m, a, at| match inside(&a[0]) {
+            Some(it) => Ok(Some(it).into()),
+            None => chosen(m, &a[1], &mut [], at),
         };
-        zip self (Option) => |_, a, _| {
+        zip self (Type::of(Head::Option, Type::UNKNOWN)) => |_, a, _| {
             let both = inside(&a[0]).zip(inside(&a[1]));
-            option(both.map(|(one, other)| Data::Tuple([one, other].into()).into()))
+            Ok(both.map(|(one, other)| Value::tuple([one, other])).into())
         };
-        as_ref self () => |_, a, _| option(inside(&a[0]).map(Value::lent));
-        copied self () => |_, a, _| option(inside(&a[0]).map(copied));
-        cloned self () => |_, a, _| option(inside(&a[0]).map(copied));
-        take mut () => |host, a, _| {
-            let before = host.followed(&a[0]);
-            host.change(&a[0], &mut |it| *it = None.into());
+        as_ref self () => |_, a, _| Ok(inside(&a[0]).map(Value::lent).into());
+        copied self () => |_, a, _| Ok(inside(&a[0]).map(copied).into());
+        cloned self () => |_, a, _| Ok(inside(&a[0]).map(copied).into());
+        take mut () => |m, a, _| {
+            let before = m.end_of(&a[0]);
+            m.change(&a[0], |it| *it = None.into());
             Ok(before.owned())
         };
-        iter self () => |_, a, _| {
-            let all = inside(&a[0]).map(Value::lent).into_iter().collect();
-            Ok(Value::vector(all))
-        };
     }
-    BOX {
-        new _ (Any) => |host, a, at| {
-            host.keep(&a[0], at)?;
+    Box {
+        new _ (Unknown) => |m, a, at| {
+            m.keep(&a[0], at)?;
             Ok(Data::Box(Rc::new(a[0].clone())).into())
         };
         as_ref self () => |_, a, _| Ok(a[0].part(0).owned().lent());
         clone self () => |_, a, _| Ok(a[0].clone().owned());
     }
-};
+}

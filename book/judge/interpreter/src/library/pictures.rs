@@ -4,11 +4,14 @@ use std::rc::Rc;
 
 use common::rtweekend::{Camera, Picture};
 
-use super::{Native, library};
-use crate::host::Eval;
-use crate::value::{Brush, Data, Value};
+use super::library;
+use crate::machine::Eval;
+use crate::machine::value::{Brush, Data, Value};
+use crate::types::{Head, Int, Type};
 
-/// A picture whose pixels are colored when they are asked for.
+const U32: Head = Head::Int(Int::U32);
+
+/// Returns a picture whose pixels are colored when they are asked for.
 fn painted(size: (u32, u32), brush: Brush) -> Eval {
     Ok(Data::Picture(Rc::new((size, Rc::new(brush)))).into())
 }
@@ -17,22 +20,22 @@ fn size(value: &Value) -> u32 {
     value.int().clamp(0, u32::MAX.into()) as u32
 }
 
-pub(super) static TABLE: &[Native] = library! {
-    PICTURE {
-        paint _ (U32, U32, Fn(2)) => |host, a, at| {
-            painted((size(&a[0]), size(&a[1])), Brush::Pixel(host.kept(&a[2]), at))
+library! { table:
+    Picture {
+        paint _ (U32, U32, Type::function(2)) => |m, a, at| {
+            painted((size(&a[0]), size(&a[1])), Brush::Pixel(m.kept(&a[2]), at))
         };
     }
-    NONE {
-        render _ (U32, Fn(1)) => |host, a, at| {
+    Nobody {
+        render _ (U32, Type::function(1)) => |m, a, at| {
             let camera = Camera::new(size(&a[0]).max(1));
             let size = (camera.image_width, camera.image_height);
-            painted(size, Brush::Ray(camera, host.kept(&a[1]), at))
+            painted(size, Brush::Ray(camera, m.kept(&a[1]), at))
         };
     }
-};
+}
 
-/// The picture that a text has printed as a P3 file.
+/// Returns the picture that a text has printed as a P3 file.
 pub(crate) fn printed(text: &str) -> Option<Picture> {
     let mut words = text
         .strip_prefix("P3")?

@@ -4,65 +4,53 @@ use std::rc::Rc;
 
 use common::rtweekend::{Ray, Vec3, sky};
 
-use super::{Native, library};
-use crate::host::Eval;
-use crate::value::{Data, Value};
+use super::library;
+use crate::machine::value::{Data, Value};
+use crate::types::Head::{F64, Vec3 as Vector};
+use crate::types::{Head, Type};
 
-fn plain(value: impl Into<Value>) -> Eval {
-    Ok(value.into())
-}
-
-/// Functions of one vector or two that come to a vector, a number or a truth.
+/// Lists functions of one vector or two that come to a vector, a number or a truth.
 macro_rules! vectors {
-    (
-        { $($to_vec:ident)* } { $($to_vecs:ident)* } { $($to_f64:ident)* }
-        { $($to_f64s:ident)* } { $($is:ident)* } { $($rest:tt)* } $($others:tt)*
-    ) => {
-        library! {
-            VEC3 {
-                $($to_vec self () => |_, a, _| plain(a[0].vec3().$to_vec());)*
-                $($to_vecs self (Vec3) => |_, a, _| plain(a[0].vec3().$to_vecs(a[1].vec3()));)*
-                $($to_f64 self () => |_, a, _| plain(a[0].vec3().$to_f64());)*
-                $($to_f64s self (Vec3) => |_, a, _| plain(a[0].vec3().$to_f64s(a[1].vec3()));)*
-                $($is self () => |_, a, _| Ok(a[0].vec3().$is().into());)*
+    ({ $($one:ident)* } { $($two:ident)* } $($rest:tt)*) => {
+        library! { table:
+            Vec3 {
+                $($one self () => |_, a, _| Ok(a[0].vec3().$one().into());)*
+                $($two self (Vector) => |_, a, _| Ok(a[0].vec3().$two(a[1].vec3()).into());)*
                 $($rest)*
             }
-            $($others)*
+            Ray {
+                new _ (Vector, Vector) => |_, a, _| {
+                    Ok(Data::Ray(Rc::new(Ray::new(a[0].vec3(), a[1].vec3()))).into())
+                };
+                at self (F64) => |_, a, _| Ok(a[0].ray().at(a[1].float()).into());
+            }
+            Nobody {
+                sky _ (Type::of(Head::Ref, Head::Ray.into())) =>
+                    |_, a, _| Ok(sky(&a[0].ray()).into());
+            }
         }
     };
 }
 
-pub(super) static TABLE: &[Native] = vectors! {
-    { normalize normalize_or_zero abs signum floor ceil round fract recip exp }
-    { cross min max reflect project_onto }
-    { length length_squared length_recip element_sum min_element max_element }
-    { dot distance distance_squared }
-    { is_nan is_finite is_normalized }
+vectors! {
     {
-        new _ (F64, F64, F64) =>
-            |_, a, _| plain(Vec3::new(a[0].float(), a[1].float(), a[2].float()));
-        splat _ (F64) => |_, a, _| plain(Vec3::splat(a[0].float()));
-        powf self (F64) => |_, a, _| plain(a[0].vec3().powf(a[1].float()));
-        lerp self (Vec3, F64) => |_, a, _| plain(a[0].vec3().lerp(a[1].vec3(), a[2].float()));
-        clamp self (Vec3, Vec3) =>
-            |_, a, _| plain(a[0].vec3().max(a[1].vec3()).min(a[2].vec3()));
-        to_array self () =>
-            |_, a, _| Ok(Value::array(a[0].vec3().to_array().map(Value::from).to_vec()));
-        from_array _ (Array) => |_, a, _| {
-            let all = &a[0].list().all;
-            plain(Vec3::new(all[0].float(), all[1].float(), all[2].float()))
-        };
+        normalize normalize_or_zero abs signum floor ceil round fract recip exp
+        length length_squared length_recip element_sum min_element max_element
+        is_nan is_finite is_normalized
     }
-    RAY {
-        new _ (Vec3, Vec3) => |_, a, _| {
-            Ok(Data::Ray(Rc::new(Ray::new(a[0].vec3(), a[1].vec3()))).into())
-        };
-        at self (F64) => |_, a, _| match &a[0].data {
-            Data::Ray(ray) => plain(ray.at(a[1].float())),
-            _ => unreachable!("types are checked"),
-        };
-    }
-    NONE {
-        sky _ (Ray) => |_, a, _| plain(sky(&a[0].ray()));
-    }
-};
+    { cross min max reflect project_onto dot distance distance_squared }
+    new _ (F64, F64, F64) =>
+        |_, a, _| Ok(Vec3::new(a[0].float(), a[1].float(), a[2].float()).into());
+    splat _ (F64) => |_, a, _| Ok(Vec3::splat(a[0].float()).into());
+    powf self (F64) => |_, a, _| Ok(a[0].vec3().powf(a[1].float()).into());
+    lerp self (Vector, F64) =>
+        |_, a, _| Ok(a[0].vec3().lerp(a[1].vec3(), a[2].float()).into());
+    clamp self (Vector, Vector) =>
+        |_, a, _| Ok(a[0].vec3().max(a[1].vec3()).min(a[2].vec3()).into());
+    to_array self () =>
+        |_, a, _| Ok(Value::array(a[0].vec3().to_array().map(Value::from).to_vec()));
+    from_array _ (Type::of(Head::Array(3), F64.into())) => |_, a, _| {
+        let all = &a[0].list().all;
+        Ok(Vec3::new(all[0].float(), all[1].float(), all[2].float()).into())
+    };
+}

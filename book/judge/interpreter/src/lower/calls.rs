@@ -1,14 +1,21 @@
 //! Calls of functions by their paths, and of values that are functions.
 
+use std::array;
+use std::rc::Rc;
+
 use common::rtweekend::Vec3;
 
+use super::declared::some;
 use super::paths::Callee;
-use super::{Lowered, Lowerer};
-use crate::library;
+use super::{Expr, Lowered, Lowerer};
+use crate::machine::value::{Data, Value};
+use crate::machine::{Eval, Form, Given, Native, Run};
 use crate::names::names;
-use crate::node::{Arguments, Node};
 use crate::refusal::{At, Refusal};
-use crate::types::{Owners, Type};
+use crate::types::{Owner, Type};
+
+/// So many values is a function of the library given at most.
+pub(super) const MOST: usize = 4;
 
 impl Lowerer<'_> {
     pub(super) fn call(&mut self, it: &syn::ExprCall) -> Lowered {
@@ -19,15 +26,13 @@ impl Lowerer<'_> {
         let syn::Expr::Path(function) = &*it.func else {
             return self.call_value(it, at);
         };
-        let path = names(&function.path);
-        if let [name] = path.as_slice()
-            && self.variable(name).is_some()
-        {
+        if self.variable_of(&it.func).is_some() {
             return self.call_value(it, at);
         }
+        let path = names(&function.path);
         if let Some("Some" | "Ok") = path.last().map(String::as_str) {
-            self.counted(1, &it.args, at)?;
-            return Ok(Node::Some(Box::new(self.expr(&it.args[0])?)));
+            counted(1, it, at)?;
+            return Ok(some(self.expr(&it.args[0])?, at));
         }
         let at_path = self.at_any(&function.path);
         let (owner, name) = self.owner(&path, at_path)?;
@@ -37,15 +42,30 @@ impl Lowerer<'_> {
             }
             Callee::Own(own) => {
                 let wanted = self.names.functions[own].parameters.clone();
-                let arguments = self.arguments(&wanted, &it.args, at)?;
-                Ok(Node::Call(own, arguments))
+                counted(wanted.len(), it, at)?;
+                let given = self.all_given(&it.args, wanted)?;
+                Ok(Expr::new(at, move |m| m.called(own, &given, at)))
             }
             Callee::Default(ty) => {
-                self.counted(0, &it.args, at)?;
+                counted(0, it, at)?;
                 self.default_of(&ty, at)
             }
-            Callee::Struct(kind) => self.tuple_struct(kind, it, at),
-            Callee::Native(native) => self.call_native(native, it, at),
+            Callee::Struct(kind) => {
+                let fields = self.names.kinds[kind as usize].fields.iter();
+                let wanted: Vec<Type> = fields.map(|it| it.ty.clone()).collect();
+                counted(wanted.len(), it, at)?;
+                let given = self.all_given(&it.args, wanted)?;
+                Ok(made(
+                    kind,
+                    given.into_iter().enumerate().collect(),
+                    None,
+                    at,
+                ))
+            }
+            Callee::Native(native) => {
+                counted(native.count(), it, at)?;
+                self.call_native(native, &it.args, at)
+            }
             Callee::OfTrait => {
                 let given: Vec<&syn::Expr> = it.args.iter().collect();
                 let Some((receiver, rest)) = given.split_first() else {
@@ -56,77 +76,83 @@ impl Lowerer<'_> {
         }
     }
 
-    fn tuple_struct(&mut self, kind: u32, it: &syn::ExprCall, at: At) -> Lowered {
-        let fields = self.names.kinds[kind as usize].fields.iter();
-        let wanted: Vec<Type> = fields.map(|it| it.ty.clone()).collect();
-        self.counted(wanted.len(), &it.args, at)?;
-        let given = it.args.iter().zip(&wanted).enumerate();
-        let nodes = given.map(|(n, (value, ty))| Ok((n, self.given(value, ty)?)));
-        Ok(Node::New(kind, nodes.collect::<Lowered<_>>()?, None))
-    }
-
-    fn call_native(&mut self, native: usize, it: &syn::ExprCall, at: At) -> Lowered {
-        let listed = library::native(native);
-        let count = listed.takes.len() + usize::from(listed.on.is_some());
-        let wanted = vec![Type::UNKNOWN; count];
-        let arguments = self.arguments(&wanted, &it.args, at)?;
-        // A vector of numbers is made once.
-        let number = |it: &Node| match it {
-            Node::Float(it) => Some(*it),
-            _ => None,
-        };
-        let numbers: Option<Vec<f64>> = arguments.nodes.iter().map(number).collect();
-        Ok(match numbers.as_deref() {
-            Some(&[x, y, z]) if listed.owners == Owners::VEC3 && listed.name == "new" => {
-                Node::Vec3(Vec3::new(x, y, z))
+    /// Lowers a call of a function of the library by its path.
+    pub(super) fn call_native<'s>(
+        &mut self,
+        native: &'static Native,
+        all: impl IntoIterator<Item = &'s syn::Expr>,
+        at: At,
+    ) -> Lowered {
+        let (runs, given) = self.arguments(all, at)?;
+        if let [Run::Float(x), Run::Float(y), Run::Float(z)] = runs[..]
+            && (native.owner, native.name) == (Owner::Vec3, "new")
+        {
+            // A vector of numbers is made once.
+            let vector = Vec3::new(x, y, z);
+            return Ok(Expr::new(at, move |_| Ok(vector.into())));
+        }
+        Ok(Expr::new(at, move |m| {
+            let mut values: [Value; MOST] = array::from_fn(|_| Value::default());
+            for (value, run) in values.iter_mut().zip(&runs) {
+                *value = run.eval(m)?;
             }
-            _ => Node::Native(native, arguments),
-        })
+            if native.on.is_some() && !native.owner.has(values[0].data.head()) {
+                let (name, found) = (native.name, m.named(&values[0]));
+                let message = format!("no function named `{name}` found for `{found}`");
+                return m.wrong(at, message, "");
+            }
+            m.native(native, &mut values[..runs.len()], &given)
+        }))
     }
 
     fn call_value(&mut self, it: &syn::ExprCall, at: At) -> Lowered {
         let function = self.expr(&it.func)?;
-        if self.is_open(&it.func) {
-            return self.needs_a_type(self.at(&it.func));
+        if function.spot.form == Form::Open {
+            return self.needs_a_type(function.spot.at);
         }
-        let wanted = vec![Type::UNKNOWN; it.args.len()];
-        let arguments = self.arguments(&wanted, &it.args, at)?;
-        Ok(Node::Apply(Box::new(function), arguments))
+        let (runs, _) = self.arguments(&it.args, at)?;
+        Ok(Expr::new(at, move |m| {
+            let function = function.run.eval(m)?;
+            let values = runs.iter().map(|it| it.eval(m));
+            let mut values = values.collect::<Eval<Vec<_>>>()?;
+            m.applied_to(&function, &mut values, at)
+        }))
     }
 
-    /// The arguments of a call as what is declared.
-    pub(super) fn arguments<'s, G>(
+    /// Lowers arguments that are checked where they arrive.
+    pub(super) fn arguments<'s>(
         &mut self,
-        wanted: &[Type],
-        given: G,
+        all: impl IntoIterator<Item = &'s syn::Expr>,
         at: At,
-    ) -> Lowered<Arguments>
-    where
-        G: IntoIterator<Item = &'s syn::Expr>,
-    {
-        let given: Vec<&syn::Expr> = given.into_iter().collect();
-        if given.len() != wanted.len() {
-            return Err(Refusal::miscounted(false, wanted.len(), given.len(), at));
-        }
-        let nodes = given.iter().zip(wanted);
-        let nodes = nodes.map(|(value, ty)| self.argument(value, ty));
-        Ok(Arguments {
-            nodes: nodes.collect::<Lowered<_>>()?,
-            places: given.iter().map(|it| self.at(it)).collect(),
-            at,
-        })
+    ) -> Lowered<(Vec<Run>, Given)> {
+        let all = all.into_iter().map(|it| self.given(it, &Type::UNKNOWN));
+        let all = all.collect::<Lowered<Vec<Expr>>>()?;
+        let spots = all.iter().map(|it| it.spot).collect();
+        let runs = all.into_iter().map(|it| it.run).collect();
+        Ok((runs, Given { spots, at }))
     }
+}
 
-    fn counted<T>(
-        &self,
-        wanted: usize,
-        given: &syn::punctuated::Punctuated<T, syn::Token![,]>,
-        at: At,
-    ) -> Lowered<()> {
-        if given.len() == wanted {
-            Ok(())
-        } else {
-            Err(Refusal::miscounted(false, wanted, given.len(), at))
-        }
+/// Checks how many arguments a call has.
+fn counted(wanted: usize, call: &syn::ExprCall, at: At) -> Lowered<()> {
+    match call.args.len() {
+        count if count == wanted => Ok(()),
+        count => Err(Refusal::miscounted(false, wanted, count, at)),
     }
+}
+
+/// Makes a struct of its fields by their numbers, and of a value that has the others.
+pub(super) fn made(kind: u32, fields: Vec<(usize, Run)>, base: Option<Run>, at: At) -> Expr {
+    Expr::new(at, move |m| {
+        let base = base.as_ref().map(|base| base.eval(m)).transpose()?;
+        let mut all: Rc<[Value]> = match base.map(|it| it.data) {
+            Some(Data::Own(_, fields)) => fields,
+            _ => fields.iter().map(|_| Value::default()).collect(),
+        };
+        for (n, run) in &fields {
+            let value = run.eval(m)?;
+            Rc::make_mut(&mut all)[*n] = value;
+        }
+        Ok(Data::Own(kind, all).into())
+    })
 }

@@ -1,11 +1,14 @@
 //! Expressions: operators, literals and what else is no call.
 
+use std::rc::Rc;
 use std::sync::Arc;
 
-use super::{Lowered, Lowerer};
+use super::declared::tuple;
+use super::{Expr, Lowered, Lowerer};
+use crate::machine::value::{Data, Value};
+use crate::machine::{Closure, Form, Run, Stop, alike};
 use crate::names::Named;
-use crate::node::Node;
-use crate::operators::{Operator, operator};
+use crate::operators::{Operator, Sign, operator};
 use crate::refusal::At;
 use crate::types::{Head, Int, Type};
 
@@ -37,22 +40,22 @@ impl Lowerer<'_> {
             syn::Expr::Continue(it) => self.next_turn(it),
             syn::Expr::Return(it) => self.returned(it),
             syn::Expr::Closure(it) => self.closure(it, false),
-            syn::Expr::Tuple(it) if it.elems.is_empty() => Ok(Node::Unit),
             syn::Expr::Tuple(it) => {
+                let at = at();
                 let all = it.elems.iter().map(|it| self.expr(it));
-                Ok(Node::Tuple(all.collect::<Lowered<_>>()?))
+                Ok(tuple(all.collect::<Lowered<_>>()?, at))
             }
             syn::Expr::Array(it) => self.listed(&it.elems, &Type::UNKNOWN, true, at()),
-            syn::Expr::Repeat(it) => {
-                let nodes = [self.expr(&it.expr)?, self.expr(&it.len)?];
-                Ok(Node::Repeat(Box::new(nodes), true, self.at(expr)))
-            }
+            syn::Expr::Repeat(it) => self.repeated(it, true, at()),
             syn::Expr::Range(it) => self.range(it),
             syn::Expr::Reference(it) => self.reference(it),
             syn::Expr::Cast(it) => {
-                let from = self.expr(&it.expr)?;
+                let (from, at) = (self.expr(&it.expr)?.run, self.at_any(it));
                 let to = self.names.ty(&self.context, &it.ty)?;
-                Ok(Node::Cast(Box::new(from), Box::new(to), self.at_any(it)))
+                Ok(Expr::new(at, move |m| {
+                    let value = from.eval(m)?;
+                    m.cast(&value, &to, at)
+                }))
             }
             syn::Expr::Try(it) => self.tried(it),
             syn::Expr::Struct(it) => self.structure(it),
@@ -62,38 +65,53 @@ impl Lowerer<'_> {
         }
     }
 
-    /// `let … = …` as a condition.
+    /// Lowers `let … = …` as a condition.
     fn test(&mut self, it: &syn::ExprLet) -> Lowered {
         let value = self.expr(&it.expr)?;
         let pattern = self.pattern(&it.pat, false)?;
-        Ok(Node::Matches(Box::new(pattern), Box::new(value)))
+        let test = Expr::new(value.spot.at, move |m| {
+            let value = value.run.eval(m)?;
+            Ok(pattern.binds(m, &value)?.into())
+        });
+        Ok(test.shown(Form::Bool))
     }
 
     fn returned(&mut self, it: &syn::ExprReturn) -> Lowered {
         let result = self.result.clone();
+        let at = self.at_span(it.return_token.span);
         let value = match &it.expr {
             Some(value) => self.given(value, &result)?,
-            None => {
-                let at = self.at_span(it.return_token.span);
-                self.as_declared(Node::Unit, &result, at)?
-            }
+            None if result.is_unknown() || result == Type::UNIT => tuple(Vec::new(), at),
+            None => return Err(self.names.mismatch(&result, &Type::UNIT, "`()`", at)),
         };
         self.leaves += 1;
-        Ok(Node::Return(Box::new(value)))
+        Ok(leave_with(value, Stop::Return))
     }
 
     fn reference(&mut self, it: &syn::ExprReference) -> Lowered {
+        let at = self.at_any(&it.and_token);
         if it.mutability.is_none() {
-            return Ok(Node::Lend(Box::new(self.expr(&it.expr)?)));
+            let of = self.expr(&it.expr)?;
+            let at = At {
+                start: at.start,
+                ..of.spot.at
+            };
+            let lend = Expr::new(at, move |m| Ok(of.run.eval(m)?.lent()));
+            return Ok(lend.shown(Form::Lend));
         }
-        let Some(target) = self.place(&it.expr)? else {
+        let Some(place) = self.place(&it.expr)? else {
             let what = "`&mut` of a value without a name";
             return self.unread(self.at(&it.expr), what);
         };
-        Ok(Node::Address(Box::new(self.mutable(target))))
+        let place = self.mutable(place);
+        let at = At {
+            start: at.start,
+            ..place.at
+        };
+        Ok(Expr::new(at, move |m| m.borrowed(&place)))
     }
 
-    /// Values of one type.
+    /// Lowers values of one type.
     pub(super) fn listed<'s>(
         &mut self,
         all: impl IntoIterator<Item = &'s syn::Expr>,
@@ -102,33 +120,67 @@ impl Lowerer<'_> {
         at: At,
     ) -> Lowered {
         let all = all.into_iter().map(|it| self.given(it, of));
-        Ok(Node::List(all.collect::<Lowered<_>>()?, is_array, at))
+        let all: Vec<Expr> = all.collect::<Lowered<_>>()?;
+        Ok(Expr::new(at, move |m| {
+            let mut values: Vec<Value> = Vec::with_capacity(all.len());
+            for one in &all {
+                let value = one.run.eval(m)?;
+                m.keep(&value, at)?;
+                if let Some(first) = values.first() {
+                    m.must_be_like(&value, first, one.spot)?;
+                }
+                values.push(value);
+            }
+            Ok(Value::listed(values, is_array))
+        }))
+    }
+
+    /// Lowers a value that is there so many times.
+    pub(super) fn repeated(&mut self, it: &syn::ExprRepeat, is_array: bool, at: At) -> Lowered {
+        let value = self.expr(&it.expr)?.run;
+        let count = self.given(&it.len, &Head::Int(Int::Usize).into())?.run;
+        Ok(Expr::new(at, move |m| {
+            let value = value.eval(m)?;
+            let count = count.eval(m)?.int() as usize;
+            m.take(count.saturating_mul(value.size()), at)?;
+            Ok(Value::listed(vec![value; count], is_array))
+        }))
     }
 
     pub(super) fn literal(&mut self, literal: &syn::Lit) -> Lowered {
-        let place = self.at_any(literal);
+        let at = self.at_any(literal);
         Ok(match literal {
-            syn::Lit::Bool(it) => Node::Bool(it.value),
-            syn::Lit::Str(it) => Node::Str(Arc::from(it.value())),
+            syn::Lit::Bool(it) => {
+                let truth = it.value;
+                Expr::new(at, move |_| Ok(truth.into())).shown(Form::Bool)
+            }
+            syn::Lit::Str(it) => {
+                let text = it.value();
+                Expr::new(at, move |_| Ok(Value::str(&*text).lent()))
+            }
             syn::Lit::Float(it) => {
+                let head = self.suffix(it.suffix(), "float", at)?;
                 let digits = it.base10_digits();
-                match self.suffix(it.suffix(), "float", place)? {
-                    Some(Head::F32) => Node::Single(digits.parse().unwrap_or(f32::NAN)),
-                    _ => Node::Float(digits.parse().unwrap_or(f64::NAN)),
+                match head {
+                    Some(Head::F32) => {
+                        let number: f32 = digits.parse().unwrap_or(f32::NAN);
+                        Expr::new(at, move |_| Ok(number.into()))
+                    }
+                    head => float(digits.parse().unwrap_or(f64::NAN), head.is_none(), at),
                 }
             }
             syn::Lit::Int(it) => {
                 let Ok(value) = it.base10_digits().parse::<i128>() else {
-                    return self.refused(place, "integer literal is too large");
+                    return self.refused(at, "integer literal is too large");
                 };
-                match self.suffix(it.suffix(), "number", place)? {
-                    Some(Head::F64) => Node::Float(value as f64),
-                    Some(Head::F32) => Node::Single(value as f32),
-                    Some(Head::Int(int)) => Node::Int(value, int),
-                    _ => Node::Int(value, Int::Any),
+                match self.suffix(it.suffix(), "number", at)? {
+                    Some(Head::F64) => float(value as f64, false, at),
+                    Some(Head::F32) => Expr::new(at, move |_| Ok((value as f32).into())),
+                    Some(Head::Int(int)) => Expr::new(at, move |_| Ok(Value::whole(value, int))),
+                    _ => Expr::new(at, move |_| Ok(Value::whole(value, Int::Any))).shown(Form::Int),
                 }
             }
-            _ => return self.unread(place, "this kind of literal"),
+            _ => return self.unread(at, "this kind of literal"),
         })
     }
 
@@ -155,17 +207,22 @@ impl Lowerer<'_> {
         let Some(from) = &it.start else {
             return self.unread(at, "ranges without a beginning");
         };
-        let from = self.expr(from)?;
-        let to = match &it.end {
-            Some(to) => self.expr(to)?,
-            None => Node::Unit,
-        };
+        let from = self.expr(from)?.run;
+        let to = it.end.as_ref().map(|to| self.expr(to)).transpose()?;
         let is_closed = matches!(it.limits, syn::RangeLimits::Closed(_));
-        Ok(Node::Range(Box::new([from, to]), is_closed, at))
+        Ok(Expr::new(at, move |m| {
+            let from = from.eval(m)?;
+            let mut end = Value::default();
+            if let Some(to) = &to {
+                end = to.run.eval(m)?;
+                m.must_be_like(&end, &from, to.spot)?;
+            }
+            Ok(Data::Range(Rc::new([from, end]), is_closed).into())
+        }))
     }
 
     fn tried(&mut self, it: &syn::ExprTry) -> Lowered {
-        let of = self.expr(&it.expr)?;
+        let of = self.expr(&it.expr)?.run;
         let at = self.at_any(&it.question_token);
         if !self.result.is_unknown() && !self.result.is(Head::Option) {
             let message =
@@ -174,72 +231,198 @@ impl Lowerer<'_> {
             return self.fault(at, message, &label, "");
         }
         self.leaves += 1;
-        Ok(Node::Try(Box::new(of), at))
+        Ok(Expr::new(at, move |m| {
+            let value = of.eval(m)?;
+            match value.data {
+                Data::Some(value) => Ok(Rc::unwrap_or_clone(value)),
+                Data::None => {
+                    m.left = None.into();
+                    Err(Stop::Return)
+                }
+                _ => {
+                    let name = m.named(&value);
+                    let message = "the `?` operator can only be applied to values that implement";
+                    m.wrong(at, format!("{message} `Try`, and this is `{name}`"), "")
+                }
+            }
+        }))
     }
 
     fn unary(&mut self, it: &syn::ExprUnary) -> Lowered {
-        let of = self.expr(&it.expr)?;
         let at = self.at_any(it);
-        match it.op {
-            syn::UnOp::Deref(_) => Ok(Node::Deref(Box::new(of), at)),
-            syn::UnOp::Not(_) => Ok(Node::Not(Box::new(of), at)),
-            syn::UnOp::Neg(_) => Ok(match of {
-                Node::Int(it, int) => Node::Int(-it, int),
-                Node::Float(it) => Node::Float(-it),
-                Node::Single(it) => Node::Single(-it),
-                node => Node::Negate(Box::new(node), at),
+        let Expr { run, spot } = self.expr(&it.expr)?;
+        Ok(match (&it.op, run) {
+            (syn::UnOp::Deref(_), run) => Expr::new(at, move |m| {
+                let value = run.eval(m)?;
+                m.dereferenced(value, at)
             }),
-            _ => self.unread(at, "this operator"),
-        }
+            (syn::UnOp::Not(_), run) => Expr::new(at, move |m| {
+                let value = run.eval(m)?;
+                m.not(&value, at)
+            }),
+            (syn::UnOp::Neg(_), Run::Float(it)) => float(-it, spot.is_any_float(), at),
+            (syn::UnOp::Neg(_), run) => {
+                let negation = Expr::new(at, move |m| {
+                    let value = run.eval(m)?;
+                    m.negated(&value, at)
+                });
+                negation.shown(spot.form)
+            }
+            _ => return self.unread(at, "this operator"),
+        })
     }
 
     fn binary(&mut self, it: &syn::ExprBinary) -> Lowered {
-        let (left, right) = (self.at(&it.left), self.at(&it.right));
         let at = At {
-            end: right.end,
-            ..left
+            end: self.at(&it.right).end,
+            ..self.at(&it.left)
         };
         match operator(&it.op) {
-            Some(Operator::Arithmetic(sign, true)) => {
-                let value = self.expr(&it.right)?;
-                let Some(target) = self.place(&it.left)? else {
-                    return self.refused(left, "invalid left-hand side of assignment");
-                };
-                let target = self.mutable(target);
-                Ok(Node::Update(Box::new(target), sign, Box::new(value), at))
-            }
-            Some(Operator::Arithmetic(sign, false)) => {
-                let nodes = [self.expr(&it.left)?, self.expr(&it.right)?];
-                Ok(Node::Arithmetic(sign, Box::new(nodes), at))
-            }
-            Some(Operator::Compare(order)) => {
-                let nodes = [self.expr(&it.left)?, self.expr(&it.right)?];
-                Ok(Node::Compare(order, Box::new(nodes), at, right))
-            }
-            Some(operator) => {
-                let one = self.given(&it.left, &Type::BOOL)?;
-                let mut other = self.given(&it.right, &Type::BOOL)?;
-                // Lines of its own may never run.
-                let between = left.end as usize..right.start as usize;
-                if self.text.get(between).is_some_and(|it| it.contains('\n')) {
-                    other = self.marked(other, right);
-                }
-                let nodes = Box::new([one, other]);
-                Ok(match operator {
-                    Operator::And => Node::And(nodes),
-                    _ => Node::Or(nodes),
-                })
-            }
-            None => {
-                let nodes = [self.expr(&it.left)?, self.expr(&it.right)?];
-                let sign = self.at_any(&it.op);
-                let sign = self.text.get(sign.start as usize..sign.end as usize);
-                Ok(Node::Bits(
-                    sign.unwrap_or_default().into(),
-                    Box::new(nodes),
-                    at,
-                ))
+            Some(Operator::Arithmetic(sign, true)) => self.update(it, sign, at),
+            Some(Operator::And) => self.logical(it, false),
+            Some(Operator::Or) => self.logical(it, true),
+            operator => {
+                let [left, right] = [self.expr(&it.left)?, self.expr(&it.right)?];
+                self.operation(operator, &it.op, [left, right], at)
             }
         }
     }
+
+    fn operation(
+        &mut self,
+        operator: Option<Operator>,
+        op: &syn::BinOp,
+        [left, right]: [Expr; 2],
+        at: At,
+    ) -> Lowered {
+        let spot = right.spot;
+        let forms = [left.spot.form, spot.form];
+        let is_any = [left.spot, spot].map(|it| it.is_any_float());
+        let both = move |m: &mut crate::machine::Machine<'_>| {
+            let left = left.run.eval(m)?;
+            let both = [left, right.run.eval(m)?];
+            Ok(if is_any == [false; 2] {
+                both
+            } else {
+                alike(both, is_any)
+            })
+        };
+        Ok(match operator {
+            Some(Operator::Arithmetic(sign, _)) => {
+                let made = Expr::new(at, move |m| {
+                    let [left, right] = both(m)?;
+                    m.combined(sign, left, right, at)
+                });
+                match forms {
+                    [Form::Float, Form::Float] | [Form::Int, Form::Int] => made.shown(forms[0]),
+                    _ => made,
+                }
+            }
+            Some(Operator::Compare(order)) => Expr::new(at, move |m| {
+                let both = both(m)?;
+                m.compared(order, both, (at, spot))
+            })
+            .shown(Form::Bool),
+            _ => {
+                let sign = self.at_any(op);
+                let sign = self.text.get(sign.start as usize..sign.end as usize);
+                let sign = sign.unwrap_or_default().to_owned();
+                Expr::new(at, move |m| {
+                    let both = both(m)?;
+                    m.bits(&sign, both, at)
+                })
+            }
+        })
+    }
+
+    fn update(&mut self, it: &syn::ExprBinary, sign: Sign, at: At) -> Lowered {
+        let Expr { run, spot } = self.expr(&it.right)?;
+        let Some(place) = self.place(&it.left)? else {
+            return self.refused(self.at(&it.left), "invalid left-hand side of assignment");
+        };
+        let place = self.mutable(place);
+        Ok(Expr::new(at, move |m| {
+            let right = run.eval(m)?;
+            m.updated(&place, sign, right, (spot, at))
+        }))
+    }
+
+    /// Lowers `&&` and `||`, where the left side may be enough.
+    fn logical(&mut self, it: &syn::ExprBinary, enough: bool) -> Lowered {
+        let one = self.given(&it.left, &Type::BOOL)?;
+        let mut other = self.given(&it.right, &Type::BOOL)?;
+        let (left, right) = (self.at(&it.left), self.at(&it.right));
+        // Lines of its own may never run.
+        let between = left.end as usize..right.start as usize;
+        if self.text.get(between).is_some_and(|it| it.contains('\n')) {
+            other = self.marked(other, right);
+        }
+        let (one, other) = (one.run, other.run);
+        let both = Expr::new(left, move |m| {
+            let is_enough = one.eval(m)?.truth() == enough;
+            if is_enough {
+                Ok(enough.into())
+            } else {
+                other.eval(m)
+            }
+        });
+        Ok(both.shown(Form::Bool))
+    }
+
+    /// Lowers a closure. Where it is no argument, the compiler asks what it takes.
+    pub(super) fn closure(&mut self, it: &syn::ExprClosure, is_argument: bool) -> Lowered {
+        let at = self.at_any(it);
+        let result = match &it.output {
+            syn::ReturnType::Type(_, ty) => self.names.ty(&self.context, ty)?,
+            syn::ReturnType::Default => Type::UNKNOWN,
+        };
+        let outer = std::mem::replace(&mut self.result, result.clone());
+        let loops = std::mem::take(&mut self.loops);
+        let lowered = self.scoped(|own| {
+            let mut parameters = Vec::new();
+            for input in &it.inputs {
+                let from = own.locals.len();
+                parameters.push(own.irrefutable(input)?);
+                let is_open = !is_argument && !matches!(input, syn::Pat::Type(_));
+                for local in &mut own.locals[from..] {
+                    local.is_open = is_open;
+                }
+            }
+            Ok((parameters, own.given(&it.body, &result)?))
+        });
+        self.result = outer;
+        self.loops = loops;
+        let (parameters, mut body) = lowered?;
+        if !matches!(*it.body, syn::Expr::Block(_)) {
+            body = self.marked(body, self.at(&it.body));
+        }
+        let closure = Arc::new(Closure {
+            parameters: parameters.len(),
+            body: Box::new(move |m, given| {
+                for (pattern, value) in parameters.iter().zip(given) {
+                    pattern.binds(m, value)?;
+                }
+                body.run.eval(m)
+            }),
+        });
+        let is_moved = it.capture.is_some();
+        Ok(Expr::new(at, move |m| m.closure(&closure, is_moved, at)))
+    }
+}
+
+/// Makes a number with a point; of some nothing says how wide they are.
+fn float(number: f64, is_any: bool, at: At) -> Expr {
+    let run = Run::Float(number);
+    let form = if is_any { Form::Float } else { Form::Other };
+    let spot = at.into();
+    Expr { run, spot }.shown(form)
+}
+
+/// Leaves a function or a loop with a value.
+pub(super) fn leave_with(value: Expr, stop: Stop) -> Expr {
+    let leave = Expr::new(value.spot.at, move |m| {
+        m.left = value.run.eval(m)?;
+        Err(stop)
+    });
+    leave.shown(Form::Never)
 }

@@ -1,81 +1,108 @@
 //! Loops: what they go over, and how they are left.
 
-use super::{Lowered, Lowerer};
-use crate::node::Node;
+use super::declared::tuple;
+use super::expressions::leave_with;
+use super::{Expr, Lowered, Lowerer};
+use crate::library::iterator;
+use crate::machine::value::Value;
+use crate::machine::{Form, Run, Stop};
 use crate::refusal::At;
 use crate::types::Type;
 
 impl Lowerer<'_> {
     pub(super) fn while_loop(&mut self, it: &syn::ExprWhile) -> Lowered {
-        let outside = self.locals.len();
-        let condition = self.given(&it.cond, &Type::BOOL)?;
-        let (body, _) = self.looped(&it.body, it.label.as_ref())?;
-        self.locals.truncate(outside);
         let at = self.at_any(&it.while_token);
-        Ok(Node::While(Box::new([condition, body]), at))
+        self.scoped(|own| {
+            let condition = own.given(&it.cond, &Type::BOOL)?.run;
+            let (body, _) = own.looped(&it.body, it.label.as_ref())?;
+            Ok(Expr::new(at, move |m| {
+                loop {
+                    m.turn(at)?;
+                    if !condition.eval(m)?.truth() || m.leaves(&body)? {
+                        return Ok(m.brought());
+                    }
+                }
+            }))
+        })
     }
 
     pub(super) fn endless_loop(&mut self, it: &syn::ExprLoop) -> Lowered {
         let (body, is_left) = self.looped(&it.body, it.label.as_ref())?;
         let at = self.at_any(&it.loop_token);
-        let node = Node::While(Box::new([Node::Bool(true), body]), at);
-        if is_left {
-            return Ok(node);
-        }
-        // Nothing comes after it.
-        let end = Node::Panic(String::new(), at);
-        Ok(Node::Block(vec![node, end], true))
+        let made = Expr::new(at, move |m| {
+            loop {
+                m.turn(at)?;
+                if m.leaves(&body)? {
+                    return Ok(m.brought());
+                }
+            }
+        });
+        Ok(if is_left {
+            made
+        } else {
+            made.shown(Form::Never)
+        })
     }
 
     pub(super) fn for_loop(&mut self, it: &syn::ExprForLoop) -> Lowered {
-        let each = self.expr(&it.expr)?;
+        let each = self.expr(&it.expr)?.run;
         let at = self.at(&it.expr);
-        let outside = self.locals.len();
-        let pattern = self.irrefutable(&it.pat)?;
-        let (body, _) = self.looped(&it.body, it.label.as_ref())?;
-        self.locals.truncate(outside);
-        Ok(Node::For(Box::new(pattern), Box::new([each, body]), at))
+        self.scoped(|own| {
+            let pattern = own.irrefutable(&it.pat)?;
+            let (body, _) = own.looped(&it.body, it.label.as_ref())?;
+            Ok(Expr::new(at, move |m| {
+                let each = each.eval(m)?;
+                let mut each = iterator(m, &each, at)?;
+                while let Some(value) = each.next(m)? {
+                    m.turn(at)?;
+                    pattern.binds(m, &value)?;
+                    if m.leaves(&body)? {
+                        break;
+                    }
+                }
+                Ok(Value::default())
+            }))
+        })
     }
 
     pub(super) fn leave_loop(&mut self, it: &syn::ExprBreak) -> Lowered {
-        self.inside_a_loop(self.at_any(it), "break")?;
-        if it.label.is_some() {
-            return self.unread(self.at_any(it), "labels of loops");
-        }
+        let at = self.at_any(it);
+        self.inside_a_loop(at, "break", it.label.as_ref())?;
         let value = match &it.expr {
             Some(value) => self.expr(value)?,
-            None => Node::Unit,
+            None => tuple(Vec::new(), at),
         };
         self.leaves += 1;
         if let Some(is_left) = self.loops.last_mut() {
             *is_left = true;
         }
-        Ok(Node::Break(Box::new(value)))
+        Ok(leave_with(value, Stop::Break))
     }
 
     pub(super) fn next_turn(&mut self, it: &syn::ExprContinue) -> Lowered {
-        self.inside_a_loop(self.at_any(it), "continue")?;
-        if it.label.is_some() {
-            return self.unread(self.at_any(it), "labels of loops");
-        }
+        let at = self.at_any(it);
+        self.inside_a_loop(at, "continue", it.label.as_ref())?;
         self.leaves += 1;
-        Ok(Node::Continue)
+        Ok(Expr::new(at, |_| Err(Stop::Continue)).shown(Form::Never))
     }
 
-    /// The body of a loop, and whether it ever leaves the loop.
-    fn looped(&mut self, body: &syn::Block, label: Option<&syn::Label>) -> Lowered<(Node, bool)> {
+    /// Lowers the body of a loop, and finds whether it ever leaves the loop.
+    fn looped(&mut self, body: &syn::Block, label: Option<&syn::Label>) -> Lowered<(Run, bool)> {
         if let Some(label) = label {
             return self.unread(self.at_any(label), "labels of loops");
         }
         self.loops.push(false);
-        let node = self.block_given(body, &Type::UNIT)?;
-        Ok((node, self.loops.pop().unwrap_or_default()))
+        let body = self.block_given(body, &Type::UNIT)?;
+        Ok((body.run, self.loops.pop().unwrap_or_default()))
     }
 
-    fn inside_a_loop(&self, at: At, word: &str) -> Lowered<()> {
+    fn inside_a_loop(&self, at: At, word: &str, label: Option<&syn::Lifetime>) -> Lowered<()> {
         if self.loops.is_empty() {
             return self.refused(at, format!("`{word}` outside of a loop"));
         }
-        Ok(())
+        match label {
+            Some(_) => self.unread(at, "labels of loops"),
+            None => Ok(()),
+        }
     }
 }

@@ -3,49 +3,50 @@
 use syn::parse::Parser;
 use syn::punctuated::Punctuated;
 
-use super::{Lowered, Lowerer};
-use crate::library;
-use crate::node::{Arguments, Node};
+use super::declared::some;
+use super::{Expr, Lowered, Lowerer};
+use crate::machine::value::{Data, Value};
+use crate::machine::{Form, Machine, Run};
 use crate::refusal::{At, Refusal};
-use crate::types::{Owners, Type};
+use crate::types::Type;
 
 impl Lowerer<'_> {
     pub(super) fn macro_call(&mut self, it: &syn::Macro) -> Lowered {
         let at = self.at_any(&it.path);
         let parser = Punctuated::<syn::Expr, syn::Token![,]>::parse_terminated;
-        let is_repeated = repeated(&it.tokens).is_some();
+        let repeated = repeated(&it.tokens);
         let arguments: Vec<syn::Expr> = match parser.parse2(it.tokens.clone()) {
             Ok(arguments) => arguments.into_iter().collect(),
-            Err(_) if is_repeated => Vec::new(),
+            Err(_) if repeated.is_some() => Vec::new(),
             Err(error) => return self.refused(at, error.to_string()),
         };
-        let never = |said: &str| Ok(Node::Panic(said.to_owned(), at));
         let name = it.path.segments.last().expect("a path has a name");
         match name.ident.to_string().as_str() {
-            "todo" | "unimplemented" => never("not yet implemented"),
-            "unreachable" => never("internal error: entered unreachable code"),
-            "panic" => never("the program panics here"),
+            "todo" | "unimplemented" => Ok(panic("not yet implemented", at)),
+            "unreachable" => Ok(panic("internal error: entered unreachable code", at)),
+            "panic" => Ok(panic("the program panics here", at)),
             "assert" | "debug_assert" => {
                 let Some(condition) = arguments.first() else {
                     return self.refused(at, "requires a boolean expression as 1st argument");
                 };
-                let condition = self.given(condition, &Type::BOOL)?;
-                let panic = Node::Panic("assertion failed".to_owned(), at);
-                Ok(Node::If(Box::new([condition, Node::Unit, panic])))
+                let condition = self.given(condition, &Type::BOOL)?.run;
+                Ok(Expr::new(at, move |m| match condition.eval(m)?.truth() {
+                    true => Ok(Value::default()),
+                    false => m.panic(at, "assertion failed"),
+                }))
             }
-            "vec" => match repeated(&it.tokens) {
-                Some(it) => {
-                    let nodes = [self.expr(&it.expr)?, self.expr(&it.len)?];
-                    Ok(Node::Repeat(Box::new(nodes), false, at))
-                }
+            "vec" => match repeated {
+                Some(it) => self.repeated(&it, false, at),
                 None => self.listed(&arguments, &Type::UNKNOWN, false, at),
             },
             "format" => self.formatted(&arguments, "", at),
             "dbg" if arguments.len() == 1 => self.expr(&arguments[0]),
             // Nothing shows what is printed beside the picture.
             "println" | "eprintln" | "print" | "eprint" => {
-                let text = self.formatted(&arguments, "", at)?;
-                Ok(Node::Block(vec![text], false))
+                let text = self.formatted(&arguments, "", at)?.run;
+                Ok(Expr::new(at, move |m| {
+                    text.eval(m).map(|_| Value::default())
+                }))
             }
             "mutants" => self.mutants(&arguments, at),
             "write" => self.written(&arguments, "", at),
@@ -54,49 +55,69 @@ impl Lowerer<'_> {
         }
     }
 
-    /// An expression and the mutants that may run in its place, behind the number of the first. One
-    /// that is refused is lost, and no other with it.
+    /// Lowers an expression and the mutants that may run in its place, behind the number of the
+    /// first. One that is refused is lost, and no other with it.
     fn mutants(&mut self, arguments: &[syn::Expr], at: At) -> Lowered {
-        let [number, all @ ..] = arguments else {
+        let number = |it: &syn::Expr| match it {
+            syn::Expr::Lit(it) => match &it.lit {
+                syn::Lit::Int(it) => it.base10_parse::<u32>().ok(),
+                _ => None,
+            },
+            _ => None,
+        };
+        let Some((first, [right, mutants @ ..])) = arguments
+            .split_first()
+            .and_then(|(it, rest)| Some((number(it)?, rest)))
+        else {
             return self.refused(at, "requires a number and an expression");
         };
-        let Node::Int(first, _) = self.expr(number)? else {
-            return self.refused(at, "requires a number");
-        };
-        let mut nodes = Vec::new();
-        for one in all {
-            let (locals, loops) = (self.locals.len(), self.loops.clone());
-            let lowered = self.expr(one);
-            self.locals.truncate(locals);
+        let right = self.expr(right)?;
+        let spot = right.spot;
+        let mut all = Vec::new();
+        for one in mutants {
+            let loops = self.loops.clone();
+            let lowered = self.scoped(|own| own.expr(one));
             self.loops = loops;
-            nodes.push(match lowered {
-                Err(refusal) if nodes.is_empty() => return Err(refusal),
-                lowered => lowered.unwrap_or(Node::Panic("no program".to_owned(), at)),
-            });
+            all.push(lowered.unwrap_or_else(|_| panic("no program", at)).run);
         }
-        Ok(Node::Mutants(first as u32, nodes.into()))
+        let run = Run::new(move |m| {
+            let n = m.code.mutant.checked_sub(first);
+            let mutant = n.and_then(|n| all.get(n as usize));
+            mutant.unwrap_or(&right.run).eval(m)
+        });
+        Ok(Expr { run, spot }.shown(Form::Other))
     }
 
-    /// What is added to a text.
+    /// Lowers what is added to a text.
     fn written(&mut self, arguments: &[syn::Expr], end: &str, at: At) -> Lowered {
         let Some((to, rest)) = arguments.split_first() else {
             return self.refused(at, "requires at least a format string argument");
         };
-        let place = match self.place(to)? {
-            Some(place) => Node::Address(Box::new(self.mutable(place))),
-            None => self.expr(to)?,
+        let to = match self.place(to)? {
+            Some(place) => {
+                let place = self.mutable(place);
+                Run::new(move |m| m.borrowed(&place))
+            }
+            None => self.expr(to)?.run,
         };
-        let text = self.formatted(rest, end, at)?;
-        let native = library::function(Owners::STR, "push_str").expect("it is listed");
-        let nodes = [place, Node::Lend(Box::new(text))].into();
-        let places = [at; 2].into();
-        let arguments = Arguments { nodes, places, at };
-        Ok(Node::Some(Box::new(Node::Native(native, arguments))))
+        let text = self.formatted(rest, end, at)?.run;
+        let write = Expr::new(at, move |m| {
+            let (to, text) = (to.eval(m)?, text.eval(m)?);
+            if !matches!(
+                (&to.data, &m.end_of(&to).data),
+                (Data::Mut(_), Data::Str(_))
+            ) {
+                let ty = m.named(&to);
+                return m.unread(at, &format!("`write!` to `{ty}`"));
+            }
+            m.append(&to, &text.text(), at)
+        });
+        Ok(some(write, at))
     }
 
-    /// A text with values in its brackets: `{}` and `{name}`. How they are to look,
+    /// Lowers a text with values in its brackets: `{}` and `{name}`. How they are to look,
     /// after a colon, is passed over.
-    fn formatted(&mut self, arguments: &[syn::Expr], end: &str, at: At) -> Lowered<Node> {
+    fn formatted(&mut self, arguments: &[syn::Expr], end: &str, at: At) -> Lowered {
         let (text, values) = match arguments.split_first() {
             None => (String::new(), arguments),
             Some((syn::Expr::Lit(it), values)) => match &it.lit {
@@ -108,7 +129,7 @@ impl Lowerer<'_> {
         // Two brackets stand for one.
         let text = text.replace("{{", "\u{1}").replace("}}", "\u{2}") + end;
         let plain = |text: &str| text.replace('\u{1}', "{").replace('\u{2}', "}");
-        let (mut pieces, mut nodes) = (Vec::new(), Vec::new());
+        let mut pieces: Vec<(String, Run)> = Vec::new();
         let mut unnamed = values.iter();
         let mut rest = text.as_str();
         while let Some((before, inside, after)) = bracket(rest) {
@@ -120,15 +141,25 @@ impl Lowerer<'_> {
             let Some(value) = value else {
                 return self.refused(at, "this text has more brackets than there are arguments");
             };
-            nodes.push(value?);
-            pieces.push(plain(before));
+            pieces.push((plain(before), value?.run));
             rest = after;
         }
-        pieces.push(plain(rest));
-        match unnamed.next() {
-            Some(_) => self.refused(at, "argument never used"),
-            None => Ok(Node::Format(pieces, nodes, at)),
+        if unnamed.next().is_some() {
+            return self.refused(at, "argument never used");
         }
+        let rest = plain(rest);
+        Ok(Expr::new(at, move |m| {
+            let mut text = String::new();
+            for (before, value) in &pieces {
+                let value = value.eval(m)?;
+                let value = shown(m, &value);
+                m.take(before.len() + value.len(), at)?;
+                text += before;
+                text += &value;
+            }
+            m.take(rest.len(), at)?;
+            Ok(Value::str(text + &rest))
+        }))
     }
 
     fn inline(&mut self, name: &str, at: At) -> Lowered {
@@ -137,19 +168,40 @@ impl Lowerer<'_> {
         }
         let message = format!("cannot find value `{name}` in this scope");
         let missing = Refusal::new(at, message, "not found in this scope", "");
-        let local = self.variable(name).map(|it| Node::Local(it.slot));
-        local.ok_or(missing)
+        let (run, spot) = match self.variable(name) {
+            Some(local) => (Run::Local(local.slot), at.into()),
+            None => return Err(missing),
+        };
+        Ok(Expr { run, spot })
     }
 }
 
-/// The `value; count` of a list.
+fn panic(message: &'static str, at: At) -> Expr {
+    Expr::new(at, move |m| m.panic(at, message)).shown(Form::Never)
+}
+
+/// Returns a value as text, as `{}` has it.
+fn shown(m: &Machine<'_>, value: &Value) -> String {
+    match &value.data {
+        Data::Float(it) => it.to_string(),
+        Data::Single(it) => it.to_string(),
+        Data::Int(it, _) => it.get().to_string(),
+        Data::Bool(it) => it.to_string(),
+        Data::Str(it) => it.to_string(),
+        Data::Mut(_) => shown(m, &m.end_of(value)),
+        // Only the picture is looked at, and it has none of these.
+        _ => "…".to_owned(),
+    }
+}
+
+/// Parses the `value; count` of a list.
 fn repeated(tokens: &proc_macro2::TokenStream) -> Option<syn::ExprRepeat> {
     let tokens = tokens.clone();
     let group = proc_macro2::Group::new(proc_macro2::Delimiter::Bracket, tokens);
     syn::parse2(proc_macro2::TokenTree::from(group).into()).ok()
 }
 
-/// What is before the first bracket, in it, and after it.
+/// Returns what is before the first bracket, in it, and after it.
 fn bracket(text: &str) -> Option<(&str, &str, &str)> {
     let (before, after) = text.split_once('{')?;
     let (inside, after) = after.split_once('}')?;

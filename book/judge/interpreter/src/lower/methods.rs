@@ -1,11 +1,36 @@
 //! Method calls: all that a name after a point may mean; which of it, the value decides.
 
-use super::{Lowered, Lowerer};
+use std::array;
+
+use super::calls::MOST;
+use super::declared::checked;
+use super::{Expr, Lowered, Lowerer};
 use crate::library;
+use crate::machine::value::{Address, Data, Value};
+use crate::machine::{Eval, Form, Given, Machine, Native, Place, Run};
 use crate::names::words::there_is;
-use crate::node::{Method, Node, Receiver};
 use crate::refusal::{At, Refusal};
-use crate::types::{Head, Type};
+use crate::types::Head;
+
+/// A name after a point, before brackets: what may be meant, and what it is given.
+struct Method {
+    name: String,
+    at: At,
+    /// The reader's functions, and whose they are; private ones are left out.
+    own: Vec<(Head, usize)>,
+    natives: Vec<&'static Native>,
+    runs: Vec<Run>,
+    given: Given,
+}
+
+/// The methods of a name: the reader's, and whose they are, and the library's.
+type Candidates = (Vec<(Head, usize)>, Vec<&'static Native>);
+
+/// Which method a name means.
+enum Found {
+    Own(usize),
+    Native(&'static Native),
+}
 
 impl Lowerer<'_> {
     pub(super) fn method_call(&mut self, it: &syn::ExprMethodCall) -> Lowered {
@@ -17,18 +42,18 @@ impl Lowerer<'_> {
         };
         let name = it.method.to_string();
         let given: Vec<&syn::Expr> = it.args.iter().collect();
-        let node = self.method(&it.receiver, &name, &given, (at, whole))?;
+        let made = self.method(&it.receiver, &name, &given, (at, whole))?;
         // `.collect::<Vec<_>>()` says what comes out.
         if let Some(written) = &it.turbofish
             && let Some(syn::GenericArgument::Type(ty)) = written.args.first()
         {
             let ty = self.names.ty(&self.context, ty)?;
-            return Ok(self.checked(node, &ty, whole));
+            return Ok(checked(made, &ty));
         }
-        Ok(node)
+        Ok(made)
     }
 
-    /// A method by its name. That stands at one place, the whole call at another.
+    /// Lowers a method by its name. That stands at one place, the whole call at another.
     pub(super) fn method(
         &mut self,
         on: &syn::Expr,
@@ -37,32 +62,61 @@ impl Lowerer<'_> {
         (at, whole): (At, At),
     ) -> Lowered {
         let receiver = self.expr(on)?;
-        if self.is_open(on) {
-            return self.needs_a_type(self.at(on));
+        if receiver.spot.form == Form::Open {
+            return self.needs_a_type(receiver.spot.at);
         }
-        let method = self.candidates(name, at)?;
-        if let Some(kind) = ambiguous(on) {
-            let message =
-                format!("can't call method `{name}` on ambiguous numeric type `{{{kind}}}`");
+        let (own, natives) = self.candidates(name, at)?;
+        let kind = match receiver.spot.form {
+            Form::Float => Some("{float}"),
+            Form::Int => Some("{integer}"),
+            _ => None,
+        };
+        if let Some(kind) = kind {
+            let message = format!("can't call method `{name}` on ambiguous numeric type `{kind}`");
             return self.fault(at, &message, "", "say which: `2.0_f64`");
         }
-        let place = if self.may_change(&method) {
-            self.place(on)?.map(|it| self.mutable(it))
-        } else {
-            None
+        let functions = &self.names.functions;
+        let counts = own.iter().map(|it| functions[it.1].parameters.len() - 1);
+        let counts: Vec<usize> = counts
+            .chain(natives.iter().map(|it| it.takes.len()))
+            .collect();
+        if !counts.contains(&given.len()) {
+            return Err(Refusal::miscounted(true, counts[0], given.len(), whole));
+        }
+        let changes = own
+            .iter()
+            .any(|it| functions[it.1].parameters[0].is(Head::RefMut))
+            || natives.iter().any(|it| it.changes());
+        let place = match changes {
+            true => self.place(on)?.map(|it| self.mutable(it)),
+            false => None,
         };
-        let receiver = match place {
-            Some(place) => Receiver::Place(Box::new(place)),
-            None => Receiver::Value(Box::new(receiver)),
+        let (runs, given) = self.arguments(given.iter().copied(), whole)?;
+        let name = name.to_owned();
+        let method = Method {
+            name,
+            at,
+            own,
+            natives,
+            runs,
+            given,
         };
-        self.counted_by(&method, given.len(), whole)?;
-        let unknown = vec![Type::UNKNOWN; given.len()];
-        let arguments = self.arguments(&unknown, given.iter().copied(), whole)?;
-        Ok(Node::Method(Box::new(method), receiver, arguments))
+        let receiver = receiver.run;
+        Ok(match place {
+            Some(place) => Expr::new(whole, move |m| {
+                let address = (place.address)(m)?;
+                let value = m.read(&address);
+                method.called(m, value, Some((address, &place)))
+            }),
+            None => Expr::new(whole, move |m| {
+                let value = receiver.eval(m)?;
+                method.called(m, value, None)
+            }),
+        })
     }
 
-    /// All methods of that name that may be called here.
-    fn candidates(&self, name: &str, at: At) -> Lowered<Method> {
+    /// Returns all methods of that name that may be called here.
+    fn candidates(&self, name: &str, at: At) -> Lowered<Candidates> {
         let names = self.names;
         let methods = names.methods(name).filter(|it| {
             let is_promised = matches!(it.0, Head::Dyn(_));
@@ -71,19 +125,11 @@ impl Lowerer<'_> {
         let is_shown = |it: &(Head, usize)| names.shows(self.context.module, it.1);
         let (own, hidden): (Vec<_>, Vec<_>) = methods.partition(is_shown);
         let natives: Vec<_> = library::methods(name).collect();
-        if own.is_empty() && natives.is_empty() {
-            return Err(match hidden.first() {
-                Some(it) => self.hidden(it.1, at),
-                None => self.no_method(name, at),
-            });
+        match hidden.first() {
+            _ if !own.is_empty() || !natives.is_empty() => Ok((own, natives)),
+            Some(it) => Err(self.hidden(it.1, at)),
+            None => Err(self.no_method(name, at)),
         }
-        let name = name.to_owned();
-        Ok(Method {
-            name,
-            own,
-            natives,
-            at,
-        })
     }
 
     /// Says that there is no such method, or that it is not read here, and which was meant.
@@ -108,42 +154,112 @@ impl Lowerer<'_> {
         let help = there_is(name, library::names());
         Refusal::unread(at, &format!("`{name}`")).or_help(&help)
     }
-
-    /// Whether some of what may be meant takes so many arguments.
-    fn counted_by(&self, method: &Method, given: usize, at: At) -> Lowered<()> {
-        let own = method.own.iter();
-        let own = own.map(|it| self.names.functions[it.1].parameters.len() - 1);
-        let natives = method.natives.iter();
-        let natives = natives.map(|it| library::native(it.1).takes.len());
-        let mut counts = own.chain(natives).peekable();
-        let first = *counts.peek().expect("some may be meant");
-        if counts.any(|it| it == given) {
-            return Ok(());
-        }
-        Err(Refusal::miscounted(true, first, given, at))
-    }
-
-    /// Whether some of what may be meant changes what it is called on.
-    fn may_change(&self, method: &Method) -> bool {
-        let functions = &self.names.functions;
-        let mut own = method.own.iter();
-        let mut natives = method.natives.iter();
-        own.any(|it| functions[it.1].parameters[0].is(Head::RefMut))
-            || natives.any(|it| library::native(it.1).changes())
-    }
 }
 
-/// Which kind of number it is, if the compiler wants to know more.
-fn ambiguous(it: &syn::Expr) -> Option<&'static str> {
-    match it {
-        syn::Expr::Paren(it) => ambiguous(&it.expr),
-        syn::Expr::Unary(it) if matches!(it.op, syn::UnOp::Neg(_)) => ambiguous(&it.expr),
-        syn::Expr::Binary(it) => ambiguous(&it.left).and(ambiguous(&it.right)),
-        syn::Expr::Lit(it) => match &it.lit {
-            syn::Lit::Float(it) if it.suffix().is_empty() => Some("float"),
-            syn::Lit::Int(it) if it.suffix().is_empty() => Some("integer"),
-            _ => None,
-        },
-        _ => None,
+impl Method {
+    /// Calls what is meant: by the value, or by what that leads to.
+    fn called(&self, m: &mut Machine<'_>, on: Value, place: Option<(Address, &Place)>) -> Eval {
+        let mut on = on;
+        let (mut place, root) = place.map_or((None, None), |(at, of)| (Some(at), Some(of)));
+        loop {
+            if let Some(found) = self.found(m, &on) {
+                return self.called_as(m, &found, on, place, root);
+            }
+            on = match &on.data {
+                Data::Mut(address) => {
+                    let next = m.read(address);
+                    place = Some(address.clone());
+                    next
+                }
+                Data::Box(inner) => {
+                    place = place.map(|it| it.part(0));
+                    (**inner).clone().more_lent(on.lent)
+                }
+                _ => return self.none(m, &on),
+            };
+        }
+    }
+
+    /// Returns the method that a value itself has.
+    #[inline]
+    fn found(&self, m: &Machine<'_>, on: &Value) -> Option<Found> {
+        let head = on.data.head();
+        if let Some((_, own)) = self.own.iter().find(|it| it.0 == head) {
+            return Some(Found::Own(*own));
+        }
+        let is_it = |it: &&&Native| match head {
+            Head::Own(kind) => {
+                it.name == "clone" && m.code.names.kinds[kind as usize].derives("Clone")
+            }
+            _ => it.owner.has(head),
+        };
+        self.natives.iter().find(is_it).map(|it| Found::Native(it))
+    }
+
+    /// Calls a method on what it wants: a value, a reference to it, or its place.
+    fn called_as(
+        &self,
+        m: &mut Machine<'_>,
+        found: &Found,
+        on: Value,
+        place: Option<Address>,
+        root: Option<&Place>,
+    ) -> Eval {
+        let wanted = match found {
+            Found::Own(n) => m.code.names.functions[*n].parameters[0].0,
+            Found::Native(it) if it.changes() => Head::RefMut,
+            Found::Native(_) => Head::Box,
+        };
+        let on = match (wanted, place) {
+            (Head::RefMut, _) if on.lent > 0 => return m.behind(self.given.at),
+            (Head::RefMut, Some(place)) => {
+                if let Some(root) = root {
+                    m.may_change(root)?;
+                }
+                // Else it would be shared, and copied to be changed.
+                drop(on);
+                Data::Mut(place).into()
+            }
+            (Head::RefMut, None) => {
+                return m.unread(self.given.at, "changes of a value without a name");
+            }
+            (Head::Ref, _) => on.owned().lent(),
+            (Head::Box, _) => on,
+            _ => on.owned(),
+        };
+        match found {
+            Found::Own(n) => m.called_on(*n, on, &self.runs, &self.given),
+            Found::Native(native) => self.native(m, native, on),
+        }
+    }
+
+    #[inline]
+    fn native(&self, m: &mut Machine<'_>, native: &Native, on: Value) -> Eval {
+        let (wanted, count) = (native.takes.len(), self.runs.len());
+        if wanted != count {
+            return m.refused(Refusal::miscounted(true, wanted, count, self.given.at));
+        }
+        let mut values: [Value; MOST] = array::from_fn(|_| Value::default());
+        values[0] = on;
+        for (value, run) in values[1..].iter_mut().zip(&self.runs) {
+            *value = run.eval(m)?;
+        }
+        m.native(native, &mut values[..=count], &self.given)
+    }
+
+    fn none(&self, m: &mut Machine<'_>, on: &Value) -> Eval {
+        let ty = m.ty(on);
+        let (name, stripped) = (&self.name, ty.stripped());
+        match stripped.0 {
+            Head::Own(_) | Head::Ray | Head::Picture | Head::Fn => {
+                let of = ty.name(&m.code.names);
+                let message = format!("no method named `{name}` found for `{of}`");
+                m.wrong(self.at, message + " in the current scope", "")
+            }
+            _ => {
+                let of = stripped.name(&m.code.names);
+                m.unread(self.at, &format!("`{name}` of `{of}`"))
+            }
+        }
     }
 }

@@ -1,9 +1,7 @@
-//! Lowering: trees become nodes, with variables in slots and names found. Where a type is
-//! declared, what shows another one before it runs is refused, and all else is checked when it
-//! gets there.
+//! Closure generation: of each expression a closure that runs it, with variables in slots and
+//! names found. What an expression comes to is checked where it meets what is declared.
 
 mod calls;
-mod closures;
 mod declared;
 mod expressions;
 mod loops;
@@ -19,14 +17,37 @@ use std::sync::Arc;
 
 use syn::spanned::Spanned;
 
+use crate::machine::{Eval, Form, Function, Machine, Mark, Run, Spot};
 use crate::names::collect::Inside;
 use crate::names::{Context, Names, Signature};
-use crate::node::{Function, Mark, Node};
 use crate::read::{at, at_expr, at_span};
 use crate::refusal::{At, Refusal};
 use crate::types::Type;
 
-type Lowered<T = Node> = Result<T, Refusal>;
+type Lowered<T = Expr> = Result<T, Refusal>;
+
+/// What runs an expression, and where that stands.
+struct Expr {
+    run: Run,
+    spot: Spot,
+}
+
+impl Expr {
+    fn new(at: At, act: impl Fn(&mut Machine<'_>) -> Eval + Send + Sync + 'static) -> Self {
+        let (run, spot) = (Run::new(act), at.into());
+        Self { run, spot }
+    }
+
+    fn shown(self, form: Form) -> Self {
+        let at = self.spot.at;
+        let spot = Spot { at, form };
+        Self { spot, ..self }
+    }
+
+    fn never_ends(&self) -> bool {
+        self.spot.form == Form::Never
+    }
+}
 
 /// Makes a function of its tree that can be run. Its file has that text.
 pub(crate) fn lower(
@@ -60,15 +81,15 @@ pub(crate) fn lower(
     };
     let body = match body {
         Inside::Constant(value) => {
-            let node = lowerer.given(value, &signature.result)?;
-            lowerer.marked(node, lowerer.at(value))
+            let made = lowerer.given(value, &signature.result)?;
+            lowerer.marked(made, lowerer.at(value))
         }
         Inside::Function(syntax, block) => lowerer.function(signature, syntax, block)?,
     };
     Ok(Function {
         slots: lowerer.slots,
         names: lowerer.slot_names,
-        body,
+        body: body.run,
         marks: lowerer.marks,
     })
 }
@@ -113,7 +134,7 @@ impl Lowerer<'_> {
         self.top = Some(block);
         // The arguments are in the first slots.
         self.slots = signature.parameters.len();
-        let mut nodes = Vec::new();
+        let mut patterns = Vec::new();
         for (slot, input) in syntax.inputs.iter().enumerate() {
             match input {
                 syn::FnArg::Receiver(it) => {
@@ -124,20 +145,20 @@ impl Lowerer<'_> {
                         let is_mut = name.mutability.is_some();
                         self.named(&name.ident.to_string(), slot, is_mut);
                     }
-                    pattern => {
-                        let pattern = self.irrefutable(pattern)?;
-                        let value = Box::new(Node::Local(slot));
-                        nodes.push(Node::Let(Box::new(pattern), value, None));
-                    }
+                    pattern => patterns.push((slot, self.irrefutable(pattern)?)),
                 },
             }
         }
         let body = self.block_given(block, &signature.result)?;
-        if nodes.is_empty() {
+        if patterns.is_empty() {
             return Ok(body);
         }
-        nodes.push(body);
-        Ok(Node::Block(nodes, true))
+        Ok(Expr::new(body.spot.at, move |m| {
+            for (slot, pattern) in &patterns {
+                pattern.binds(m, &m.local(*slot))?;
+            }
+            body.run.eval(m)
+        }))
     }
 
     fn at(&self, it: &syn::Expr) -> At {
@@ -169,6 +190,14 @@ impl Lowerer<'_> {
         self.locals.iter().rev().find(|it| it.name == name)
     }
 
+    /// Looks up the variable that an expression names.
+    fn variable_of(&self, it: &syn::Expr) -> Option<&Local> {
+        match it {
+            syn::Expr::Path(it) => self.variable(&it.path.get_ident()?.to_string()),
+            _ => None,
+        }
+    }
+
     fn local(&mut self, name: &str, is_mut: bool) -> usize {
         let slot = self.slots;
         self.slots += 1;
@@ -188,18 +217,28 @@ impl Lowerer<'_> {
         });
     }
 
-    /// A part of a function that notes that it has run.
-    fn marked(&mut self, node: Node, at: At) -> Node {
-        let mark = self.mark(at);
-        Node::Block(vec![mark, node], true)
+    /// Lowers something whose variables are over at its end.
+    fn scoped<T>(&mut self, lower: impl FnOnce(&mut Self) -> Lowered<T>) -> Lowered<T> {
+        let outside = self.locals.len();
+        let lowered = lower(self);
+        self.locals.truncate(outside);
+        lowered
     }
 
-    fn mark(&mut self, at: At) -> Node {
-        let mark = Arc::new(Mark {
-            at,
-            has_run: false.into(),
+    /// Makes an expression note that it has run.
+    fn marked(&mut self, it: Expr, at: At) -> Expr {
+        let mark = self.mark(at);
+        let Expr { run, spot } = it;
+        let run = Run::new(move |m| {
+            mark.notes_that_it_runs();
+            run.eval(m)
         });
+        Expr { run, spot }
+    }
+
+    fn mark(&mut self, at: At) -> Arc<Mark> {
+        let mark = Arc::new(Mark::at(at));
         self.marks.push(Arc::clone(&mark));
-        Node::Mark(mark)
+        mark
     }
 }

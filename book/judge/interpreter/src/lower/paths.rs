@@ -1,19 +1,24 @@
 //! Paths: a name that is a variable, a constant or a function, and whose it is.
 
+use std::cmp::Ordering;
 use std::sync::Arc;
 
-use super::{Lowered, Lowerer};
+use common::rtweekend::Vec3;
+
+use super::calls::made;
+use super::{Expr, Lowered, Lowerer};
 use crate::library;
+use crate::machine::value::{Data, Value};
+use crate::machine::{Closure, Form, Native, Run};
 use crate::names::words::{private, there_is};
-use crate::names::{Named, names};
-use crate::node::{Closure, Node};
+use crate::names::{Named, names, standard};
 use crate::refusal::{At, Refusal};
-use crate::types::{Head, Owners, Type};
+use crate::types::{Head, Type};
 
 /// What is called by its path.
 pub(super) enum Callee {
     Own(usize),
-    Native(usize),
+    Native(&'static Native),
     /// A method of a trait.
     OfTrait,
     /// What a derive or the library has by default.
@@ -23,49 +28,60 @@ pub(super) enum Callee {
 }
 
 impl Lowerer<'_> {
-    /// A name that is a value: a variable, a constant, a function.
+    /// Lowers a name that is a value: a variable, a constant, a function.
     pub(super) fn path(&mut self, it: &syn::ExprPath) -> Lowered {
         let path = names(&it.path);
+        let at = self.at_any(it);
         if let [name] = path.as_slice()
             && let Some(local) = self.variable(name)
         {
-            return Ok(Node::Local(local.slot));
+            let (run, spot) = (Run::Local(local.slot), at.into());
+            let made = Expr { run, spot };
+            return Ok(if local.is_open {
+                made.shown(Form::Open)
+            } else {
+                made
+            });
         }
         if path.last().is_some_and(|it| it == "None") {
-            return Ok(Node::None);
+            return Ok(Expr::new(at, |_| Ok(None.into())));
         }
-        let at = self.at_any(it);
         if let Ok(Named::Number(number)) = self.names.found(self.context.module, &path) {
-            return Ok(Node::Float(number));
+            let (run, spot) = (Run::Float(number), at.into());
+            return Ok(Expr { run, spot });
         }
         let (owner, name) = self.owner(&path, at)?;
         if let Some(owner) = &owner
             && self.names.method(owner.0, &name).is_none()
-            && let Some(constant) = library::constant(owner.0, &name)
+            && let Some(constant) = constant(owner.0, &name, at)
         {
             return Ok(constant);
         }
         match self.callee(owner.as_ref(), &name, &path, at, "value")? {
             Callee::Own(function) if self.names.functions[function].is_constant => {
-                Ok(Node::Constant(function, at))
+                Ok(Expr::new(at, move |m| m.constant(function, at)))
             }
-            Callee::Own(function) => Ok(Node::Function(function)),
-            Callee::Native(native) => Ok(Node::NativeFunction(native)),
+            Callee::Own(function) => {
+                Ok(Expr::new(at, move |_| Ok(Data::Function(function).into())))
+            }
+            Callee::Native(native) => Ok(Expr::new(at, move |_| Ok(Data::Native(native).into()))),
             Callee::Default(ty) => {
-                let body = self.default_of(&ty, at)?;
-                let parameters = Vec::new();
-                let closure = Closure { parameters, body };
-                Ok(Node::Closure(Arc::new(closure), false))
+                let default = self.default_of(&ty, at)?.run;
+                let closure = Arc::new(Closure {
+                    parameters: 0,
+                    body: Box::new(move |m, _| default.eval(m)),
+                });
+                Ok(Expr::new(at, move |m| m.closure(&closure, false, at)))
             }
             Callee::Struct(kind) if self.names.kinds[kind as usize].fields.is_empty() => {
-                Ok(Node::New(kind, Vec::new(), None))
+                Ok(made(kind, Vec::new(), None, at))
             }
             Callee::Struct(_) => self.unread(at, "structs as functions"),
             Callee::OfTrait => self.unread(at, "methods of traits as values"),
         }
     }
 
-    /// The type before the last `::`, if a type is there, and what comes after.
+    /// Returns the type before the last `::`, if a type is there, and what comes after.
     pub(super) fn owner(&self, path: &[String], at: At) -> Lowered<(Option<Type>, String)> {
         let (name, before) = path.split_last().expect("a path has a name");
         let own = self.context.own.clone().filter(|_| before == ["Self"]);
@@ -89,7 +105,7 @@ impl Lowerer<'_> {
         Ok((owner, name.clone()))
     }
 
-    /// The function that a path names.
+    /// Returns the function that a path names.
     pub(super) fn callee(
         &self,
         owner: Option<&Type>,
@@ -109,7 +125,7 @@ impl Lowerer<'_> {
         match named {
             Ok(Named::Function(function)) => Ok(Callee::Own(function)),
             Ok(Named::Library(name)) => {
-                let native = library::function(Owners::NONE, name);
+                let native = library::free_function(name);
                 Ok(Callee::Native(native.expect("it is listed")))
             }
             Ok(Named::Type(Type(Head::Own(kind), _)))
@@ -148,16 +164,13 @@ impl Lowerer<'_> {
             self.default_of(owner, at)?;
             return Ok(Callee::Default(owner.clone()));
         }
-        if let Some(native) = library::function(Owners::of(owner.0), name) {
+        if let Some(native) = library::function(owner.0, name) {
             return Ok(Callee::Native(native));
         }
         let ty = owner.name(self.names);
-        let message = format!(
-            "no function or associated item named `{name}` found for `{ty}` in the current scope"
-        );
         match owner.0 {
             Head::Own(_) | Head::Dyn(_) | Head::Ray | Head::Picture => {
-                self.fault(at, &message, "", "")
+                self.refused(at, no_function(name, &ty))
             }
             _ => self.unread(at, &format!("`{name}` of `{ty}`")),
         }
@@ -167,19 +180,70 @@ impl Lowerer<'_> {
     pub(super) fn hidden(&self, function: usize, at: At) -> Refusal {
         let own = &self.names.functions[function];
         let name = &own.name;
-        let Some(of) = own.in_trait else {
-            let what = if own.has_self {
-                "method"
-            } else {
-                "associated function"
-            };
-            return private(what, name, at);
-        };
-        let of = &self.names.traits[of].name;
-        let message = format!("no method named `{name}` found");
-        let help = format!(
-            "items from traits can only be used if the trait is in scope: `use` the trait `{of}`"
-        );
-        Refusal::new(at, message, "", &help)
+        match own.in_trait {
+            None if own.has_self => private("method", name, at),
+            None => private("associated function", name, at),
+            Some(of) => {
+                let message = format!("no method named `{name}` found");
+                let help = "items from traits can only be used if the trait is in scope";
+                let of = &self.names.traits[of].name;
+                Refusal::new(at, message, "", &format!("{help}: `use` the trait `{of}`"))
+            }
+        }
+    }
+
+    /// Refuses what is asked of a variable of unknown type.
+    pub(super) fn needs_a_type<T>(&self, at: At) -> Lowered<T> {
+        let help = "say its type where it begins: `let x: …`, or `|x: …|`";
+        self.fault(at, "type annotations needed", "cannot infer type", help)
     }
 }
+
+pub(super) fn no_function(name: &str, ty: &str) -> String {
+    format!("no function or associated item named `{name}` found for `{ty}` in the current scope")
+}
+
+/// Returns a constant of a type of the library.
+fn constant(owner: Head, name: &str, at: At) -> Option<Expr> {
+    let plain = |run| Expr {
+        run,
+        spot: at.into(),
+    };
+    Some(match owner {
+        Head::F64 => plain(Run::Float(standard::number(name)?)),
+        Head::F32 => {
+            let number = standard::single(name)?;
+            Expr::new(at, move |_| Ok(number.into()))
+        }
+        Head::Int(int) => {
+            let (least, most) = int.ends();
+            let number = match name {
+                "MIN" => least,
+                "MAX" => most,
+                _ => return None,
+            };
+            Expr::new(at, move |_| Ok(Value::whole(number, int)))
+        }
+        Head::Vec3 => {
+            let (_, vector) = VECTORS.into_iter().find(|it| it.0 == name)?;
+            Expr::new(at, move |_| Ok(vector.into()))
+        }
+        Head::Ordering => {
+            let all = [Ordering::Less, Ordering::Equal, Ordering::Greater];
+            let order = all.into_iter().find(|it| format!("{it:?}") == name)?;
+            Expr::new(at, move |_| Ok(order.into()))
+        }
+        _ => return None,
+    })
+}
+
+const VECTORS: [(&str, Vec3); 8] = [
+    ("ZERO", Vec3::ZERO),
+    ("ONE", Vec3::ONE),
+    ("X", Vec3::X),
+    ("Y", Vec3::Y),
+    ("Z", Vec3::Z),
+    ("NEG_X", Vec3::NEG_X),
+    ("NEG_Y", Vec3::NEG_Y),
+    ("NEG_Z", Vec3::NEG_Z),
+];

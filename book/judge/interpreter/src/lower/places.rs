@@ -2,149 +2,159 @@
 
 use std::sync::Arc;
 
-use super::{Lowered, Lowerer};
+use super::{Expr, Lowered, Lowerer};
+use crate::library;
+use crate::machine::value::Address;
+use crate::machine::{Eval, Field, Form, Machine, Place, Run};
 use crate::names::words::private;
-use crate::node::{Field, Node, Root, Step, Target};
 use crate::refusal::{At, Refusal};
 use crate::types::Type;
 
 impl Lowerer<'_> {
-    /// The place that an expression names, if it names one.
-    pub(super) fn place(&mut self, it: &syn::Expr) -> Lowered<Option<Target>> {
+    /// Returns the place that an expression names, if it names one.
+    pub(super) fn place(&mut self, it: &syn::Expr) -> Lowered<Option<Place>> {
         let at = self.at(it);
-        match it {
-            syn::Expr::Paren(it) => self.place(&it.expr),
-            syn::Expr::Path(path) => {
-                let name = path.path.get_ident().map(ToString::to_string);
-                let local = name.and_then(|it| self.variable(&it));
-                Ok(local.map(|local| Target {
-                    root: Root::Local(local.slot),
-                    steps: Vec::new(),
-                    fixed: None,
-                    at,
-                }))
+        Ok(match it {
+            syn::Expr::Paren(it) => self.place(&it.expr)?,
+            syn::Expr::Path(_) => {
+                let slot = self.variable_of(it).map(|it| it.slot);
+                slot.map(|slot| place(at, Some(slot), Some(slot), move |m| Ok(m.address_of(slot))))
             }
             syn::Expr::Field(it) => {
-                let step = Step::Field(self.field_named(it)?);
-                self.part(&it.base, step, at)
+                let field = self.field_named(it)?;
+                self.place(&it.base)?.map(|base| {
+                    place(at, None, base.root, move |m| {
+                        let address = (base.address)(m)?;
+                        let (whole, value) = m.opened(address, at)?;
+                        Ok(whole.part(m.number(&value, &field)?))
+                    })
+                })
             }
             syn::Expr::Index(it) => {
                 let index = self.expr(&it.index)?;
-                let step = Step::Index(index, self.at(&it.index));
-                self.part(&it.expr, step, at)
+                self.place(&it.expr)?.map(|base| {
+                    place(at, None, base.root, move |m| {
+                        let address = (base.address)(m)?;
+                        let (whole, value) = m.opened(address, at)?;
+                        let by = index.run.eval(m)?;
+                        Ok(whole.part(m.index(&value, &by, index.spot.at)?))
+                    })
+                })
             }
             syn::Expr::Unary(it) if matches!(it.op, syn::UnOp::Deref(_)) => {
-                let root = Root::Through(self.expr(&it.expr)?);
-                Ok(Some(Target {
-                    root,
-                    steps: Vec::new(),
-                    fixed: None,
-                    at,
+                let reference = self.expr(&it.expr)?.run;
+                Some(place(at, None, None, move |m| {
+                    let reference = reference.eval(m)?;
+                    m.address_behind(reference, at)
                 }))
             }
-            _ => Ok(None),
-        }
+            _ => None,
+        })
     }
 
-    fn part(&mut self, of: &syn::Expr, step: Step, at: At) -> Lowered<Option<Target>> {
-        Ok(self.place(of)?.map(|mut target| {
-            target.steps.push(step);
-            target.at = at;
-            target
-        }))
-    }
-
-    /// A place that is borrowed to be changed. Whether its variable is a mutable reference is
-    /// seen when it runs.
-    pub(super) fn mutable(&self, target: Target) -> Target {
-        let Root::Local(slot) = target.root else {
-            return target;
+    /// Makes a place one that is changed. Whether its variable is a mutable reference is seen
+    /// when it runs.
+    pub(super) fn mutable(&self, place: Place) -> Place {
+        let Some(slot) = place.root else {
+            return place;
         };
         let local = self.locals.iter().rev().find(|it| it.slot == slot);
         let fixed = local.filter(|it| !it.is_mut).map(|local| {
             let name = &local.name;
             let message =
                 format!("cannot borrow `{name}` as mutable, as it is not declared as mutable");
-            Refusal::new(target.at, message, "", &format!("`let mut {name}`"))
+            Refusal::new(place.at, message, "", &format!("`let mut {name}`"))
         });
-        Target { fixed, ..target }
+        Place { fixed, ..place }
     }
 
     pub(super) fn assignment(&mut self, it: &syn::ExprAssign) -> Lowered {
         let at = self.at(&it.right);
         if let syn::Expr::Tuple(all) = &*it.left {
-            let targets = all.elems.iter().map(|it| match it {
-                syn::Expr::Infer(_) => Ok((None, self.at(it))),
-                it => Ok((Some(self.assigned(it)?), self.at(it))),
-            });
-            let targets = targets.collect::<Lowered<_>>()?;
-            let value = self.expr(&it.right)?;
-            return Ok(Node::SetAll(targets, Box::new(value)));
+            return self.assignments(all, &it.right, at);
         }
+        let Expr { run, spot } = self.expr(&it.right)?;
         if matches!(&*it.left, syn::Expr::Infer(_)) {
-            let value = self.expr(&it.right)?;
-            return Ok(Node::Block(vec![value], false));
+            return Ok(Expr::new(at, move |m| {
+                run.eval(m).map(|_| Default::default())
+            }));
         }
-        let value = self.expr(&it.right)?;
-        let target = self.assigned(&it.left)?;
-        Ok(Node::Set(Box::new(target), Box::new(value), at))
+        let place = self.assigned(&it.left)?;
+        Ok(Expr::new(at, move |m| {
+            let value = run.eval(m)?;
+            m.put(&place, value, spot)
+        }))
     }
 
-    fn assigned(&mut self, left: &syn::Expr) -> Lowered<Target> {
-        let at = self.at(left);
-        if let Some(target) = self.place(left)? {
-            if let (Root::Local(slot), []) = (&target.root, target.steps.as_slice()) {
-                let local = self.locals.iter().rev().find(|it| it.slot == *slot);
-                if let Some(local) = local.filter(|it| !it.is_mut) {
-                    let name = &local.name;
-                    let message = format!("cannot assign twice to immutable variable `{name}`");
-                    return self.fault(at, &message, "", &format!("`let mut {name}`"));
+    /// Lowers an assignment to several places, whose values come from one.
+    fn assignments(&mut self, all: &syn::ExprTuple, value: &syn::Expr, at: At) -> Lowered {
+        let places = all.elems.iter().map(|it| match it {
+            syn::Expr::Infer(_) => Ok(None),
+            it => self.assigned(it).map(Some),
+        });
+        let places = places.collect::<Lowered<Vec<_>>>()?;
+        let value = self.expr(value)?.run;
+        Ok(Expr::new(at, move |m| {
+            let value = value.eval(m)?;
+            let values = m.parted(&value, places.len(), at)?;
+            for (place, value) in places.iter().zip(values) {
+                if let Some(place) = place {
+                    m.put(place, value, place.at.into())?;
                 }
-                return Ok(target);
             }
-            return Ok(self.mutable(target));
+            Ok(Default::default())
+        }))
+    }
+
+    fn assigned(&mut self, left: &syn::Expr) -> Lowered<Place> {
+        let at = self.at(left);
+        let Some(place) = self.place(left)? else {
+            // What is no place may be a name that is not there.
+            self.expr(left)?;
+            return self.refused(at, "invalid left-hand side of assignment");
+        };
+        let local = place
+            .local
+            .and_then(|slot| self.locals.iter().rev().find(|it| it.slot == slot));
+        match local {
+            Some(local) if !local.is_mut => {
+                let name = &local.name;
+                let message = format!("cannot assign twice to immutable variable `{name}`");
+                self.fault(at, &message, "", &format!("`let mut {name}`"))
+            }
+            Some(_) => Ok(place),
+            None => Ok(self.mutable(place)),
         }
-        // What is no place may be a name that is not there.
-        self.expr(left)?;
-        self.refused(at, "invalid left-hand side of assignment")
     }
 
     pub(super) fn field(&mut self, it: &syn::ExprField) -> Lowered {
-        let base = self.expr(&it.base)?;
-        if self.is_open(&it.base) {
-            return self.needs_a_type(self.at(&it.base));
+        let Expr { run, spot } = self.expr(&it.base)?;
+        if spot.form == Form::Open {
+            return self.needs_a_type(spot.at);
         }
         let field = self.field_named(it)?;
-        Ok(Node::Field(Box::new(base), field))
-    }
-
-    /// Whether it is a variable of which the compiler wants to know the type.
-    pub(super) fn is_open(&self, it: &syn::Expr) -> bool {
-        let syn::Expr::Path(path) = it else {
-            return false;
+        let at = At {
+            end: field.at.end,
+            ..spot.at
         };
-        let name = path.path.get_ident().map(ToString::to_string);
-        name.and_then(|it| self.variable(&it))
-            .is_some_and(|it| it.is_open)
-    }
-
-    /// Of what is not known nothing can be asked: neither here nor there.
-    pub(super) fn needs_a_type<T>(&self, at: At) -> Lowered<T> {
-        let help = "say its type where it begins: `let x: …`, or `|x: …|`";
-        self.fault(at, "type annotations needed", "cannot infer type", help)
+        Ok(match run {
+            Run::Local(slot) => Expr::new(at, move |m| m.field_of_local(slot, &field)),
+            run => Expr::new(at, move |m| {
+                let value = run.eval(m)?;
+                m.field(value, &field)
+            }),
+        })
     }
 
     fn field_named(&mut self, it: &syn::ExprField) -> Lowered<Arc<Field>> {
-        let at = self.at_span(syn::spanned::Spanned::span(&it.member));
+        let at = self.at_any(&it.member);
         let name = member(&it.member);
-        let kinds = &self.names.kinds;
         let module = self.context.module;
         let mut is_hidden = false;
-        let own = kinds.iter().map(|kind| {
+        let own = self.names.kinds.iter().map(|kind| {
             let n = kind.field(&name)?;
-            let is_seen = self
-                .names
-                .sees(module, kind.module, kind.fields[n].is_public);
+            let is_public = kind.fields[n].is_public;
+            let is_seen = self.names.sees(module, kind.module, is_public);
             is_hidden |= !is_seen;
             is_seen.then_some(n as u32)
         });
@@ -164,21 +174,43 @@ impl Lowerer<'_> {
         if is_hidden {
             return Err(private("field", &field.name, at));
         }
-        Err(self.names.no_field(&field.name, &Type::UNKNOWN, at))
+        let refusal = self.names.no_field(&field.name, &Type::UNKNOWN, at);
+        Err(match library::methods(&field.name).next() {
+            Some(it) => refusal.or_help(&format!("`{0}` is a method: `.{0}(…)`", it.name)),
+            None => refusal,
+        })
     }
 
     pub(super) fn index(&mut self, it: &syn::ExprIndex) -> Lowered {
         let at = self.at_any(it);
-        let of = self.expr(&it.expr)?;
-        let by = self.expr(&it.index)?;
-        if matches!(by, Node::Range(..)) {
+        if matches!(&*it.index, syn::Expr::Range(_)) {
             return self.unread(self.at(&it.index), "slices by a range");
         }
-        Ok(Node::Index(Box::new([of, by]), at))
+        let (of, by) = (self.expr(&it.expr)?.run, self.expr(&it.index)?.run);
+        Ok(Expr::new(at, move |m| {
+            let list = of.eval(m)?;
+            let index = by.eval(m)?;
+            m.indexed(&list, &index, at)
+        }))
     }
 }
 
-/// The name of a field, or its number.
+fn place(
+    at: At,
+    local: Option<usize>,
+    root: Option<usize>,
+    address: impl Fn(&mut Machine<'_>) -> Eval<Address> + Send + Sync + 'static,
+) -> Place {
+    Place {
+        local,
+        root,
+        fixed: None,
+        address: Box::new(address),
+        at,
+    }
+}
+
+/// Returns the name of a field, or its number.
 pub(super) fn member(it: &syn::Member) -> String {
     match it {
         syn::Member::Named(name) => name.to_string(),

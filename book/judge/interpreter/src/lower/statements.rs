@@ -1,37 +1,56 @@
 //! Blocks: statements one after the other, and the value at their end.
 
-use super::declared::diverges;
-use super::{Lowered, Lowerer};
-use crate::node::{Node, Pattern};
+use std::sync::Arc;
+
+use super::declared::checked;
+use super::{Expr, Lowered, Lowerer};
+use crate::machine::value::Value;
+use crate::machine::{Form, Mark, Run};
 use crate::read::at_statement;
 use crate::refusal::At;
 use crate::types::Type;
 
+/// A statement, and the mark of the lines that run from here on.
+struct Step {
+    run: Run,
+    mark: Option<Arc<Mark>>,
+}
+
 impl Lowerer<'_> {
     /// Lowers a block that is to come to a value of that type.
     pub(super) fn block_given(&mut self, block: &syn::Block, ty: &Type) -> Lowered {
-        let outside = self.locals.len();
-        let lowered = self.statements(block, ty);
-        self.locals.truncate(outside);
-        let (nodes, has_value) = lowered?;
-        let is_left = nodes.iter().any(diverges);
+        let (steps, has_value, is_left) = self.scoped(|own| own.statements(block, ty))?;
         if !has_value && !is_left && !ty.is_unknown() && *ty != Type::UNIT {
             return self.no_value(block, ty);
         }
-        Ok(Node::Block(nodes, has_value))
+        let at = self.at_span(block.brace_token.span.join());
+        let made = Expr::new(at, move |m| {
+            let mut value = Value::default();
+            for step in &steps {
+                if let Some(mark) = &step.mark {
+                    mark.notes_that_it_runs();
+                }
+                value = step.run.eval(m)?;
+            }
+            Ok(if has_value { value } else { Value::default() })
+        });
+        Ok(if is_left {
+            made.shown(Form::Never)
+        } else {
+            made
+        })
     }
 
-    /// A block without a value where one is declared.
+    /// Refuses a block without a value where one is declared.
     fn no_value<T>(&self, block: &syn::Block, ty: &Type) -> Lowered<T> {
         let refusal = |at| self.names.mismatch(ty, &Type::UNIT, "`()`", at);
         Err(match block.stmts.last() {
             Some(syn::Stmt::Expr(last, Some(_))) => {
-                let help = "remove this semicolon to return this value";
-                refusal(self.at(last)).or_help(help)
+                refusal(self.at(last)).or_help("remove this semicolon to return this value")
             }
             _ => {
                 let refusal = refusal(self.at_span(block.brace_token.span.close()));
-                if !self.top.is_some_and(|top| std::ptr::eq(top, block)) {
+                if !self.is_top(block) {
                     return Err(refusal);
                 }
                 let help = format!("`{}` has no result so far", self.name);
@@ -40,68 +59,63 @@ impl Lowerer<'_> {
         })
     }
 
-    /// The statements of a block, with a mark before all that may be left out when it runs.
-    fn statements(&mut self, block: &syn::Block, ty: &Type) -> Lowered<(Vec<Node>, bool)> {
+    fn is_top(&self, block: &syn::Block) -> bool {
+        self.top.is_some_and(|top| std::ptr::eq(top, block))
+    }
+
+    /// Lowers the statements of a block, with a mark before all that may be left out when it
+    /// runs. Finds whether the last is its value, and whether its end is ever reached.
+    fn statements(&mut self, block: &syn::Block, ty: &Type) -> Lowered<(Vec<Step>, bool, bool)> {
         let all = &block.stmts;
-        let (mut nodes, mut marked) = (Vec::new(), Vec::new());
-        let (mut has_value, mut leaves) = (false, None);
+        let (mut steps, mut starts) = (Vec::<Step>::new(), Vec::new());
+        let (mut has_value, mut is_left, mut leaves) = (false, false, None);
         for (n, statement) in all.iter().enumerate() {
-            let is_last = n + 1 == all.len();
-            if leaves != Some(self.leaves) && !matches!(statement, syn::Stmt::Item(_)) {
-                marked.push((nodes.len(), n));
+            if let syn::Stmt::Item(it) = statement {
+                if self.is_top(block) {
+                    continue;
+                }
+                return self.unread(self.at_any(it), "declarations in an inner block");
+            }
+            if leaves != Some(self.leaves) {
+                starts.push((steps.len(), n));
             }
             leaves = Some(self.leaves);
-            match statement {
-                syn::Stmt::Local(it) => nodes.push(self.declaration(it)?),
-                syn::Stmt::Item(it) => {
-                    let is_top = self.top.is_some_and(|top| std::ptr::eq(top, block));
-                    if !is_top {
-                        return self.unread(self.at_any(it), "declarations in an inner block");
-                    }
-                }
-                syn::Stmt::Macro(it) => {
-                    has_value = is_last && it.semi_token.is_none();
-                    let node = self.macro_call(&it.mac)?;
-                    nodes.push(if has_value {
-                        self.as_value(node, ty, self.at_any(&it.mac.path))?
-                    } else {
-                        node
-                    });
-                }
-                syn::Stmt::Expr(it, semicolon) => {
-                    has_value = is_last && semicolon.is_none();
-                    let is_block = matches!(
-                        it,
-                        syn::Expr::If(_) | syn::Expr::Match(_) | syn::Expr::Block(_)
-                    );
-                    nodes.push(match semicolon {
-                        None if is_last => self.given(it, ty)?,
-                        None if is_block => self.given(it, &Type::UNIT)?,
-                        _ => self.expr(it)?,
-                    });
-                }
-            }
+            let is_last = n + 1 == all.len();
+            let made;
+            (made, has_value) = self.statement(statement, is_last, ty)?;
+            is_left |= made.never_ends();
+            let (run, mark) = (made.run, None);
+            steps.push(Step { run, mark });
         }
-        self.add_marks(&mut nodes, &marked, all);
-        Ok((nodes, has_value))
-    }
-
-    /// Puts a mark before each of these nodes, for the statements up to the next one.
-    fn add_marks(&mut self, nodes: &mut Vec<Node>, marked: &[(usize, usize)], all: &[syn::Stmt]) {
-        for (k, &(node, statement)) in marked.iter().enumerate() {
-            let next = marked.get(k + 1).map_or(all.len(), |it| it.1);
+        for (k, &(step, first)) in starts.iter().enumerate() {
+            let next = starts.get(k + 1).map_or(all.len(), |it| it.1);
             let at = At {
                 end: at_statement(self.file, &all[next - 1]).end,
-                ..at_statement(self.file, &all[statement])
+                ..at_statement(self.file, &all[first])
             };
-            let mark = self.mark(at);
-            nodes.insert(node + k, mark);
+            steps[step].mark = Some(self.mark(at));
         }
+        Ok((steps, has_value, is_left))
     }
 
-    fn as_value(&self, node: Node, ty: &Type, at: At) -> Lowered {
-        let node = self.as_declared(node, ty, at)?;
-        Ok(self.checked(node, ty, at))
+    /// Lowers a statement, and finds whether it is the value of its block.
+    fn statement(&mut self, it: &syn::Stmt, is_last: bool, ty: &Type) -> Lowered<(Expr, bool)> {
+        Ok(match it {
+            syn::Stmt::Local(it) => (self.declaration(it)?, false),
+            syn::Stmt::Macro(it) => {
+                let has_value = is_last && it.semi_token.is_none();
+                let made = self.macro_call(&it.mac)?;
+                let made = if has_value { checked(made, ty) } else { made };
+                (made, has_value)
+            }
+            syn::Stmt::Expr(it, None) if is_last => (self.given(it, ty)?, true),
+            syn::Stmt::Expr(
+                it @ (syn::Expr::If(_) | syn::Expr::Match(_) | syn::Expr::Block(_)),
+                None,
+            ) => (self.given(it, &Type::UNIT)?, false),
+            syn::Stmt::Expr(it, _) => (self.expr(it)?, false),
+            syn::Stmt::Item(it) => return self.unread(self.at_any(it), "this declaration"),
+        })
     }
 
     fn declaration(&mut self, it: &syn::Local) -> Lowered {
@@ -112,48 +126,81 @@ impl Lowerer<'_> {
         let Some(init) = &it.init else {
             // It gets its value later, once.
             self.pattern(pattern, true)?;
-            return Ok(Node::Unit);
+            return Ok(super::declared::tuple(Vec::new(), self.at_any(pattern)));
         };
-        let node = match written {
+        let value = match written {
             Some(ty) => self.given(&init.expr, &ty)?,
             None => self.expr(&init.expr)?,
         };
-        let other = match &init.diverge {
-            None => None,
-            Some((_, other)) => {
-                self.leaves += 1;
-                Some(Box::new(self.given(other, &Type::NEVER)?))
+        let never_ends = value.never_ends();
+        let (run, at) = (value.run, value.spot.at);
+        let made = if let Some((_, other)) = &init.diverge {
+            self.leaves += 1;
+            let other = self.given(other, &Type::NEVER)?.run;
+            let pattern = self.pattern(pattern, false)?;
+            Expr::new(at, move |m| {
+                let value = run.eval(m)?;
+                if !pattern.binds(m, &value)? {
+                    other.eval(m)?;
+                }
+                Ok(Value::default())
+            })
+        } else {
+            let pattern = self.irrefutable(pattern)?;
+            match pattern.slot {
+                Some(slot) => Expr::new(at, move |m| {
+                    let value = run.eval(m)?;
+                    m.bind(slot, value);
+                    Ok(Value::default())
+                }),
+                None => Expr::new(at, move |m| {
+                    let value = run.eval(m)?;
+                    pattern.binds(m, &value)?;
+                    Ok(Value::default())
+                }),
             }
         };
-        let pattern = if other.is_some() {
-            self.pattern(pattern, false)?
+        Ok(if never_ends {
+            made.shown(Form::Never)
         } else {
-            self.irrefutable(pattern)?
-        };
-        Ok(match pattern {
-            Pattern::Any if diverges(&node) => node,
-            pattern => Node::Let(Box::new(pattern), Box::new(node), other),
+            made
         })
     }
 
-    /// `if`, whose ways come to a value of that type.
+    /// Lowers `if`, whose ways come to a value of that type.
     pub(super) fn condition(&mut self, it: &syn::ExprIf, ty: &Type) -> Lowered {
-        let outside = self.locals.len();
-        let condition = self.given(&it.cond, &Type::BOOL)?;
+        let at = self.at_span(it.if_token.span);
+        let (condition, then) = self.scoped(|own| {
+            let condition = own.given(&it.cond, &Type::BOOL)?.run;
+            let wanted = if it.else_branch.is_some() {
+                ty
+            } else {
+                &Type::UNIT
+            };
+            Ok((condition, own.block_given(&it.then_branch, wanted)))
+        })?;
+        let help = "`return …;`, or an `else` that gives the other value";
         let Some((_, other)) = &it.else_branch else {
-            let then = self.block_given(&it.then_branch, &Type::UNIT);
-            self.locals.truncate(outside);
-            let help = "`return …;`, or an `else` that gives the other value";
-            let then = then.map_err(|it| it.or_help(help))?;
+            let then = then.map_err(|it| it.or_help(help))?.run;
             if !ty.is_unknown() && *ty != Type::UNIT {
-                let at = self.at_span(it.if_token.span);
                 return self.fault(at, "`if` may be missing an `else` clause", "", help);
             }
-            return Ok(Node::If(Box::new([condition, then, Node::Unit])));
+            return Ok(Expr::new(at, move |m| match condition.eval(m)?.truth() {
+                true => then.eval(m),
+                false => Ok(Value::default()),
+            }));
         };
-        let then = self.block_given(&it.then_branch, ty)?;
-        self.locals.truncate(outside);
-        let other = self.given(other, ty)?;
-        Ok(Node::If(Box::new([condition, then, other])))
+        let (then, other) = (then?, self.given(other, ty)?);
+        let is_left = then.never_ends() && other.never_ends();
+        let (then, other) = (then.run, other.run);
+        let made = Expr::new(at, move |m| match condition.eval(m)?.truth() {
+            true => then.eval(m),
+            false => other.eval(m),
+        });
+        Ok(if is_left {
+            made.shown(Form::Never)
+        } else {
+            made
+        })
     }
 }

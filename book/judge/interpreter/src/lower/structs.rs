@@ -1,38 +1,38 @@
 //! Structs: initializers, and what is there by default.
 
+use super::calls::made;
+use super::paths::no_function;
 use super::places::member;
-use super::{Lowered, Lowerer};
+use super::{Expr, Lowered, Lowerer};
 use crate::library;
+use crate::machine::Run;
+use crate::machine::value::Value;
 use crate::names::{Named, names};
-use crate::node::{Arguments, Node};
 use crate::refusal::{At, Refusal};
-use crate::types::{Head, Owners, Type};
+use crate::types::{Head, Type};
 
 impl Lowerer<'_> {
     pub(super) fn structure(&mut self, it: &syn::ExprStruct) -> Lowered {
         let ty = self.struct_named(&it.path)?;
-        let mut nodes = self.fields_given(it, &ty)?;
+        let mut fields = self.fields_given(it, &ty)?;
         let at = self.at_any(&it.path);
         if let Head::Own(kind) = ty.0 {
-            let base = match &it.rest {
-                Some(rest) => Some(Box::new(self.given(rest, &ty)?)),
-                None => None,
-            };
-            return Ok(Node::New(kind, nodes, base));
+            let base = it.rest.as_ref().map(|rest| self.given(rest, &ty));
+            return Ok(made(kind, fields, base.transpose()?.map(|it| it.run), at));
         }
         if it.rest.is_some() {
             return self.unread(at, "such an initializer");
         }
-        nodes.sort_by_key(|it| it.0);
-        let nodes: Vec<Node> = nodes.into_iter().map(|it| it.1).collect();
-        let new = library::function(Owners::of(ty.0), "new");
-        let places = vec![at; nodes.len()].into();
-        let nodes = nodes.into();
-        let arguments = Arguments { nodes, places, at };
-        Ok(Node::Native(new.expect("it is listed"), arguments))
+        fields.sort_by_key(|it| it.0);
+        let new = library::function(ty.0, "new").expect("it is listed");
+        Ok(Expr::new(at, move |m| {
+            let values = fields.iter().map(|it| it.1.eval(m));
+            let mut values: Vec<Value> = values.collect::<Result<_, _>>()?;
+            m.native(new, &mut values, &at.into())
+        }))
     }
 
-    /// The type that a path names, which has fields.
+    /// Returns the type that a path names, which has fields.
     pub(super) fn struct_named(&self, path: &syn::Path) -> Lowered<Type> {
         let (path, at) = (names(path), self.at_any(path));
         let named = match (path.as_slice(), &self.context.own) {
@@ -54,65 +54,51 @@ impl Lowerer<'_> {
         }
     }
 
-    /// The number and the type of a field of a struct, or of a vector or a ray.
+    /// Returns the number and the type of a field of a struct, or of a vector or a ray.
     pub(super) fn field_of(&self, ty: &Type, name: &str, at: At) -> Lowered<(usize, Type)> {
-        let found = match ty.0 {
+        let fields = self.names.fields(ty);
+        let n = fields.iter().position(|it| *it == name);
+        let n = n.ok_or_else(|| self.names.no_field(name, ty, at))?;
+        let of = match ty.0 {
             Head::Own(kind) => {
                 let kind = &self.names.kinds[kind as usize];
-                let n = kind.field(name);
-                if let Some(n) = n
-                    && !self
-                        .names
-                        .sees(self.context.module, kind.module, kind.fields[n].is_public)
-                {
+                let (field, module) = (&kind.fields[n], self.context.module);
+                if !self.names.sees(module, kind.module, field.is_public) {
                     return Err(crate::names::words::private("field", name, at));
                 }
-                n.map(|n| (n, kind.fields[n].ty.clone()))
+                field.ty.clone()
             }
-            head => {
-                let (all, of): (&[&str], Head) = match head {
-                    Head::Vec3 => (&["x", "y", "z"], Head::F64),
-                    _ => (&["origin", "direction"], Head::Vec3),
-                };
-                let n = all.iter().position(|it| *it == name);
-                n.map(|n| (n, of.into()))
-            }
+            Head::Vec3 => Head::F64.into(),
+            _ => Head::Vec3.into(),
         };
-        found.ok_or_else(|| self.names.no_field(name, ty, at))
+        Ok((n, of))
     }
 
-    /// The fields of an initializer by their numbers.
-    fn fields_given(&mut self, it: &syn::ExprStruct, ty: &Type) -> Lowered<Vec<(usize, Node)>> {
-        let mut nodes: Vec<(usize, Node)> = Vec::new();
+    /// Lowers the fields of an initializer, by their numbers.
+    fn fields_given(&mut self, it: &syn::ExprStruct, ty: &Type) -> Lowered<Vec<(usize, Run)>> {
+        let mut fields: Vec<(usize, Run)> = Vec::new();
         for field in &it.fields {
             let name = member(&field.member);
             let at = self.at_any(&field.member);
             let (n, of) = self.field_of(ty, &name, at)?;
-            if nodes.iter().any(|it| it.0 == n) {
+            if fields.iter().any(|it| it.0 == n) {
                 return self.refused(at, format!("field `{name}` specified more than once"));
             }
-            nodes.push((n, self.given(&field.expr, &of)?));
+            fields.push((n, self.given(&field.expr, &of)?.run));
         }
-        let all: Vec<&str> = match ty.0 {
-            Head::Own(kind) => {
-                let fields = self.names.kinds[kind as usize].fields.iter();
-                fields.map(|it| it.name.as_str()).collect()
-            }
-            Head::Vec3 => vec!["x", "y", "z"],
-            _ => vec!["origin", "direction"],
-        };
-        let mut missing = (0..all.len()).filter(|n| nodes.iter().all(|it| it.0 != *n));
+        let all = self.names.fields(ty);
+        let mut missing = (0..all.len()).filter(|n| fields.iter().all(|it| it.0 != *n));
         match missing.next() {
             Some(n) if it.rest.is_none() => {
                 let (field, name) = (all[n], ty.name(self.names));
                 let message = format!("missing field `{field}` in initializer of `{name}`");
                 self.refused(self.at_any(&it.path), message)
             }
-            _ => Ok(nodes),
+            _ => Ok(fields),
         }
     }
 
-    /// What `Default` gives for a type, if it gives something.
+    /// Lowers what `Default` gives for a type, if it gives something.
     pub(super) fn default_of(&self, ty: &Type, at: At) -> Lowered {
         let has_none = match ty.0 {
             Head::Own(kind) => {
@@ -124,13 +110,11 @@ impl Lowerer<'_> {
             _ => false,
         };
         if has_none {
-            let message = format!(
-                "no function or associated item named `default` found for `{}` in the current scope",
-                ty.name(self.names)
-            );
+            let message = no_function("default", &ty.name(self.names));
             let help = "`#[derive(Default)]` above the struct gives one";
             return Err(Refusal::new(at, message, "", help));
         }
-        Ok(Node::Default(Box::new(ty.clone()), at))
+        let ty = ty.clone();
+        Ok(Expr::new(at, move |m| m.default(&ty, at)))
     }
 }

@@ -1,54 +1,184 @@
-//! Calls: arguments on the stack, closures in their frames, functions of the library.
+//! Calls: frames of functions and closures, and functions of the library.
 
 use std::mem;
 use std::rc::Rc;
 use std::sync::Arc;
 
-use super::Machine;
-use crate::host::{Eval, Host};
-use crate::library::{Native, Take, native};
-use crate::node::{Arguments, Closure, Node};
+use common::rtweekend::Vec3;
+
+use super::checks::is_plainly;
+use super::value::{Address, Data, Frame, Value};
+use super::{Closure, Eval, Form, Machine, Native, Run, Spot, Stop};
+use crate::limits::DEEPEST;
 use crate::refusal::{At, Refusal};
-use crate::types::Owners;
-use crate::value::{Data, Frame, Value};
+use crate::types::{Head, Owner, Type};
+
+/// Where the arguments of a call stand, as far as each has its place, and where the call does.
+#[derive(Debug)]
+pub(crate) struct Given {
+    pub(crate) spots: Vec<Spot>,
+    pub(crate) at: At,
+}
+
+impl Given {
+    fn spot(&self, n: usize) -> Spot {
+        self.spots.get(n).copied().unwrap_or(self.at.into())
+    }
+}
+
+/// A call of which only the place is known.
+impl From<At> for Given {
+    fn from(at: At) -> Self {
+        let spots = Vec::new();
+        Self { spots, at }
+    }
+}
 
 impl Machine<'_> {
-    fn push_all(&mut self, nodes: &[Node]) -> Eval<()> {
-        for node in nodes {
-            let value = self.operand(node)?;
+    /// Calls a function from outside; what stops it is a refusal.
+    pub(crate) fn call(&mut self, function: usize, given: &[Value]) -> Result<Value, Refusal> {
+        let wanted = &self.code.names.functions[function].parameters;
+        let as_wanted = given.iter().zip(wanted).map(|(value, ty)| {
+            let is_lent = ty.is(Head::Ref) && !matches!(value.data, Data::Mut(_));
+            let (lent, data) = (u8::from(is_lent), value.data.clone());
+            Value { lent, data }
+        });
+        let given: Vec<Value> = as_wanted.collect();
+        self.run(function, &given, At::default())
+            .map_err(|_| self.fault())
+    }
+
+    /// Returns the color that a function gives to a pixel; what stops it is a refusal.
+    pub(crate) fn colored(
+        &mut self,
+        color: &Value,
+        given: &mut [Value],
+        at: At,
+    ) -> Result<Vec3, Refusal> {
+        let value = self.applied(color, given, at);
+        let value = value.and_then(|it| self.as_declared(it, &Head::Vec3.into(), at.into()));
+        value.map(|it| it.vec3()).map_err(|_| self.fault())
+    }
+
+    /// Returns what becomes of a value of which a method takes each of these, one after the
+    /// other.
+    pub(crate) fn filled(
+        &mut self,
+        add: usize,
+        value: Value,
+        with: Vec<Value>,
+    ) -> Result<Value, Refusal> {
+        self.stack.push(value);
+        let slot = self.stack.len() - 1;
+        for one in with {
+            self.call(add, &[Data::Mut(Address::of(slot)).into(), one])?;
+        }
+        Ok(self.stack.pop().unwrap_or_default())
+    }
+
+    /// Runs a function with values that are checked where they arrive.
+    pub(crate) fn run(&mut self, function: usize, given: &[Value], at: At) -> Eval {
+        let start = self.stack.len();
+        self.stack.extend_from_slice(given);
+        self.arrive(function, start, &at.into())?;
+        self.enter(function, start, at)
+    }
+
+    /// Runs a function with what these come to, which is checked already.
+    pub(crate) fn called(&mut self, function: usize, given: &[Run], at: At) -> Eval {
+        let start = self.stack.len();
+        for run in given {
+            let value = run.eval(self)?;
             self.stack.push(value);
+        }
+        self.enter(function, start, at)
+    }
+
+    /// Runs a method of the reader's with what these come to.
+    pub(crate) fn called_on(
+        &mut self,
+        function: usize,
+        on: Value,
+        runs: &[Run],
+        given: &Given,
+    ) -> Eval {
+        let wanted = self.code.names.functions[function].parameters.len() - 1;
+        if wanted != runs.len() {
+            return self.refused(Refusal::miscounted(true, wanted, runs.len(), given.at));
+        }
+        let start = self.stack.len();
+        self.stack.push(on);
+        for run in runs {
+            let value = run.eval(self)?;
+            self.stack.push(value);
+        }
+        self.arrive(function, start, given)?;
+        self.enter(function, start, given.at)
+    }
+
+    /// Checks the arguments of a function that are on the stack. If not all have their places,
+    /// the first is a receiver.
+    fn arrive(&mut self, function: usize, start: usize, given: &Given) -> Eval<()> {
+        let code = self.code;
+        let wanted = &code.names.functions[function].parameters;
+        let after = usize::from(!given.spots.is_empty());
+        for (n, ty) in wanted.iter().enumerate().skip(after) {
+            if !is_plainly(&self.stack[start + n], ty) {
+                let value = mem::take(&mut self.stack[start + n]);
+                self.stack[start + n] = self.as_declared(value, ty, given.spot(n - after))?;
+            }
         }
         Ok(())
     }
 
-    #[inline(never)]
-    pub(super) fn called(&mut self, function: usize, given: &Arguments) -> Eval {
-        let start = self.stack.len();
-        self.push_all(&given.nodes)?;
-        self.arrive_as(function, start, 0, given)?;
-        self.enter(function, start, given.at)
+    /// Runs a function whose arguments are on the stack.
+    fn enter(&mut self, function: usize, start: usize, at: At) -> Eval {
+        let code = self.code;
+        let caller = mem::replace(&mut self.function, function);
+        let function = &code.functions[function];
+        let size = start + function.slots;
+        let result = self.in_frame(start, size, at, |own| function.body.eval(own));
+        self.function = caller;
+        result
     }
 
-    /// Calls a method whose receiver is known.
-    pub(super) fn called_on(&mut self, function: usize, on: Value, given: &Arguments) -> Eval {
-        let wanted = self.code.names.functions[function].parameters.len() - 1;
-        if wanted != given.nodes.len() {
-            return self.refused(Refusal::miscounted(
-                true,
-                wanted,
-                given.nodes.len(),
-                given.at,
-            ));
+    /// Runs a body in a frame of its own.
+    fn in_frame(
+        &mut self,
+        start: usize,
+        end: usize,
+        at: At,
+        body: impl FnOnce(&mut Self) -> Eval,
+    ) -> Eval {
+        if self.depth == DEEPEST {
+            let message = format!("more than {DEEPEST} calls are open at once");
+            let help = "the page goes no deeper: a function that calls itself may have no end";
+            return self.refused(Refusal::stop(at, &message, help));
         }
-        let start = self.stack.len();
-        self.stack.push(on);
-        self.push_all(&given.nodes)?;
-        self.arrive_as(function, start, 1, given)?;
-        self.enter(function, start, given.at)
+        self.turn(at)?;
+        let base = mem::replace(&mut self.base, start);
+        self.stack.resize_with(end, Value::default);
+        self.depth += 1;
+        let result = body(self);
+        self.depth -= 1;
+        self.stack.truncate(start);
+        self.base = base;
+        self.returned(result)
     }
 
-    #[inline(never)]
-    pub(super) fn constant(&mut self, function: usize, at: At) -> Eval {
+    fn returned(&mut self, result: Eval) -> Eval {
+        let Err(Stop::Return) = result else {
+            return result;
+        };
+        let value = self.brought();
+        if let Some(notes) = &mut self.notes {
+            notes.push((self.function, None, value.clone()));
+        }
+        Ok(value)
+    }
+
+    /// Returns the value of a constant, which is a function that runs once.
+    pub(crate) fn constant(&mut self, function: usize, at: At) -> Eval {
         if let Some(Some(known)) = self.constants.get(function) {
             return Ok(known.clone());
         }
@@ -58,132 +188,31 @@ impl Machine<'_> {
         Ok(value)
     }
 
-    /// A function of the library by its path.
-    #[inline(never)]
-    pub(super) fn native(&mut self, number: usize, given: &Arguments) -> Eval {
-        let native = native(number);
-        if let ([node], None) = (&*given.nodes, native.on) {
-            let mut values = [self.operand(node)?];
-            self.check_all(native, &mut values, 0, given)?;
-            return self.run_native(native, &mut values, given.at);
-        }
-        let mut values = self.all(&given.nodes)?;
-        let is_method = native.on.is_some();
-        if let Some(on) = values.first().filter(|_| is_method)
-            && !self.has(on, native)
-        {
-            let found = self.ty(on).name(&self.code.names);
-            let message = format!("no function named `{}` found for `{found}`", native.name);
-            return self.refused(Refusal::new(given.at, message, "", ""));
-        }
-        let after = usize::from(is_method);
-        self.check_all(native, &mut values, after, given)?;
-        self.run_native(native, &mut values, given.at)
-    }
-
-    /// Whether a value has a method of the library.
-    pub(super) fn has(&self, value: &Value, native: &Native) -> bool {
-        match &value.data {
-            Data::Mut(_) => native.changes() || self.has(&self.end_of(value), native),
-            Data::Own(kind, _) => {
-                native.name == "clone" && self.code.names.kinds[*kind as usize].derives("Clone")
+    /// Runs a function of the library, on the first value if it is a method.
+    pub(crate) fn native(&mut self, native: &Native, values: &mut [Value], given: &Given) -> Eval {
+        let (on, rest) = values.split_at_mut(usize::from(native.on.is_some()));
+        let after = usize::from(native.on.is_some() && given.spots.len() == native.count());
+        let on = on.first();
+        for (n, (ty, value)) in native.takes.iter().zip(rest).enumerate() {
+            let is_it = match (ty.0, on.map(|it| &it.data)) {
+                (Head::Like, Some(Data::Float(_))) => is_plainly(value, &Head::F64.into()),
+                _ => is_plainly(value, ty),
+            };
+            if !is_it {
+                let like = on.map_or(Type::UNKNOWN, |it| self.ty(&it.clone().owned()));
+                let spot = given.spot(n + after);
+                *value = self.as_declared(mem::take(value), &ty.with(&like), spot)?;
             }
-            _ => native.owners.has(Owners::of(value.head())),
         }
-    }
-
-    /// Checks what a function of the library takes.
-    #[inline]
-    pub(super) fn check_all(
-        &mut self,
-        native: &Native,
-        values: &mut [Value],
-        after: usize,
-        given: &Arguments,
-    ) -> Eval<()> {
-        let first = given.nodes.len() + after - values.len();
-        let (on, rest) = values.split_at_mut(after);
-        let on = on.first().unwrap_or(&NOTHING);
-        for (n, (take, value)) in native.takes.iter().zip(rest).enumerate() {
-            if take.accepts(value, on) && !matches!(take, Take::Fn(_)) {
-                continue;
-            }
-            let node = &given.nodes[first + n];
-            if let (Data::Single(_), Node::Float(it)) = (&on.data, node) {
-                *value = Data::Single(*it as f32).into();
-            }
-            self.check(*take, value, on, given.places[first + n], Some(node))?;
-        }
-        Ok(())
-    }
-
-    pub(super) fn check(
-        &mut self,
-        take: Take,
-        value: &Value,
-        on: &Value,
-        at: At,
-        node: Option<&Node>,
-    ) -> Eval<()> {
-        if !take.accepts(value, on) {
-            return self.not_taken(take, value, on, at, node);
-        }
-        match take {
-            Take::Fn(count) => self.takes_as_many(value, count, at),
-            _ => Ok(()),
-        }
-    }
-
-    #[inline(never)]
-    fn not_taken(
-        &mut self,
-        take: Take,
-        value: &Value,
-        on: &Value,
-        at: At,
-        node: Option<&Node>,
-    ) -> Eval<()> {
-        if matches!(value.data, Data::Mut(_)) {
-            let value = self.end_of(value).owned().lent();
-            return self.check(take, &value, on, at, node);
-        }
-        let wanted = take.ty(&self.ty(&on.clone().owned()));
-        self.mismatch(value, &wanted, at, node)
-    }
-
-    /// Whether a function takes so many arguments, as the one that calls it wants.
-    fn takes_as_many(&mut self, function: &Value, count: usize, at: At) -> Eval<()> {
-        let (what, takes) = match &function.data {
-            Data::Closure(it, _) => ("closure", it.parameters.len()),
-            Data::Function(it) => {
-                let own = &self.code.names.functions[*it];
-                ("function", own.parameters.len())
-            }
-            Data::Native(it) => {
-                let native = native(*it);
-                let on = usize::from(native.on.is_some());
-                ("function", native.takes.len() + on)
-            }
-            _ => return Ok(()),
-        };
-        if takes == count {
-            return Ok(());
-        }
-        let several = |n: usize| if n == 1 { "argument" } else { "arguments" };
-        let message = format!(
-            "{what} is expected to take {count} {}, but it takes {takes} {}",
-            several(count),
-            several(takes)
-        );
-        self.refused(Refusal::new(at, message, "", ""))
+        self.run_native(native, values, given.at)
     }
 
     /// Runs a function of the library, or that of the text which takes its place.
-    pub(super) fn run_native(&mut self, native: &Native, values: &mut [Value], at: At) -> Eval {
+    fn run_native(&mut self, native: &Native, values: &mut [Value], at: At) -> Eval {
         if self.code.instead.is_empty() {
             return (native.run)(self, values, at);
         }
-        let is_of_vectors = native.owners == Owners::VEC3 || native.owners == Owners::RAY;
+        let is_of_vectors = matches!(native.owner, Owner::Vec3 | Owner::Ray);
         let mut instead = self.code.instead.iter().filter(|_| is_of_vectors);
         if let Some((_, own)) = instead.find(|it| it.0 == native.name) {
             return self.run(*own, values, at);
@@ -195,88 +224,80 @@ impl Machine<'_> {
         })
     }
 
-    #[inline(never)]
-    pub(super) fn applied_to(&mut self, function: &Node, given: &Arguments) -> Eval {
-        let function = self.eval(function)?;
-        let mut function = self.end_of(&function);
-        while let Data::Box(inner) = &function.data {
-            function = (**inner).clone();
-        }
-        let mut values = self.all(&given.nodes)?;
-        let count = values.len();
-        let takes = match &function.data {
-            Data::Closure(it, _) => it.parameters.len(),
-            Data::Function(it) => self.code.names.functions[*it].parameters.len(),
-            Data::Native(it) => {
-                let native = native(*it);
-                native.takes.len() + usize::from(native.on.is_some())
-            }
-            _ => count,
-        };
-        if takes != count {
-            return self.refused(Refusal::miscounted(false, takes, count, given.at));
-        }
-        self.applied(&function, &mut values, given.at)
-    }
-
     /// Calls a value that is a function.
-    pub(super) fn applied(&mut self, function: &Value, given: &mut [Value], at: At) -> Eval {
+    pub(crate) fn applied(&mut self, function: &Value, given: &mut [Value], at: At) -> Eval {
         match &function.data {
             Data::Function(function) => self.run(*function, given, at),
-            Data::Native(number) => {
+            Data::Native(native) => {
                 self.turn(at)?;
-                let native = native(*number);
-                let after = usize::from(native.on.is_some());
-                let (on, rest) = given.split_at(after);
-                let on = on.first().unwrap_or(&NOTHING);
-                for (take, value) in native.takes.iter().zip(rest) {
-                    self.check(*take, value, on, at, None)?;
-                }
-                self.run_native(native, given, at)
+                self.native(native, given, &at.into())
             }
             Data::Closure(closure, frame) => self.in_its_frame(closure, frame, given, at),
             Data::Mut(_) => {
                 let function = self.end_of(function);
                 self.applied(&function, given, at)
             }
+            Data::Box(inner) => self.applied(&inner.clone(), given, at),
             _ => {
-                let name = self.ty(function).name(&self.code.names);
-                let message = format!("expected function, found `{name}`");
-                self.refused(Refusal::new(at, message, "", ""))
+                let name = self.named(function);
+                self.wrong(at, format!("expected function, found `{name}`"), "")
             }
         }
     }
 
-    fn in_its_frame(&mut self, closure: &Closure, frame: &Frame, given: &[Value], at: At) -> Eval {
-        let body = |own: &mut Self| {
-            for (pattern, value) in closure.parameters.iter().zip(given) {
-                own.binds(pattern, value)?;
+    /// Finds whether a function says so of what it is given.
+    pub(crate) fn asked(&mut self, f: &Value, given: &mut [Value], at: At) -> Eval<bool> {
+        let value = self.applied(f, given, at)?;
+        Ok(self.as_declared(value, &Type::BOOL, at.into())?.truth())
+    }
+
+    /// Returns how many arguments a function takes, if the value is one.
+    pub(super) fn parameters(&self, function: &Value) -> Option<(&'static str, usize)> {
+        Some(match &function.data {
+            Data::Closure(it, _) => ("closure", it.parameters),
+            Data::Function(it) => ("function", self.code.names.functions[*it].parameters.len()),
+            Data::Native(it) => ("function", it.count()),
+            Data::Box(it) => return self.parameters(it),
+            _ => return None,
+        })
+    }
+
+    /// Calls a value that is a function, with as many arguments as are written.
+    pub(crate) fn applied_to(&mut self, function: &Value, given: &mut [Value], at: At) -> Eval {
+        let function = self.end_of(function);
+        match self.parameters(&function) {
+            Some((_, takes)) if takes != given.len() => {
+                self.refused(Refusal::miscounted(false, takes, given.len(), at))
             }
-            own.eval(&closure.body)
-        };
+            _ => self.applied(&function, given, at),
+        }
+    }
+
+    fn in_its_frame(&mut self, closure: &Closure, frame: &Frame, given: &[Value], at: At) -> Eval {
+        let start = self.stack.len();
         match *frame {
             Frame::Taken(ref frame) => {
-                let start = self.stack.len();
                 self.stack.extend_from_slice(frame);
-                self.in_frame(start, start + frame.len(), at, body)
+                let end = start + frame.len();
+                self.in_frame(start, end, at, |own| (closure.body)(own, given))
             }
             // The function that made it is over, so it uses nothing of its.
             Frame::At(base, slots) if base as usize > self.base => {
-                let start = self.stack.len();
-                self.in_frame(start, start + slots as usize, at, body)
+                let end = start + slots as usize;
+                self.in_frame(start, end, at, |own| (closure.body)(own, given))
             }
             Frame::At(base, _) => {
                 self.turn(at)?;
                 let base = mem::replace(&mut self.base, base as usize);
-                let result = body(self);
+                let result = (closure.body)(self, given);
                 self.base = base;
                 self.returned(result)
             }
         }
     }
 
-    #[inline(never)]
-    pub(super) fn closure(&mut self, closure: &Arc<Closure>, is_moved: bool, at: At) -> Eval {
+    /// Makes a closure, which may take the variables of its function along.
+    pub(crate) fn closure(&mut self, closure: &Arc<Closure>, is_moved: bool, at: At) -> Eval {
         let slots = self.stack.len() - self.base;
         let frame = if is_moved {
             self.take(slots * size_of::<Value>(), at)?;
@@ -287,8 +308,8 @@ impl Machine<'_> {
         Ok(Data::Closure(Arc::clone(closure), frame).into())
     }
 
-    /// A function that may be called when the one that made it is over.
-    pub(super) fn with_its_frame(&self, function: &Value) -> Value {
+    /// Returns a function that may be called when the one that made it is over.
+    pub(crate) fn kept(&self, function: &Value) -> Value {
         match &function.data {
             Data::Closure(closure, Frame::At(base, slots)) => {
                 let start = *base as usize;
@@ -300,8 +321,9 @@ impl Machine<'_> {
     }
 }
 
-/// What a function is called on that is no method.
-const NOTHING: Value = Value {
-    lent: 0,
-    data: Data::Unit,
-};
+impl Spot {
+    /// Finds whether it is a number of which nothing says how wide it is.
+    pub(crate) fn is_any_float(self) -> bool {
+        self.form == Form::Float
+    }
+}

@@ -1,30 +1,32 @@
-//! A tree-walking interpreter: each node is what it says, in the arithmetic of the compiled
-//! chapters. A type is checked where a value meets what is declared.
+//! A runtime for closures that are made of a text: values on a stack, frames of calls,
+//! addresses, and the budgets of all that.
+//!
+//! The arithmetic is that of the compiled chapters. A type is checked where a value meets what
+//! is declared.
 
 mod calls;
-mod check;
-mod comparisons;
-mod eval;
-mod methods;
+mod checks;
 mod operators;
-mod patterns;
 mod places;
+mod sizes;
+pub(crate) mod value;
 
 use std::collections::HashMap;
+use std::fmt;
 use std::mem;
+use std::sync::atomic::AtomicBool;
+use std::sync::atomic::Ordering::Relaxed;
 use std::sync::{Arc, Mutex};
 
-use common::rtweekend::Vec3;
-
-use crate::host::{Eval, Host, Stop};
-use crate::limits::{DEEPEST, MEMORY};
+use crate::limits::{DEEPEST_VALUE, MEMORY};
 use crate::names::Names;
-use crate::node::{Function, Node};
-use crate::operators::Sign;
 use crate::refusal::{At, Refusal};
-use crate::types::{Head, Type};
-use crate::value::{Address, Data, Value};
+use crate::types::{Owner, Type};
 use crate::written::Written;
+pub(crate) use calls::Given;
+pub(crate) use operators::alike;
+pub(crate) use places::{Field, Place};
+use value::{Data, Value};
 
 /// What runs.
 #[derive(Clone, Debug)]
@@ -47,6 +49,161 @@ pub(crate) struct Code {
 /// Functions by their numbers and texts.
 pub(crate) type Texts = HashMap<(usize, String), Arc<Function>>;
 
+/// A function, ready to be run.
+#[derive(Debug, Default)]
+pub(crate) struct Function {
+    pub(crate) slots: usize,
+    /// The names of the slots.
+    pub(crate) names: Vec<String>,
+    pub(crate) body: Run,
+    pub(crate) marks: Vec<Arc<Mark>>,
+}
+
+/// Lines that run together, and whether they ever did.
+#[derive(Debug)]
+pub(crate) struct Mark {
+    pub(crate) at: At,
+    pub(crate) has_run: AtomicBool,
+}
+
+impl Mark {
+    pub(crate) fn at(at: At) -> Self {
+        let has_run = false.into();
+        Self { at, has_run }
+    }
+
+    pub(crate) fn notes_that_it_runs(&self) {
+        self.has_run.store(true, Relaxed);
+    }
+}
+
+/// How many parameters a closure has, and what binds them and runs its body.
+pub(crate) struct Closure {
+    pub(crate) parameters: usize,
+    pub(crate) body: Box<Body>,
+}
+
+type Body = dyn Fn(&mut Machine<'_>, &[Value]) -> Eval + Send + Sync;
+
+impl fmt::Debug for Closure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Closure")
+    }
+}
+
+/// A function of the library.
+#[derive(Debug)]
+pub(crate) struct Native {
+    /// On whose values it is called, or before whose name it stands.
+    pub(crate) owner: Owner,
+    pub(crate) name: &'static str,
+    /// What it is called on, if it is a method.
+    pub(crate) on: Option<On>,
+    /// What it takes beside that.
+    pub(crate) takes: Vec<Type>,
+    pub(crate) run: fn(&mut Machine<'_>, &mut [Value], At) -> Eval,
+}
+
+/// What a method of the library is called on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum On {
+    Value,
+    /// What it changes.
+    Place,
+}
+
+impl Native {
+    /// Finds whether it changes what it is called on.
+    pub(crate) fn changes(&self) -> bool {
+        self.on == Some(On::Place)
+    }
+
+    /// Returns how many arguments it takes where it is called by its path.
+    pub(crate) fn count(&self) -> usize {
+        self.takes.len() + usize::from(self.on.is_some())
+    }
+}
+
+/// Why what follows is not run. What is brought along is kept by the machine.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Stop {
+    Return,
+    Break,
+    Continue,
+    Fault,
+}
+
+pub(crate) type Eval<T = Value> = Result<T, Stop>;
+
+/// What an expression does when it runs.
+pub(crate) enum Run {
+    Float(f64),
+    Local(usize),
+    Act(Box<Act>),
+}
+
+type Act = dyn Fn(&mut Machine<'_>) -> Eval + Send + Sync;
+
+impl Run {
+    pub(crate) fn new(act: impl Fn(&mut Machine<'_>) -> Eval + Send + Sync + 'static) -> Self {
+        Self::Act(Box::new(act))
+    }
+
+    /// Returns what it comes to.
+    #[inline]
+    pub(crate) fn eval(&self, machine: &mut Machine<'_>) -> Eval {
+        match self {
+            Self::Float(it) => Ok(machine.rounded(*it).into()),
+            Self::Local(slot) => Ok(machine.local(*slot)),
+            Self::Act(act) => act(machine),
+        }
+    }
+}
+
+impl Default for Run {
+    fn default() -> Self {
+        Self::new(|_| Ok(Value::default()))
+    }
+}
+
+impl fmt::Debug for Run {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Run")
+    }
+}
+
+/// Where an expression stands, and what its text shows before it runs.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Spot {
+    pub(crate) at: At,
+    pub(crate) form: Form,
+}
+
+/// What the text of an expression shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Form {
+    #[default]
+    Other,
+    /// A number with a point, of which nothing says how wide it is.
+    Float,
+    /// A number without one, of which nothing says what it is.
+    Int,
+    Bool,
+    /// A reference that is made there.
+    Lend,
+    /// A variable of which the compiler wants to know the type.
+    Open,
+    /// That nothing comes after it.
+    Never,
+}
+
+impl From<At> for Spot {
+    fn from(at: At) -> Self {
+        let form = Form::Other;
+        Self { at, form }
+    }
+}
+
 /// What a `let` has bound, or a function has returned before its end: the function, the slot if
 /// there is one, the value.
 pub(crate) type Bound = (usize, Option<usize>, Value);
@@ -62,7 +219,7 @@ pub(crate) struct Machine<'c> {
     /// How many bytes are left.
     memory: usize,
     /// What `return` and `break` bring along.
-    left: Value,
+    pub(crate) left: Value,
     fault: Option<Refusal>,
     constants: Vec<Option<Value>>,
     /// The function that runs, by its number.
@@ -72,7 +229,7 @@ pub(crate) struct Machine<'c> {
 }
 
 impl<'c> Machine<'c> {
-    /// A machine that takes so many turns for what it is asked.
+    /// Makes a machine that takes so many turns for what it is asked.
     pub(crate) fn new(code: &'c Code, turns: u32) -> Self {
         Self {
             code,
@@ -89,135 +246,60 @@ impl<'c> Machine<'c> {
         }
     }
 
-    /// Calls a function from outside; what stops it is a refusal.
-    pub(crate) fn call(&mut self, function: usize, given: &[Value]) -> Result<Value, Refusal> {
-        let wanted = &self.code.names.functions[function].parameters;
-        let as_wanted = given.iter().zip(wanted).map(|(value, ty)| {
-            let is_lent = ty.is(Head::Ref);
-            let is_address = matches!(value.data, Data::Mut(_));
-            Value {
-                lent: u8::from(is_lent && !is_address),
-                data: value.data.clone(),
-            }
-        });
-        let given: Vec<Value> = as_wanted.collect();
-        self.run(function, &given, At::default())
-            .map_err(|_| self.fault())
-    }
-
-    /// What has stopped the text.
+    /// Returns what has stopped the text.
     pub(crate) fn fault(&mut self) -> Refusal {
         self.fault.take().expect("functions catch what leaves them")
     }
 
-    /// The color that a function gives to a pixel.
-    pub(crate) fn colored(&mut self, color: &Value, given: &mut [Value], at: At) -> Eval<Vec3> {
-        let value = self.applied(color, given, at)?;
-        Ok(self
-            .as_declared(value, &Head::Vec3.into(), at, None)?
-            .vec3())
+    /// Returns the value of a variable.
+    #[inline]
+    pub(crate) fn local(&self, slot: usize) -> Value {
+        let value = &self.stack[self.base + slot];
+        let data = match value.data {
+            Data::Float(it) => Data::Float(it),
+            Data::Vec3(it) => Data::Vec3(it),
+            ref data => data.clone(),
+        };
+        let lent = value.lent;
+        Value { lent, data }
     }
 
-    /// What becomes of a value of which a method takes each of these, one after the other.
-    pub(crate) fn filled(
-        &mut self,
-        add: usize,
-        value: Value,
-        with: Vec<Value>,
-    ) -> Result<Value, Refusal> {
-        self.stack.push(value);
-        let slot = self.stack.len() - 1;
-        for one in with {
-            self.call(add, &[Data::Mut(Address::of(slot)).into(), one])?;
+    /// Gives a variable its value.
+    pub(crate) fn set_local(&mut self, slot: usize, value: Value) {
+        self.stack[self.base + slot] = value;
+    }
+
+    /// Gives a variable that a `let` declares its value, and notes that.
+    pub(crate) fn bind(&mut self, slot: usize, value: Value) {
+        if let Some(notes) = &mut self.notes {
+            notes.push((self.function, Some(slot), value.clone()));
         }
-        Ok(self.stack.pop().unwrap_or_default())
+        self.set_local(slot, value);
     }
 
-    /// Runs a function with what is checked where it arrives.
-    fn run(&mut self, function: usize, given: &[Value], at: At) -> Eval {
-        let start = self.stack.len();
-        self.stack.extend_from_slice(given);
-        self.arrive(function, start, 0, at)?;
-        self.enter(function, start, at)
-    }
-
-    /// Runs a function whose arguments are on the stack.
-    fn enter(&mut self, function: usize, start: usize, at: At) -> Eval {
-        let code = self.code;
-        let caller = mem::replace(&mut self.function, function);
-        let function = &code.functions[function];
-        let size = start + function.slots;
-        let result = self.in_frame(start, size, at, |own| own.eval(&function.body));
-        self.function = caller;
-        result
-    }
-
-    /// Runs a body in a frame of its own.
-    fn in_frame(
-        &mut self,
-        start: usize,
-        end: usize,
-        at: At,
-        body: impl FnOnce(&mut Self) -> Eval,
-    ) -> Eval {
-        if self.depth == DEEPEST {
-            let message = format!("more than {DEEPEST} calls are open at once");
-            let help = "the page goes no deeper: a function that calls itself may have no end";
-            return self.refused(Refusal::stop(at, &message, help));
-        }
-        self.turn(at)?;
-        let base = mem::replace(&mut self.base, start);
-        self.stack.resize_with(end, Value::default);
-        self.depth += 1;
-        let result = body(self);
-        self.depth -= 1;
-        self.stack.truncate(start);
-        self.base = base;
-        self.returned(result)
-    }
-
-    fn returned(&mut self, result: Eval) -> Eval {
-        match result {
-            Err(Stop::Return) => {
-                let value = mem::take(&mut self.left);
-                if let Some(notes) = &mut self.notes {
-                    notes.push((self.function, None, value.clone()));
-                }
-                Ok(value)
-            }
-            result => result,
-        }
-    }
-
-    fn refused<T>(&mut self, refusal: Refusal) -> Eval<T> {
+    /// Stops with what the compiler refuses, or what is not read here.
+    pub(crate) fn refused<T>(&mut self, refusal: Refusal) -> Eval<T> {
         self.fault = Some(refusal);
         Err(Stop::Fault)
     }
 
-    /// The text has stopped by itself.
-    fn panic<T>(&mut self, at: At, message: &str) -> Eval<T> {
+    /// Stops with the compiler's words.
+    pub(crate) fn wrong<T>(&mut self, at: At, message: impl Into<String>, help: &str) -> Eval<T> {
+        self.refused(Refusal::new(at, message, "", help))
+    }
+
+    /// Stops with what is not read here.
+    pub(crate) fn unread<T>(&mut self, at: At, what: &str) -> Eval<T> {
+        self.refused(Refusal::unread(at, what))
+    }
+
+    /// Stops as the compiled program would.
+    pub(crate) fn panic<T>(&mut self, at: At, message: &str) -> Eval<T> {
         self.refused(Refusal::stop(at, message, ""))
     }
 
-    fn all(&mut self, nodes: &[Node]) -> Eval<Vec<Value>> {
-        nodes.iter().map(|node| self.eval(node)).collect()
-    }
-}
-
-impl Host for Machine<'_> {
-    fn apply(&mut self, function: &Value, given: &mut [Value], at: At) -> Eval {
-        self.applied(function, given, at)
-    }
-
-    fn declared(&mut self, value: Value, ty: &Type, at: At) -> Eval {
-        self.as_declared(value, ty, at, None)
-    }
-
-    fn arithmetic(&mut self, sign: Sign, left: Value, right: Value, at: At) -> Eval {
-        self.combined(sign, left, right, at)
-    }
-
-    fn turn(&mut self, at: At) -> Eval<()> {
+    /// Counts a turn of a loop, or a call.
+    pub(crate) fn turn(&mut self, at: At) -> Eval<()> {
         self.turns = self.turns.saturating_sub(1);
         if self.turns > 0 {
             return Ok(());
@@ -227,45 +309,40 @@ impl Host for Machine<'_> {
         self.refused(Refusal::stop(at, message, help))
     }
 
-    fn take(&mut self, bytes: usize, at: At) -> Eval<()> {
-        match self.memory.checked_sub(bytes) {
-            Some(left) => {
-                self.memory = left;
-                Ok(())
-            }
-            None => {
-                let message = "this takes too much memory";
-                let help = "the page keeps no more: what ends a loop here may never come true";
-                self.refused(Refusal::stop(at, message, help))
-            }
+    /// Counts the bytes that a value takes.
+    pub(crate) fn take(&mut self, bytes: usize, at: At) -> Eval<()> {
+        if let Some(left) = self.memory.checked_sub(bytes) {
+            self.memory = left;
+            return Ok(());
+        }
+        let message = "this takes too much memory";
+        let help = "the page keeps no more: what ends a loop here may never come true";
+        self.refused(Refusal::stop(at, message, help))
+    }
+
+    /// Counts what a value takes that is kept in another.
+    pub(crate) fn keep(&mut self, value: &Value, at: At) -> Eval<()> {
+        if matches!(value.data, Data::Float(_)) {
+            return self.take(size_of::<Value>(), at);
+        }
+        if value.depth() > DEEPEST_VALUE {
+            return self.panic(at, "this value is nested too deeply");
+        }
+        self.take(value.size(), at)
+    }
+
+    /// Runs the body of a loop; returns whether it has left the loop.
+    pub(crate) fn leaves(&mut self, body: &Run) -> Eval<bool> {
+        self.left = Value::default();
+        match body.eval(self) {
+            Err(Stop::Break) => Ok(true),
+            Err(Stop::Continue) | Ok(_) => Ok(false),
+            Err(stop) => Err(stop),
         }
     }
 
-    fn refuse(&mut self, refusal: Refusal) -> Stop {
-        self.fault = Some(refusal);
-        Stop::Fault
-    }
-
-    fn followed(&self, value: &Value) -> Value {
-        self.end_of(value)
-    }
-
-    fn change(&mut self, reference: &Value, change: &mut dyn FnMut(&mut Value)) {
-        let mut address = match &reference.data {
-            Data::Mut(address) => address.clone(),
-            other => unreachable!("types are checked, and {other:?} is no address"),
-        };
-        while let Data::Mut(next) = self.read(&address).data {
-            address = next;
-        }
-        self.stack[address.slot as usize].reach(&address.steps, change);
-    }
-
-    fn kept(&self, function: &Value) -> Value {
-        self.with_its_frame(function)
-    }
-
-    fn said(&self, value: &Value) -> String {
-        self.ty(value).said(&self.code.names)
+    /// Returns what a loop has left with.
+    pub(crate) fn brought(&mut self) -> Value {
+        mem::take(&mut self.left)
     }
 }

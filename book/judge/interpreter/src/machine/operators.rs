@@ -2,21 +2,23 @@
 //! does.
 
 use std::mem;
+use std::ops::{Add, Div, Mul, Rem, Sub};
+use std::rc::Rc;
+use std::slice;
 
-use common::rtweekend::Vec3 as DVec3;
+use common::rtweekend::Vec3;
 
-use super::Machine;
-use crate::host::{Eval, Host};
-use crate::node::{Node, Root, Target};
-use crate::operators::Sign;
+use super::places::Place;
+use super::value::{Data, Value};
+use super::{Eval, Machine, Spot};
+use crate::operators::{Order, Sign};
 use crate::refusal::{At, Refusal};
 use crate::types::{Head, Type};
-use crate::value::{Data, Value};
 
 impl Machine<'_> {
-    /// A result as floats have it here.
+    /// Returns a result as floats have it here.
     #[inline]
-    pub(super) fn rounded(&self, it: f64) -> f64 {
+    pub(crate) fn rounded(&self, it: f64) -> f64 {
         if self.code.is_single {
             f64::from(it as f32)
         } else {
@@ -25,72 +27,57 @@ impl Machine<'_> {
     }
 
     #[inline]
-    fn all_rounded(&self, it: DVec3) -> DVec3 {
+    fn all_rounded(&self, it: Vec3) -> Vec3 {
         if self.code.is_single {
-            DVec3::from_array(it.to_array().map(|it| f64::from(it as f32)))
+            Vec3::from_array(it.to_array().map(|it| f64::from(it as f32)))
         } else {
             it
         }
     }
 
-    #[inline(never)]
-    pub(super) fn operation(&mut self, sign: Sign, nodes: &[Node; 2], at: At) -> Eval {
-        let left = self.operand(&nodes[0])?;
-        let right = self.operand(&nodes[1])?;
+    /// Returns what comes out of an operator between two values.
+    #[inline]
+    pub(crate) fn combined(&mut self, sign: Sign, left: Value, right: Value, at: At) -> Eval {
         if let (Data::Float(a), Data::Float(b)) = (&left.data, &right.data) {
-            let result = self.rounded(of_floats(sign, *a, *b));
+            let result = self.rounded(combine(sign, *a, *b));
             // They have nothing to drop.
             mem::forget((left, right));
             return Ok(result.into());
         }
-        match (&left.data, &right.data) {
-            (Data::Single(_), Data::Float(b)) if is_literal(&nodes[1]) => {
-                let right = Data::Single(*b as f32).into();
-                self.combined(sign, left, right, at)
-            }
-            (Data::Float(a), Data::Single(_)) if is_literal(&nodes[0]) => {
-                let left = Data::Single(*a as f32).into();
-                self.combined(sign, left, right, at)
-            }
-            _ => self.combined(sign, left, right, at),
-        }
+        self.rarely_combined(sign, left, right, at)
     }
 
-    /// What comes out of an operator between two values.
     #[inline(never)]
-    pub(super) fn combined(&mut self, sign: Sign, left: Value, right: Value, at: At) -> Eval {
-        Ok(match (&left.data, &right.data) {
-            (Data::Float(a), Data::Float(b)) => self.rounded(of_floats(sign, *a, *b)).into(),
-            (Data::Vec3(a), Data::Vec3(b)) => self.all_rounded(of_vectors(sign, *a, *b)).into(),
-            (Data::Vec3(a), Data::Float(b)) => self
-                .all_rounded(of_vectors(sign, *a, DVec3::splat(*b)))
-                .into(),
-            (Data::Float(a), Data::Vec3(b)) => self
-                .all_rounded(of_vectors(sign, DVec3::splat(*a), *b))
-                .into(),
-            (Data::Single(a), Data::Single(b)) => Data::Single(of_singles(sign, *a, *b)).into(),
+    fn rarely_combined(&mut self, sign: Sign, left: Value, right: Value, at: At) -> Eval {
+        let vector = |own: &Self, a, b| Ok(own.all_rounded(combine(sign, a, b)).into());
+        match (&left.data, &right.data) {
+            (Data::Vec3(a), Data::Vec3(b)) => vector(self, *a, *b),
+            (Data::Vec3(a), Data::Float(b)) => vector(self, *a, Vec3::splat(*b)),
+            (Data::Float(a), Data::Vec3(b)) => vector(self, Vec3::splat(*a), *b),
+            (Data::Single(a), Data::Single(b)) => Ok(combine(sign, *a, *b).into()),
             (Data::Str(a), Data::Str(b))
                 if sign == Sign::Plus && left.lent == 0 && right.lent > 0 =>
             {
                 self.take(a.len() + b.len(), at)?;
-                Value::str(format!("{a}{b}"))
+                Ok(Value::str(format!("{a}{b}")))
             }
-            (Data::Int(a, one), Data::Int(b, other)) => match one.joined(*other) {
-                Some(int) => {
-                    let result = self.integer(sign, a.get(), b.get(), at)?;
-                    if !int.has(result) {
-                        return self.panic(at, &sign.overflow());
-                    }
-                    Value::whole(result, int)
+            (Data::Int(a, one), Data::Int(b, other)) if one.joined(*other).is_some() => {
+                let int = one.joined(*other).unwrap_or(*one);
+                let result = self.integer(sign, a.get(), b.get(), at)?;
+                if !int.has(result) {
+                    return self.panic(at, &sign.overflow());
                 }
-                None => return self.no_operator(sign, false, [&left, &right], at),
-            },
+                Ok(Value::whole(result, int))
+            }
             (Data::Mut(_), _) | (_, Data::Mut(_)) => {
                 let [left, right] = [left, right].map(|it| self.end_of(&it));
-                return self.combined(sign, left, right, at);
+                self.combined(sign, left, right, at)
             }
-            _ => return self.by_the_reader(sign, left, right, at),
-        })
+            _ => match self.operator(sign, false, [&left, &right]) {
+                Some(own) => self.run(own, &[left, right], at),
+                None => self.no_operator(sign, false, [&left, &right], at),
+            },
+        }
     }
 
     fn integer(&mut self, sign: Sign, a: i128, b: i128, at: At) -> Eval<i128> {
@@ -100,41 +87,28 @@ impl Machine<'_> {
                 let message = "attempt to calculate the remainder with a divisor of zero";
                 return self.panic(at, message);
             }
-            Sign::Plus => a + b,
-            Sign::Minus => a - b,
             Sign::Times => a.saturating_mul(b),
-            Sign::Over => a / b,
-            Sign::Remainder => a % b,
+            sign => combine(sign, a, b),
         })
     }
 
-    /// By an operator of the reader's.
-    fn by_the_reader(&mut self, sign: Sign, left: Value, right: Value, at: At) -> Eval {
-        match self.operator(sign, false, [&left, &right]) {
-            Some(own) => self.run(own, &[left, right], at),
-            None => self.no_operator(sign, false, [&left, &right], at),
-        }
-    }
-
-    /// The reader's function for an operator between these values.
+    /// Returns the reader's function for an operator between these values.
     fn operator(&self, sign: Sign, is_assignment: bool, values: [&Value; 2]) -> Option<usize> {
         let names = &self.code.names;
         let is_it = |it: &&(Sign, bool, usize)| {
-            if (it.0, it.1) != (sign, is_assignment) {
-                return false;
-            }
             let wanted = &names.functions[it.2].parameters;
-            let left = if is_assignment {
-                wanted[0].inner()
-            } else {
-                &wanted[0]
+            let left = match is_assignment {
+                true => wanted[0].inner(),
+                false => &wanted[0],
             };
-            self.fits(values[0], left) && self.fits(values[1], &wanted[1])
+            (it.0, it.1) == (sign, is_assignment)
+                && self.fits(values[0], left)
+                && self.fits(values[1], &wanted[1])
         };
         names.operators.iter().find(is_it).map(|it| it.2)
     }
 
-    /// That these two do not go together, in the words of the compiler.
+    /// Stops since these two do not go together.
     fn no_operator<T>(
         &mut self,
         sign: Sign,
@@ -142,15 +116,11 @@ impl Machine<'_> {
         values: [&Value; 2],
         at: At,
     ) -> Eval<T> {
-        let heads = values.map(Value::head);
-        let is_single = |it: &Head| *it == Head::F32;
-        if heads.iter().any(is_single) && heads.contains(&Head::F64) {
-            let what = "a number that may be an `f32` or an `f64`";
-            return self.refused(Refusal::unread(at, what));
+        let heads = values.map(|it| it.data.head());
+        if heads.contains(&Head::F32) && heads.contains(&Head::F64) {
+            return self.unread(at, "a number that may be an `f32` or an `f64`");
         }
-        let types = values.map(|it| self.ty(it));
-        let [one, other] = types.each_ref().map(|it| it.name(&self.code.names));
-        let message = sign.refused(is_assignment, &one, &other);
+        let [one, other] = values.map(|it| self.named(it));
         let is_integer = |it: &Head| matches!(it, Head::Int(_));
         let is_number = |it: &Head| is_integer(it) || matches!(it, Head::F64 | Head::Vec3);
         let is_mixed = is_integer(&heads[0]) != is_integer(&heads[1]);
@@ -161,175 +131,214 @@ impl Machine<'_> {
         } else {
             "convert the integer: `f64::from(…)`, or `… as f64`"
         };
-        self.refused(Refusal::new(at, message, "", help))
+        self.wrong(at, sign.refused(is_assignment, &one, &other), help)
     }
 
-    /// `+=` and the like.
-    #[inline(never)]
-    pub(super) fn update(&mut self, target: &Target, sign: Sign, value: &Node, at: At) -> Eval {
-        let right = self.operand(value)?;
-        self.may_change(target)?;
-        if let (Root::Local(slot), []) = (&target.root, &*target.steps)
-            && let (Data::Float(a), Data::Float(b)) =
-                (&self.stack[self.base + slot].data, &right.data)
-            && self.stack[self.base + slot].lent == 0
-        {
-            let result = self.rounded(of_floats(sign, *a, *b));
-            let slot = self.base + slot;
-            self.stack[slot] = result.into();
-            return Ok(Value::default());
-        }
-        let address = self.address(target)?;
+    /// Changes a place, as `+=` and the like do.
+    pub(crate) fn updated(
+        &mut self,
+        place: &Place,
+        sign: Sign,
+        right: Value,
+        (right_spot, at): (Spot, At),
+    ) -> Eval {
+        self.may_change(place)?;
+        let address = (place.address)(self)?;
         let left = self.read(&address);
-        if let (Data::Own(..), 0) = (&left.data, left.lent) {
-            let Some(own) = self.operator(sign, true, [&left, &right]) else {
-                return self.no_operator(sign, true, [&left, &right], at);
-            };
-            drop(left);
-            return self.run(own, &[Data::Mut(address).into(), right], at);
-        }
-        if let (Data::Str(_), Data::Str(more)) = (&left.data, &right.data) {
-            let more = std::rc::Rc::clone(more);
-            drop(left);
-            self.append(address, &more, at)?;
-            return Ok(Value::default());
-        }
-        if matches!(left.data, Data::Mut(_)) || left.lent > 0 {
-            return self.no_operator(sign, true, [&left, &right], at);
-        }
-        let right = match (&left.data, &right.data) {
-            (Data::Single(_), Data::Float(it)) if is_literal(value) => {
-                Data::Single(*it as f32).into()
+        match (&left.data, &right.data) {
+            (Data::Own(..), _) if left.lent == 0 => {
+                let Some(own) = self.operator(sign, true, [&left, &right]) else {
+                    return self.no_operator(sign, true, [&left, &right], at);
+                };
+                return self.run(own, &[Data::Mut(address).into(), right], at);
             }
-            _ => right,
-        };
+            (Data::Str(_), Data::Str(more)) => {
+                let more = Rc::clone(more);
+                drop(left);
+                return self.append(&Data::Mut(address).into(), &more, at);
+            }
+            (Data::Mut(_), _) => return self.no_operator(sign, true, [&left, &right], at),
+            _ if left.lent > 0 => return self.no_operator(sign, true, [&left, &right], at),
+            _ => {}
+        }
+        let [left, right] = alike([left, right], [false, right_spot.is_any_float()]);
         let result = self.combined(sign, left.clone(), right.clone(), at)?;
         if !result.is_like(&left) {
             return self.no_operator(sign, true, [&left, &right], at);
         }
         drop(left);
-        let mut result = Some(result);
-        self.stack[address.slot as usize].reach(&address.steps, &mut |place| {
-            *place = result.take().unwrap_or_default();
+        self.write(&address, result);
+        Ok(Value::default())
+    }
+
+    /// Adds to a text in its place.
+    pub(crate) fn append(&mut self, text: &Value, more: &str, at: At) -> Eval {
+        self.take(more.len(), at)?;
+        self.change(text, |text| {
+            if let Data::Str(text) = &mut text.data {
+                Rc::make_mut(text).push_str(more);
+            }
         });
         Ok(Value::default())
     }
 
-    /// Operators on bits: a `^` is meant as a power.
-    #[inline(never)]
-    pub(super) fn bits(&mut self, sign: &str, nodes: &[Node; 2], at: At) -> Eval {
-        let values = [self.eval(&nodes[0])?, self.eval(&nodes[1])?];
+    /// Returns what comes out of an operator on bits: a `^` is meant as a power.
+    pub(crate) fn bits(&mut self, sign: &str, values: [Value; 2], at: At) -> Eval {
         if let [Data::Bool(one), Data::Bool(other)] = [&values[0].data, &values[1].data] {
-            return Ok(match sign {
+            let truth = match sign {
                 "&" => one & other,
                 "|" => one | other,
                 _ => one ^ other,
-            }
-            .into());
+            };
+            return Ok(truth.into());
         }
-        let is_whole = |it: &Value| matches!(it.data, Data::Int(..));
-        if values.iter().all(is_whole) {
-            return self.refused(Refusal::unread(at, &format!("`{sign}`")));
+        if values.iter().all(|it| matches!(it.data, Data::Int(..))) {
+            return self.unread(at, &format!("`{sign}`"));
         }
-        let [one, other] = values.map(|it| self.ty(&it).name(&self.code.names));
-        let message = format!("no implementation for `{one} {sign} {other}`");
-        self.refused(Refusal::new(at, message, "", ""))
+        let [one, other] = values.map(|it| self.named(&it));
+        self.wrong(
+            at,
+            format!("no implementation for `{one} {sign} {other}`"),
+            "",
+        )
     }
 
-    #[inline(never)]
-    pub(super) fn not(&mut self, of: &Node, at: At) -> Eval {
-        let value = self.eval(of)?;
-        match self.end_of(&value).data {
+    /// Returns the opposite of a truth.
+    pub(crate) fn not(&mut self, value: &Value, at: At) -> Eval {
+        match self.end_of(value).data {
             Data::Bool(it) => Ok((!it).into()),
-            Data::Int(..) => self.refused(Refusal::unread(at, "`!` of integers")),
-            _ => self.no_unary("!", &value, at),
+            Data::Int(..) => self.unread(at, "`!` of integers"),
+            _ => self.no_unary("!", value, at),
         }
     }
 
-    #[inline(never)]
-    pub(super) fn negated(&mut self, of: &Node, at: At) -> Eval {
-        let value = self.operand(of)?;
+    /// Returns a value with the other sign.
+    pub(crate) fn negated(&mut self, value: &Value, at: At) -> Eval {
         Ok(match &value.data {
             Data::Float(it) => (-it).into(),
             Data::Vec3(it) => (-*it).into(),
-            Data::Single(it) => Data::Single(-it).into(),
+            Data::Single(it) => (-it).into(),
             Data::Int(it, int) if int.ends().0 < 0 => match int.has(-it.get()) {
                 true => Value::whole(-it.get(), *int),
                 false => return self.panic(at, "attempt to negate with overflow"),
             },
-            Data::Mut(_) => {
-                let value = self.end_of(&value);
-                return self.no_unary("-", &value.lent(), at);
-            }
+            Data::Mut(_) => return self.no_unary("-", value, at),
             _ => {
-                let negations = &self.code.names.negations;
-                let functions = &self.code.names.functions;
-                let mut all = negations.iter();
-                match all.find(|&&it| self.fits(&value, &functions[it].parameters[0])) {
-                    Some(own) => self.run(*own, &[value], at)?,
-                    None => return self.no_unary("-", &value, at),
+                let names = &self.code.names;
+                let fits = |&&it: &&usize| self.fits(value, &names.functions[it].parameters[0]);
+                match names.negations.iter().find(fits) {
+                    Some(own) => self.run(*own, slice::from_ref(value), at)?,
+                    None => return self.no_unary("-", value, at),
                 }
             }
         })
     }
 
     fn no_unary(&mut self, sign: &str, value: &Value, at: At) -> Eval {
-        let name = self.ty(value).name(&self.code.names);
+        let name = self.named(value);
         let message = format!("cannot apply unary operator `{sign}` to type `{name}`");
-        self.refused(Refusal::new(at, message, "", ""))
+        self.wrong(at, message, "")
     }
 
-    #[inline(never)]
-    pub(super) fn cast(&mut self, of: &Node, ty: &Type, at: At) -> Eval {
-        let value = self.eval(of)?;
+    /// Converts a value as `as` does.
+    pub(crate) fn cast(&mut self, value: &Value, ty: &Type, at: At) -> Eval {
         let cast = match ty.0 {
             _ if value.lent > 0 => None,
             Head::Int(_) | Head::F64 | Head::F32 => value.cast(ty),
-            _ => self.fits(&value, ty).then(|| value.clone()),
+            _ => self.fits(value, ty).then(|| value.clone()),
         };
         match cast {
             Some(cast) => Ok(cast),
             None => {
-                let names = &self.code.names;
-                let (from, to) = (self.ty(&value).name(names), ty.name(names));
-                let message = format!("non-primitive cast: `{from}` as `{to}`");
-                self.refused(Refusal::new(at, message, "", ""))
+                let (from, to) = (self.named(value), ty.name(&self.code.names));
+                self.wrong(at, format!("non-primitive cast: `{from}` as `{to}`"), "")
+            }
+        }
+    }
+
+    /// Compares two values, the second of which stands at a place of its own.
+    #[inline]
+    pub(crate) fn compared(
+        &mut self,
+        order: Order,
+        [left, right]: [Value; 2],
+        (at, spot): (At, Spot),
+    ) -> Eval {
+        if let (Data::Float(a), Data::Float(b)) = (&left.data, &right.data)
+            && left.lent == right.lent
+        {
+            let found = a.partial_cmp(b);
+            mem::forget((left, right));
+            return Ok(order.holds(found).into());
+        }
+        self.rarely_compared(order, [left, right], (at, spot))
+    }
+
+    #[inline(never)]
+    fn rarely_compared(&mut self, order: Order, both: [Value; 2], (at, spot): (At, Spot)) -> Eval {
+        let [left, right] = both.map(|it| match it.data {
+            Data::Mut(_) => self.end_of(&it),
+            _ => it,
+        });
+        let is_equality = matches!(order, Order::Equal | Order::Unequal);
+        let is_ordered = match left.data.head() {
+            Head::Own(kind) => {
+                is_equality && self.code.names.kinds[kind as usize].derives("PartialEq")
+            }
+            Head::Fn | Head::Iterator | Head::Picture => false,
+            Head::Vec3 | Head::Ray => is_equality,
+            _ => true,
+        };
+        let sign = order.sign();
+        if !is_ordered {
+            let name = self.named(&left);
+            let message = format!("binary operation `{sign}` cannot be applied to type `{name}`");
+            let help = match left.data {
+                Data::Own(..) if is_equality => {
+                    "`#[derive(PartialEq)]` above a struct makes `==` of it"
+                }
+                _ => "",
+            };
+            return self.wrong(at, message, help);
+        }
+        self.must_be_like(&right, &left, spot)?;
+        let is_number = matches!(
+            left.data.head(),
+            Head::Bool | Head::Int(_) | Head::F64 | Head::F32
+        );
+        match order {
+            Order::Equal => Ok(left.equals(&right).into()),
+            Order::Unequal => Ok((!left.equals(&right)).into()),
+            order if is_number => Ok(order.holds(left.compared(&right)).into()),
+            _ => {
+                let name = self.named(&left);
+                self.refused(Refusal::unread(at, &format!("`{sign}` of `{name}`")))
             }
         }
     }
 }
 
-/// Whether it is a number of which nothing says which kind it is.
-pub(super) fn is_literal(node: &Node) -> bool {
-    match node {
-        Node::Float(_) => true,
-        Node::Negate(of, _) => is_literal(of),
-        Node::Arithmetic(_, nodes, _) => nodes.iter().all(is_literal),
-        _ => false,
+/// Makes a number of which nothing says how wide it is as wide as the other one.
+pub(crate) fn alike(both: [Value; 2], is_any: [bool; 2]) -> [Value; 2] {
+    match ([&both[0].data, &both[1].data], is_any) {
+        ([Data::Single(_), Data::Float(it)], [_, true]) => {
+            let right = (*it as f32).into();
+            let [left, _] = both;
+            [left, right]
+        }
+        ([Data::Float(it), Data::Single(_)], [true, _]) => {
+            let left = (*it as f32).into();
+            let [_, right] = both;
+            [left, right]
+        }
+        _ => both,
     }
 }
 
-fn of_floats(sign: Sign, a: f64, b: f64) -> f64 {
-    match sign {
-        Sign::Plus => a + b,
-        Sign::Minus => a - b,
-        Sign::Times => a * b,
-        Sign::Over => a / b,
-        Sign::Remainder => a % b,
-    }
-}
-
-fn of_singles(sign: Sign, a: f32, b: f32) -> f32 {
-    match sign {
-        Sign::Plus => a + b,
-        Sign::Minus => a - b,
-        Sign::Times => a * b,
-        Sign::Over => a / b,
-        Sign::Remainder => a % b,
-    }
-}
-
-fn of_vectors(sign: Sign, a: DVec3, b: DVec3) -> DVec3 {
+fn combine<T>(sign: Sign, a: T, b: T) -> T
+where
+    T: Add<Output = T> + Sub<Output = T> + Mul<Output = T> + Div<Output = T> + Rem<Output = T>,
+{
     match sign {
         Sign::Plus => a + b,
         Sign::Minus => a - b,

@@ -1,85 +1,148 @@
 //! Addresses: where a place is, what stands there, and changes of it.
 
-use super::Machine;
-use crate::host::{Eval, Host};
-use crate::node::{Field, Node, Root, Step, Target};
+use super::value::{Address, Data, Value};
+use super::{Eval, Machine, Spot};
 use crate::refusal::{At, Refusal};
-use crate::value::{Address, Data, Value};
+use crate::types::{Head, Int, Type};
+
+/// Something that can be assigned to: a variable, or a part of one.
+pub(crate) struct Place {
+    /// The variable, if it is one by itself.
+    pub(crate) local: Option<usize>,
+    /// The variable that it is a part of.
+    pub(crate) root: Option<usize>,
+    /// What is said if that is no mutable reference, since it is not `mut`.
+    pub(crate) fixed: Option<Refusal>,
+    /// Finds where it is. Mutable references and boxes on the way are followed.
+    pub(crate) address: Box<Find>,
+    pub(crate) at: At,
+}
+
+type Find = dyn Fn(&mut Machine<'_>) -> Eval<Address> + Send + Sync;
+
+/// A name after a point: which of its fields that is of a value.
+#[derive(Debug)]
+pub(crate) struct Field {
+    pub(crate) name: String,
+    /// Of each of the reader's kinds, if it may be seen.
+    pub(crate) own: Box<[Option<u32>]>,
+    /// Of a vector, of a ray and of a tuple.
+    pub(crate) vec3: Option<usize>,
+    pub(crate) ray: Option<usize>,
+    pub(crate) number: Option<usize>,
+    pub(crate) at: At,
+}
+
+impl Field {
+    fn of(&self, value: &Data) -> Option<usize> {
+        match value {
+            Data::Own(kind, _) => self.own[*kind as usize].map(|it| it as usize),
+            Data::Vec3(_) => self.vec3,
+            Data::Ray(_) => self.ray,
+            Data::Tuple(all) => self.number.filter(|it| *it < all.len()),
+            _ => None,
+        }
+    }
+}
 
 impl Machine<'_> {
-    /// The value at the end of a mutable reference, or of several.
-    pub(super) fn end_of(&self, value: &Value) -> Value {
+    /// Returns the value at the end of a mutable reference, or of several.
+    pub(crate) fn end_of(&self, value: &Value) -> Value {
         match &value.data {
             Data::Mut(address) => self.end_of(&self.read(address)),
             _ => value.clone(),
         }
     }
 
-    /// The value at an address.
-    pub(super) fn read(&self, address: &Address) -> Value {
+    /// Returns what is behind mutable references and boxes.
+    fn unboxed(&self, value: &Value) -> Value {
+        let mut value = self.end_of(value);
+        while let Data::Box(inner) = &value.data {
+            value = (**inner).clone();
+        }
+        value
+    }
+
+    /// Returns the value at an address.
+    pub(crate) fn read(&self, address: &Address) -> Value {
         let root = &self.stack[address.slot as usize];
-        let mut steps = address.steps.iter();
-        match steps.next() {
+        match address.steps.split_first() {
             None => root.clone(),
-            Some(&first) => {
+            Some((&first, steps)) => {
                 let first = root.part(first as usize);
-                steps.fold(first, |value, &n| value.part(n as usize))
+                steps.iter().fold(first, |value, &n| value.part(n as usize))
             }
         }
     }
 
-    /// Where a place is. Mutable references and boxes on the way are followed.
-    pub(super) fn address(&mut self, target: &Target) -> Eval<Address> {
-        let mut address = match &target.root {
-            Root::Local(slot) => Address::of(self.base + slot),
-            Root::Through(reference) => match self.eval(reference)? {
-                Value {
-                    data: Data::Mut(address),
-                    ..
-                } => address,
-                it if it.lent > 0 => return self.behind(target.at),
-                Value {
-                    data: Data::Box(_), ..
-                } => {
-                    let what = "changes through a `*` of a `Box`";
-                    return self.refused(Refusal::unread(target.at, what));
-                }
-                it => {
-                    let name = self.ty(&it).name(&self.code.names);
-                    let message = format!("type `{name}` cannot be dereferenced");
-                    return self.refused(Refusal::new(target.at, message, "", ""));
-                }
-            },
+    /// Puts a value at an address.
+    pub(super) fn write(&mut self, address: &Address, value: Value) {
+        let mut value = Some(value);
+        self.stack[address.slot as usize].reach(&address.steps, &mut |place| {
+            *place = value.take().unwrap_or_default();
+        });
+    }
+
+    /// Changes what a mutable reference leads to.
+    pub(crate) fn change(&mut self, reference: &Value, mut change: impl FnMut(&mut Value)) {
+        let Data::Mut(address) = &reference.data else {
+            unreachable!("types are checked, and {reference:?} is no address");
         };
-        for step in &target.steps {
-            let (whole, value) = self.opened(address, target.at)?;
-            let n = match step {
-                Step::Field(field) => self.number_of(field, &value)?,
-                Step::Index(index, at) => {
-                    let index = self.eval(index)?;
-                    self.index(&value, &index, *at)?
-                }
-            };
-            address = whole.part(n);
+        let mut address = address.clone();
+        while let Data::Mut(next) = self.read(&address).data {
+            address = next;
         }
-        Ok(address)
+        self.stack[address.slot as usize].reach(&address.steps, &mut change);
     }
 
-    /// Whether a place may be changed whose variable is not `mut`: it may be a mutable reference.
-    pub(super) fn may_change(&mut self, target: &Target) -> Eval<()> {
-        if let (Some(fixed), Root::Local(slot)) = (&target.fixed, &target.root) {
-            let root = &self.stack[self.base + slot];
-            return match root.data {
-                Data::Mut(_) => Ok(()),
-                _ if root.lent > 0 => self.behind(target.at),
-                _ => self.refused(fixed.clone()),
-            };
-        }
-        Ok(())
+    /// Returns the address of a variable.
+    pub(crate) fn address_of(&self, slot: usize) -> Address {
+        Address::of(self.base + slot)
     }
 
-    /// What stands at an address that is to be changed, behind references and boxes.
-    pub(super) fn opened(&mut self, mut address: Address, at: At) -> Eval<(Address, Value)> {
+    /// Returns where a reference leads to that is to be changed.
+    pub(crate) fn address_behind(&mut self, reference: Value, at: At) -> Eval<Address> {
+        match reference.data {
+            Data::Mut(address) => Ok(address),
+            _ if reference.lent > 0 => self.behind(at),
+            Data::Box(_) => self.unread(at, "changes through a `*` of a `Box`"),
+            _ => self.no_reference(&reference, at),
+        }
+    }
+
+    /// Returns the value behind a reference or in a box.
+    pub(crate) fn dereferenced(&mut self, value: Value, at: At) -> Eval {
+        match &value.data {
+            _ if value.lent > 0 => Ok(Value {
+                lent: value.lent - 1,
+                ..value
+            }),
+            Data::Mut(address) => Ok(self.read(address)),
+            Data::Box(inner) => Ok((**inner).clone()),
+            _ => self.no_reference(&value, at),
+        }
+    }
+
+    fn no_reference<T>(&mut self, value: &Value, at: At) -> Eval<T> {
+        let name = self.named(value);
+        self.wrong(at, format!("type `{name}` cannot be dereferenced"), "")
+    }
+
+    /// Checks that a place may be changed: that its variable is `mut`, or a mutable reference.
+    pub(crate) fn may_change(&mut self, place: &Place) -> Eval<()> {
+        let (Some(slot), Some(fixed)) = (place.root, &place.fixed) else {
+            return Ok(());
+        };
+        let root = &self.stack[self.base + slot];
+        match root.data {
+            Data::Mut(_) => Ok(()),
+            _ if root.lent > 0 => self.behind(place.at),
+            _ => self.refused(fixed.clone()),
+        }
+    }
+
+    /// Returns what stands at an address that is to be changed, behind references and boxes.
+    pub(crate) fn opened(&mut self, mut address: Address, at: At) -> Eval<(Address, Value)> {
         loop {
             let value = self.read(&address);
             if value.lent > 0 {
@@ -93,164 +156,112 @@ impl Machine<'_> {
         }
     }
 
-    fn behind<T>(&mut self, at: At) -> Eval<T> {
+    /// Stops since a shared reference does not let its value be changed.
+    pub(crate) fn behind<T>(&mut self, at: At) -> Eval<T> {
         let message = "cannot change this, as it is behind a `&` reference";
-        self.refused(Refusal::new(at, message, "", "`&mut` instead of `&`"))
+        self.wrong(at, message, "`&mut` instead of `&`")
     }
 
-    #[inline(never)]
-    pub(super) fn set(&mut self, target: &Target, value: &Node, at: At) -> Eval {
-        let new = self.operand(value)?;
-        if let (Root::Local(slot), []) = (&target.root, &*target.steps) {
-            let slot = self.base + slot;
-            if new.is_like(&self.stack[slot]) {
-                self.stack[slot] = new;
-                return Ok(Value::default());
-            }
+    /// Returns a mutable reference to a place.
+    pub(crate) fn borrowed(&mut self, place: &Place) -> Eval {
+        self.may_change(place)?;
+        let address = (place.address)(self)?;
+        if place.local.is_none() && self.read(&address).lent > 0 {
+            return self.behind(place.at);
         }
-        self.put(target, new, at, Some(value))?;
-        Ok(Value::default())
+        Ok(Data::Mut(address).into())
     }
 
     /// Puts a value in the place of another of its type.
-    pub(super) fn put(
-        &mut self,
-        target: &Target,
-        new: Value,
-        at: At,
-        node: Option<&Node>,
-    ) -> Eval<()> {
-        self.may_change(target)?;
-        let address = self.address(target)?;
+    pub(crate) fn put(&mut self, place: &Place, new: Value, spot: Spot) -> Eval {
+        if let Some(slot) = place.local.map(|it| self.base + it)
+            && new.is_like(&self.stack[slot])
+        {
+            self.stack[slot] = new;
+            return Ok(Value::default());
+        }
+        self.may_change(place)?;
+        let address = (place.address)(self)?;
         let old = self.read(&address);
-        let is_first = matches!(old.data, Data::Unit) && old.lent == 0;
-        if !is_first && !new.is_like(&old) {
-            let wanted = self.ty(&old);
-            return self.mismatch(&new, &wanted, at, node);
+        if !matches!(old.data, Data::Unit) || old.lent > 0 {
+            self.must_be_like(&new, &old, spot)?;
         }
         drop(old);
-        let mut new = Some(new);
-        self.stack[address.slot as usize].reach(&address.steps, &mut |place| {
-            *place = new.take().unwrap_or_default();
-        });
-        Ok(())
-    }
-
-    #[inline(never)]
-    pub(super) fn set_all(&mut self, targets: &[(Option<Target>, At)], value: &Node) -> Eval {
-        let value = self.eval(value)?;
-        let all = match &value.data {
-            Data::Tuple(all) if all.len() == targets.len() => all.clone(),
-            _ => {
-                let unknown = vec![crate::types::Type::UNKNOWN; targets.len()];
-                let wanted = crate::types::Type(crate::types::Head::Tuple, unknown);
-                let at = targets.first().map_or(At::default(), |it| it.1);
-                return self.mismatch(&value, &wanted, at, None);
-            }
-        };
-        for ((target, at), value) in targets.iter().zip(all.iter()) {
-            if let Some(target) = target {
-                self.put(target, value.clone(), *at, None)?;
-            }
-        }
+        self.write(&address, new);
         Ok(Value::default())
     }
 
-    /// A part of a value, without a copy of the whole.
-    #[inline(never)]
-    pub(super) fn field(&mut self, of: &Node, field: &Field) -> Eval {
-        let evaluated;
-        let value = match of {
-            Node::Local(slot) => &self.stack[self.base + slot],
-            of => {
-                evaluated = self.eval(of)?;
-                &evaluated
-            }
-        };
-        let part = match &value.data {
-            Data::Own(kind, fields) => {
-                field.own[*kind as usize].map(|n| fields[n as usize].clone())
-            }
-            Data::Vec3(vector) => field.vec3.map(|n| vector[n].into()),
-            Data::Ray(ray) => field.ray.map(|n| [ray.origin, ray.direction][n].into()),
-            _ => None,
-        };
-        match part {
-            Some(part) => Ok(part),
-            None => {
-                let value = value.clone();
-                self.other_field(value, field)
-            }
-        }
-    }
-
-    /// The same behind references and boxes.
-    fn other_field(&mut self, value: Value, field: &Field) -> Eval {
-        let mut whole = self.end_of(&value);
-        while let Data::Box(inner) = &whole.data {
-            whole = (**inner).clone();
-        }
-        match self.number(field, &whole) {
-            Some(n) => Ok(whole.part(n)),
-            None => self.no_field(field, &value),
-        }
-    }
-
-    fn number(&self, field: &Field, value: &Value) -> Option<usize> {
+    /// Returns the parts of a tuple of so many.
+    pub(crate) fn parted(&mut self, value: &Value, count: usize, at: At) -> Eval<Vec<Value>> {
         match &value.data {
-            Data::Own(kind, _) => field.own[*kind as usize].map(|it| it as usize),
-            Data::Vec3(_) => field.vec3,
-            Data::Ray(_) => field.ray,
-            Data::Tuple(all) => field.number.filter(|it| *it < all.len()),
-            _ => None,
+            Data::Tuple(all) if all.len() == count => Ok(all.to_vec()),
+            _ => {
+                let wanted = Type(Head::Tuple, vec![Type::UNKNOWN; count]);
+                self.mismatch(value, &wanted, at.into())
+            }
         }
     }
 
-    fn number_of(&mut self, field: &Field, value: &Value) -> Eval<usize> {
-        match self.number(field, value) {
+    /// Returns a part of a variable, without a copy of the whole.
+    #[inline]
+    pub(crate) fn field_of_local(&mut self, slot: usize, field: &Field) -> Eval {
+        match plain_field(&self.stack[self.base + slot], field) {
+            Some(part) => Ok(part),
+            None => self.field(self.local(slot), field),
+        }
+    }
+
+    /// Returns a part of a value, behind references and boxes.
+    pub(crate) fn field(&mut self, value: Value, field: &Field) -> Eval {
+        if let Some(part) = plain_field(&value, field) {
+            return Ok(part);
+        }
+        let whole = self.unboxed(&value);
+        match field.of(&whole.data) {
+            Some(n) => Ok(whole.part(n)),
+            None => self.no_field(&value, field),
+        }
+    }
+
+    /// Returns the number of a field of a value.
+    pub(crate) fn number(&mut self, value: &Value, field: &Field) -> Eval<usize> {
+        match field.of(&value.data) {
             Some(n) => Ok(n),
-            None => self.no_field(field, value),
+            None => self.no_field(value, field),
         }
     }
 
-    fn no_field<T>(&mut self, field: &Field, value: &Value) -> Eval<T> {
+    fn no_field<T>(&mut self, value: &Value, field: &Field) -> Eval<T> {
         let ty = self.ty(value);
         let refusal = self.code.names.no_field(&field.name, &ty, field.at);
         self.refused(refusal)
     }
 
-    #[inline(never)]
-    pub(super) fn indexed(&mut self, nodes: &[Node; 2], at: At) -> Eval {
-        let [list, index] = [self.eval(&nodes[0])?, self.eval(&nodes[1])?];
-        let mut list = self.end_of(&list);
-        while let Data::Box(inner) = &list.data {
-            list = (**inner).clone();
-        }
-        let n = self.index(&list, &index, at)?;
+    /// Returns a part of a list by its number.
+    pub(crate) fn indexed(&mut self, list: &Value, index: &Value, at: At) -> Eval {
+        let list = self.unboxed(list);
+        let n = self.index(&list, index, at)?;
         Ok(list.part(n))
     }
 
-    fn index(&mut self, list: &Value, index: &Value, at: At) -> Eval<usize> {
+    /// Returns the number of a part of a list, if it has that one.
+    pub(crate) fn index(&mut self, list: &Value, index: &Value, at: At) -> Eval<usize> {
         let length = match &list.data {
             Data::List(list) => list.all.len(),
             Data::Vec3(_) => 3,
             _ => {
-                let name = self.ty(list).name(&self.code.names);
+                let name = self.named(list);
                 let message = format!("cannot index into a value of type `{name}`");
-                return self.refused(Refusal::new(at, message, "", ""));
+                return self.wrong(at, message, "");
             }
         };
-        let usize = crate::types::Int::Usize;
         let index = match &index.data {
-            Data::Int(it, int) if index.lent == 0 && int.joined(usize).is_some() => it.get(),
+            Data::Int(it, int) if index.lent == 0 && int.joined(Int::Usize).is_some() => it.get(),
             _ => {
-                let names = &self.code.names;
-                let (of, by) = (
-                    self.ty(list).inner().name(names),
-                    self.ty(index).name(names),
-                );
+                let of = self.ty(list).inner().name(&self.code.names);
+                let by = self.named(index);
                 let message = format!("the type `[{of}]` cannot be indexed by `{by}`");
-                return self.refused(Refusal::new(at, message, "an index is a `usize`", ""));
+                return self.wrong(at, message, "an index is a `usize`");
             }
         };
         if (0..length as i128).contains(&index) {
@@ -259,46 +270,14 @@ impl Machine<'_> {
         let message = format!("index out of bounds: the len is {length} but the index is {index}");
         self.panic(at, &message)
     }
+}
 
-    #[inline(never)]
-    pub(super) fn dereferenced(&mut self, of: &Node, at: At) -> Eval {
-        let value = self.eval(of)?;
-        if value.lent > 0 {
-            return Ok(Value {
-                lent: value.lent - 1,
-                ..value
-            });
-        }
-        match &value.data {
-            Data::Mut(address) => Ok(self.read(address)),
-            Data::Box(inner) => Ok((**inner).clone()),
-            _ => {
-                let name = self.ty(&value).name(&self.code.names);
-                let message = format!("type `{name}` cannot be dereferenced");
-                self.refused(Refusal::new(at, message, "", ""))
-            }
-        }
-    }
-
-    /// A mutable reference to a place.
-    #[inline(never)]
-    pub(super) fn borrowed(&mut self, target: &Target) -> Eval {
-        self.may_change(target)?;
-        let address = self.address(target)?;
-        if self.read(&address).lent > 0 && !target.steps.is_empty() {
-            return self.behind(target.at);
-        }
-        Ok(Data::Mut(address).into())
-    }
-
-    /// Adds to a text in its place.
-    pub(super) fn append(&mut self, address: Address, more: &str, at: At) -> Eval<()> {
-        self.take(more.len(), at)?;
-        self.change(&Data::Mut(address).into(), &mut |text| {
-            if let Data::Str(text) = &mut text.data {
-                std::rc::Rc::make_mut(text).push_str(more);
-            }
-        });
-        Ok(())
+#[inline]
+fn plain_field(value: &Value, field: &Field) -> Option<Value> {
+    match &value.data {
+        Data::Own(kind, fields) => field.own[*kind as usize].map(|n| fields[n as usize].clone()),
+        Data::Vec3(vector) => field.vec3.map(|n| vector[n].into()),
+        Data::Ray(ray) => field.ray.map(|n| [ray.origin, ray.direction][n].into()),
+        _ => None,
     }
 }

@@ -4,7 +4,7 @@ mod check;
 pub(crate) mod collect;
 mod declare;
 mod resolve;
-mod standard;
+pub(crate) mod standard;
 mod types;
 pub(crate) mod words;
 

@@ -3,7 +3,6 @@
 use std::f64::consts;
 
 use super::Named;
-use crate::library::number;
 use crate::types::{Head, Int, Type};
 
 /// What `use common::rtweekend::*` brings.
@@ -76,6 +75,32 @@ fn of_std(path: &[&str]) -> Option<Named> {
         [.., name] => Some(Named::Standard((*name).to_owned())),
         [] => None,
     }
+}
+
+/// Returns a constant of `f64`.
+pub(crate) fn number(name: &str) -> Option<f64> {
+    Some(match name {
+        "INFINITY" => f64::INFINITY,
+        "NEG_INFINITY" => f64::NEG_INFINITY,
+        "MAX" => f64::MAX,
+        "MIN" => f64::MIN,
+        "MIN_POSITIVE" => f64::MIN_POSITIVE,
+        "EPSILON" => f64::EPSILON,
+        "NAN" => f64::NAN,
+        _ => return None,
+    })
+}
+
+/// Returns a constant of `f32`.
+pub(crate) fn single(name: &str) -> Option<f32> {
+    Some(match name {
+        "INFINITY" => f32::INFINITY,
+        "NEG_INFINITY" => f32::NEG_INFINITY,
+        "MAX" => f32::MAX,
+        "EPSILON" => f32::EPSILON,
+        "NAN" => f32::NAN,
+        _ => return None,
+    })
 }
 
 fn constant(name: &str) -> Option<Named> {

@@ -3,7 +3,6 @@
 use strsim::levenshtein;
 
 use super::{Lost, Names, standard};
-use crate::library;
 use crate::refusal::{At, Refusal};
 use crate::types::{Head, Int, Type};
 
@@ -57,10 +56,9 @@ impl Names {
         Refusal::new(at, message, "not found in this scope", &help)
     }
 
-    /// That nothing has a field of that name, or that what is of this type has none.
-    pub(crate) fn no_field(&self, name: &str, ty: &Type, at: At) -> Refusal {
-        let on = ty.stripped();
-        let known: Vec<&str> = match on.0 {
+    /// Returns the names of a type's fields.
+    pub(crate) fn fields(&self, ty: &Type) -> Vec<&str> {
+        match ty.0 {
             Head::Own(kind) => {
                 let fields = self.kinds[kind as usize].fields.iter();
                 fields.map(|it| it.name.as_str()).collect()
@@ -68,13 +66,15 @@ impl Names {
             Head::Vec3 => vec!["x", "y", "z"],
             Head::Ray => vec!["origin", "direction"],
             _ => Vec::new(),
-        };
-        let is_method =
-            self.methods(name).next().is_some() || library::methods(name).next().is_some();
-        let help = if is_method {
+        }
+    }
+
+    /// That nothing has a field of that name, or that what is of this type has none.
+    pub(crate) fn no_field(&self, name: &str, ty: &Type, at: At) -> Refusal {
+        let help = if self.methods(name).next().is_some() {
             format!("`{name}` is a method: `.{name}(…)`")
         } else {
-            there_is(name, known.into_iter())
+            there_is(name, self.fields(ty.stripped()).into_iter())
         };
         let on = if ty.is_unknown() {
             String::new()
@@ -128,7 +128,7 @@ impl Type {
         let all: Vec<String> = self.1.iter().map(|it| it.name(names)).collect();
         let of = |name: &str| format!("{name}<{}>", all.join(", "));
         let plain = match self.0 {
-            Head::Unknown => "_",
+            Head::Unknown | Head::Like => "_",
             Head::Never => "!",
             Head::Bool => "bool",
             Head::Str => "str",

@@ -1,10 +1,10 @@
 //! Sizes of values: what they take, and how deep they are nested.
 
 use crate::limits::{DEEPEST_VALUE, VISITS};
-use crate::value::{Data, Value};
+use crate::machine::value::{Data, Value};
 
 impl Value {
-    /// How many bytes it takes with what it is made of, without what it shares.
+    /// Returns how many bytes it takes with what it is made of, without what it shares.
     pub(crate) fn size(&self) -> usize {
         let parts = match &self.data {
             Data::Own(_, all) | Data::Tuple(all) => all.len(),
@@ -14,8 +14,8 @@ impl Value {
         (1 + parts) * size_of::<Self>()
     }
 
-    /// How deep its parts are nested, as far as that is not too deep. Of a list, the first and
-    /// the last tell.
+    /// Returns how deep its parts are nested, as far as that is not too deep. Of a list, the
+    /// first and the last tell.
     pub(crate) fn depth(&self) -> usize {
         self.depth_within(DEEPEST_VALUE + 1, &mut { VISITS })
     }

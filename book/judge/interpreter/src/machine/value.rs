@@ -6,12 +6,13 @@
 
 use std::cell::RefCell;
 use std::cmp::Ordering;
+use std::fmt;
 use std::rc::Rc;
 use std::sync::Arc;
 
 use common::rtweekend::{Camera, Picture, Ray, Vec3};
 
-use crate::node::Closure;
+use super::{Closure, Eval, Machine, Native};
 use crate::refusal::At;
 use crate::types::{Head, Int, Type};
 
@@ -50,7 +51,7 @@ pub(crate) enum Data {
     /// A closure, and the frame that it looks at or has taken along.
     Closure(Arc<Closure>, Frame),
     Function(usize),
-    Native(usize),
+    Native(&'static Native),
 }
 
 /// A whole number that has room for those of all types, and takes no more of a value than a
@@ -88,7 +89,7 @@ impl Address {
         }
     }
 
-    /// The place of a part.
+    /// Returns the place of a part.
     pub(crate) fn part(&self, n: usize) -> Self {
         Self {
             slot: self.slot,
@@ -104,29 +105,26 @@ pub(crate) enum Frame {
     Taken(Rc<Vec<Value>>),
 }
 
-/// What gives one value after the other.
-#[derive(Clone, Debug)]
-pub(crate) enum Iter {
-    /// The parts of a list from the first number to before the second, each with more `&`.
-    List(Rc<List>, usize, usize, u8),
-    /// The places of the parts of a list, the next and how many there are.
-    Places(Address, usize, usize),
-    Range(i128, i128, Int),
-    /// The other way round.
-    Rev(Box<Iter>),
-    Map(Box<Iter>, Rc<Value>),
-    Filter(Box<Iter>, Rc<Value>),
-    FilterMap(Box<Iter>, Rc<Value>),
-    /// References to values as these.
-    Copied(Box<Iter>),
-    Enumerate(Box<Iter>, usize),
-    Zip(Box<[Iter; 2]>),
-    Chain(Box<[Iter; 2]>),
-    Take(Box<Iter>, i128),
-    Skip(Box<Iter>, i128),
-    StepBy(Box<Iter>, i128, bool),
-    /// An iterator that is somebody else's, too.
-    Shared(Rc<RefCell<Iter>>),
+/// An iterator: a function that gives one value after the other.
+pub(crate) struct Iter(pub(crate) Box<NextOf>);
+
+type NextOf = dyn FnMut(&mut Machine<'_>) -> Eval<Option<Value>>;
+
+impl Iter {
+    pub(crate) fn new(next: impl FnMut(&mut Machine<'_>) -> Eval<Option<Value>> + 'static) -> Self {
+        Self(Box::new(next))
+    }
+
+    /// Returns the next value.
+    pub(crate) fn next(&mut self, machine: &mut Machine<'_>) -> Eval<Option<Value>> {
+        (self.0)(machine)
+    }
+}
+
+impl fmt::Debug for Iter {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Iter")
+    }
 }
 
 /// What colors the pixels of a picture.
@@ -138,7 +136,7 @@ pub(crate) enum Brush {
     Ray(Camera, Value, At),
     /// A reader's `ray_color`, with a world if it takes one.
     Role(Camera, usize, Option<Value>),
-    /// A picture that the text has printed by itself.
+    /// One that is drawn already.
     Printed(Picture),
 }
 
@@ -148,23 +146,17 @@ impl From<Data> for Value {
     }
 }
 
-impl From<f64> for Value {
-    fn from(number: f64) -> Self {
-        Data::Float(number).into()
-    }
+macro_rules! from {
+    ($($ty:ty: $variant:ident),*) => {
+        $(impl From<$ty> for Value {
+            fn from(it: $ty) -> Self {
+                Data::$variant(it).into()
+            }
+        })*
+    };
 }
 
-impl From<bool> for Value {
-    fn from(truth: bool) -> Self {
-        Data::Bool(truth).into()
-    }
-}
-
-impl From<Vec3> for Value {
-    fn from(vector: Vec3) -> Self {
-        Data::Vec3(vector).into()
-    }
-}
+from!(f64: Float, f32: Single, bool: Bool, Vec3: Vec3, Ordering: Ordering);
 
 impl From<Option<Self>> for Value {
     fn from(option: Option<Self>) -> Self {
@@ -173,7 +165,7 @@ impl From<Option<Self>> for Value {
     }
 }
 
-/// What only another type could have, of which the checks have made sure.
+/// Methods that return what only one type has, of which the checks have made sure.
 macro_rules! taken {
     ($name:ident, $variant:ident, $ty:ty) => {
         pub(crate) fn $name(&self) -> $ty {
@@ -238,6 +230,10 @@ impl Value {
         Data::Iter(Rc::new(RefCell::new(iter))).into()
     }
 
+    pub(crate) fn tuple(all: impl Into<Rc<[Self]>>) -> Self {
+        Data::Tuple(all.into()).into()
+    }
+
     pub(crate) fn option(&self) -> Option<Self> {
         match &self.data {
             Data::Some(it) => Some((**it).clone().more_lent(self.lent.min(1))),
@@ -245,7 +241,7 @@ impl Value {
         }
     }
 
-    /// The same with so many more `&`.
+    /// Returns the value with so many more `&`.
     pub(crate) fn more_lent(self, more: u8) -> Self {
         Self {
             lent: self.lent.saturating_add(more),
@@ -257,12 +253,12 @@ impl Value {
         self.more_lent(1)
     }
 
-    /// The same without any `&`.
+    /// Returns the value without any `&`.
     pub(crate) fn owned(self) -> Self {
         Self { lent: 0, ..self }
     }
 
-    /// A part of a value that has parts, by its number: what a box or `Some` holds is one.
+    /// Returns a part of a value by its number: what a box or `Some` holds is one.
     pub(crate) fn part(&self, n: usize) -> Self {
         match &self.data {
             Data::Own(_, fields) | Data::Tuple(fields) => fields[n].clone(),
@@ -301,9 +297,9 @@ impl Value {
         }
     }
 
-    /// Whether its type may be that of another, as far as they show it.
+    /// Finds whether its type may be that of another, as far as they show it.
     pub(crate) fn is_like(&self, other: &Self) -> bool {
-        let is_same = match (self.head(), other.head()) {
+        let is_same = match (self.data.head(), other.data.head()) {
             (Head::Int(one), Head::Int(other)) => one.joined(other).is_some(),
             (one, other) => one == other,
         };
@@ -318,7 +314,7 @@ impl Value {
         self.lent == other.lent && is_same && parts
     }
 
-    /// Whether they are equal, as `derive(PartialEq)` has it.
+    /// Finds whether they are equal, as `derive(PartialEq)` has it.
     pub(crate) fn equals(&self, other: &Self) -> bool {
         let all_equal = |one: &[Self], other: &[Self]| {
             one.len() == other.len() && one.iter().zip(other).all(|(one, other)| one.equals(other))
@@ -340,7 +336,7 @@ impl Value {
         }
     }
 
-    /// How numbers are ordered, unless one is none.
+    /// Compares numbers, unless one is none.
     pub(crate) fn compared(&self, other: &Self) -> Option<Ordering> {
         match (&self.data, &other.data) {
             (Data::Float(one), Data::Float(other)) => one.partial_cmp(other),
@@ -352,7 +348,8 @@ impl Value {
         }
     }
 
-    /// `as`: rounds towards zero, stays at the ends of integers, and cuts integers off.
+    /// Converts a number as `as` does: rounds towards zero, stays at the ends of integers, and
+    /// cuts integers off.
     pub(crate) fn cast(&self, ty: &Type) -> Option<Self> {
         Some(match (&self.data, ty.0) {
             (Data::Float(_) | Data::Single(_), Head::Int(int)) => {
@@ -361,17 +358,19 @@ impl Value {
             }
             (Data::Int(it, _), Head::Int(int)) => Self::whole(int.wrapped(it.get()), int),
             (Data::Bool(it), Head::Int(int)) => Self::whole((*it).into(), int),
-            (Data::Int(it, _), Head::F32) => Data::Single(it.get() as f32).into(),
+            (Data::Int(it, _), Head::F32) => (it.get() as f32).into(),
             (Data::Float(_) | Data::Single(_) | Data::Int(..), Head::F64) => self.float().into(),
-            (Data::Float(it), Head::F32) => Data::Single(*it as f32).into(),
-            (Data::Single(it), Head::F32) => Data::Single(*it).into(),
+            (Data::Float(it), Head::F32) => (*it as f32).into(),
+            (Data::Single(it), Head::F32) => (*it).into(),
             _ => return None,
         })
     }
+}
 
-    /// What its type is apart from those that it is made of.
+impl Data {
+    /// Returns what its type is apart from those that it is made of.
     pub(crate) fn head(&self) -> Head {
-        match &self.data {
+        match self {
             Data::Bool(_) => Head::Bool,
             Data::Int(_, int) => Head::Int(*int),
             Data::Float(_) => Head::F64,
