@@ -15,6 +15,7 @@ fn every_command_that_a_page_names_works() {
     for (page, text) in pages() {
         let desk = Desk::default();
         desk.write_picture("mine.ppm", &normals::picture(32));
+        desk.write_picture("build_test.ppm", &Chapter::BuildTest.picture(32));
         desk.write_picture("mine.png", &normals::picture(32));
         for line in named(&text) {
             let output = run(&mut desk.command(&with_help(&line)));
