@@ -18,21 +18,23 @@ pub struct Camera {
     pub center: Point3,
     /// The center of the upper left pixel.
     pub pixel00: Point3,
-    /// From the center of a pixel to the center of its neighbor on the right.
+    /// The way from the center of a pixel to that of its neighbor on the right.
     pub pixel_delta_u: Vec3,
-    /// From the center of a pixel to the center of its neighbor below.
+    /// The way from the center of a pixel to that of its neighbor below.
     pub pixel_delta_v: Vec3,
 }
 
 impl Camera {
-    /// The camera of the chapters: 16:9, the height rounded down and at least 1.
+    /// Returns the camera of the chapters: 16:9, the height rounded down and at
+    /// least 1.
     pub fn new(image_width: u32) -> Self {
         let aspect_ratio = 16.0 / 9.0;
         let image_height = ((f64::from(image_width) / aspect_ratio) as u32).max(1);
         Self::with_size(image_width, image_height)
     }
 
-    /// The same eye with a picture of another shape.
+    /// Returns the camera with that eye and a picture of another shape, in
+    /// pixels.
     ///
     /// The viewport is 2 units high. Its width follows from the real ratio of
     /// width to height, which only comes near 16:9, because both are integers.
@@ -65,8 +67,9 @@ impl Camera {
         }
     }
 
-    /// The ray from the eye through the center of the pixel in column `i` and
-    /// row `j`. Its direction is as long as the way to that point: `t` = 1 there.
+    /// Returns the ray from the eye through the center of the pixel in column `i`
+    /// and row `j`, counted from 0. Its direction is as long as the way to that
+    /// point: `t` = 1 there.
     #[inline]
     pub fn ray(&self, i: u32, j: u32) -> Ray {
         let pixel_center =

@@ -6,8 +6,8 @@ use crate::vec3::Vec3;
 /// Red, green and blue, each from 0 to 1.
 pub type Color = Vec3;
 
-/// The background: the steeper `ray` climbs, the bluer. Straight down it would
-/// be white, straight up blue; the picture shows what lies between.
+/// Returns the background: the steeper `ray` climbs, the bluer. Straight down it
+/// would be white, straight up blue; the picture shows what lies between.
 ///
 /// Chapter 1 is about this function and writes it out; the later chapters take
 /// it from here. A direction of length zero has no color: the result is NaN.

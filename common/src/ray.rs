@@ -6,20 +6,21 @@ use crate::vec3::{Point3, Vec3};
 /// origin A and its direction b at first, Q and d once spheres arrive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
-    /// Where the ray starts, at `t` = 0.
+    /// The point at `t` = 0, where the ray starts.
     pub origin: Point3,
-    /// How far the ray goes for each unit of `t`; it need not be a unit vector.
+    /// The way for each unit of `t`; it need not be a unit vector.
     pub direction: Vec3,
 }
 
 impl Ray {
-    /// The ray from `origin` along `direction`.
+    /// Makes the ray from `origin` along `direction`.
     #[inline]
     pub const fn new(origin: Point3, direction: Vec3) -> Self {
         Self { origin, direction }
     }
 
-    /// The point at ray parameter `t`: behind the origin where `t` is negative.
+    /// Returns the point at ray parameter `t`: behind the origin where `t` is
+    /// negative.
     ///
     /// `t` counts lengths of `direction`, so it is a distance only if that is
     /// a unit vector.

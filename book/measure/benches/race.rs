@@ -89,7 +89,7 @@ fn build_chapters() -> Result<PathBuf, Box<dyn Error>> {
     Ok(folder.ok_or("this benchmark is not where cargo puts it")?)
 }
 
-/// Milliseconds of each run of ours, and of the C++ program.
+/// Returns the milliseconds of each run: of our program, and of the C++ program.
 ///
 /// What is traced is kept as bytes in memory, on one thread. The C++ program prints nothing
 /// but their sum then. Its process takes a millisecond or two to start.
@@ -140,7 +140,7 @@ fn result(chapter: &str, to: &str, [ours, mut theirs]: [Vec<f64>; 2]) -> Race {
     }
 }
 
-/// How long the command takes from start to end.
+/// Measures how long the command takes from start to end.
 fn milliseconds(command: &mut Command) -> io::Result<f64> {
     let start = Instant::now();
     let status = command.stdout(Stdio::null()).status()?;

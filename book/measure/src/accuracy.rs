@@ -15,8 +15,8 @@ use laws::oracle::{Exact, Root};
 use rayon::prelude::*;
 use speed_vs_accuracy::{Case, METHODS, Method, Precision, REGIMES, Regime, SPHERES};
 
-/// These methods in all regimes, each in its precision: so many `cases` of each, and of
-/// the book so many `pixels`, or all.
+/// Asks these methods in all regimes, each in its precision: `cases` questions in each regime, and
+/// `pixels` of the book, or all if there are fewer.
 pub fn table(methods: &[Method], cases: usize, pixels: usize, seed: u64) -> Table<Accuracy> {
     let mut rows = Vec::new();
     for precision in Precision::ALL {
@@ -32,8 +32,7 @@ pub fn table(methods: &[Method], cases: usize, pixels: usize, seed: u64) -> Tabl
     rows.into()
 }
 
-/// Errors against distance, level by level: so many
-/// `cases` at each level.
+/// Measures errors against distance, level by level, with `cases` questions at each.
 pub fn sweeps(cases: usize, seed: u64) -> Table<Level> {
     let mut rows = Vec::new();
     let regime = Regime::FAR;
@@ -60,7 +59,8 @@ fn is_the_book(regime: &Regime) -> bool {
     regime.name == Regime::BOOK.name
 }
 
-/// The ball, the ground, and both together under the name of the regime.
+/// Returns the rows of the ball, of the ground, and of both together, under the
+/// name of the regime.
 fn of_the_book(methods: &[Method], precision: Precision, pixels: usize) -> Vec<Accuracy> {
     let [ball, ground] = SPHERES.map(|(center, radius)| {
         errors_of(methods, precision, pixels.min(PIXELS), &|n| {
@@ -81,12 +81,12 @@ fn of_the_book(methods: &[Method], precision: Precision, pixels: usize) -> Vec<A
     .collect()
 }
 
-/// How wide the picture is of which all pixels are asked, and how many there are.
+/// The width of the picture of which all pixels are asked, and their number.
 const WIDTH: u32 = 3840;
 const PIXELS: usize = 3840 * 2160;
 
-/// A column and a row: others for each number, spread over the picture from the start, so that
-/// the first few are as good a sample as any.
+/// Returns the column and the row that belong to a number: others for each, spread over the picture
+/// from the start, so that the first few are as good a sample as any.
 fn scattered(number: usize) -> [u32; 2] {
     // It shares no factor with the number of pixels, so it leads to each of them once.
     const STEP: usize = 5_126_203;
@@ -111,23 +111,23 @@ fn row(name: &str, method: &Method, found: Errors) -> Accuracy {
     }
 }
 
-/// What is wrong with the answers of a method.
+/// The errors of the answers of a method.
 #[derive(Clone, Default)]
 struct Errors {
     cases: usize,
-    /// How many cases have a root.
+    /// The number of cases that have a root.
     hits: usize,
     /// Hits that should be misses, and misses that should be hits.
     wrong: usize,
     /// Errors of t in ulps where both say hit, in order of size.
     ulps: Vec<f64>,
-    /// How far the point at t is from the sphere, in radii, in order of size.
+    /// The distances of the points at t from the sphere, in radii, in order of size.
     surface: Vec<f64>,
     /// A sum of the first answers, [`FEW`] of them.
     answers: u64,
 }
 
-/// How many answers are kept as a sum of their bits. A test asks these again, and
+/// The number of answers that are kept as a sum of their bits. A test asks these again, and
 /// notices when the methods answer otherwise than those that were measured.
 const FEW: usize = 400;
 
@@ -156,7 +156,7 @@ impl Errors {
         }
     }
 
-    /// Both together, in no order.
+    /// Joins both, in no order.
     fn sum((mut one, other): (Self, Self)) -> Self {
         one.cases += other.cases;
         one.hits += other.hits;
@@ -174,8 +174,7 @@ impl Errors {
     }
 }
 
-/// The errors of each of these methods that has that precision, in so many cases, on all
-/// threads.
+/// Finds the errors of each method that has this precision, on all threads.
 fn errors_of<'a>(
     methods: &'a [Method],
     precision: Precision,
@@ -204,14 +203,14 @@ fn errors_of<'a>(
         .zip(found.into_iter().map(Errors::sorted))
 }
 
-/// How far `t` is from the root, in units of the last place that a number of the precision
+/// Returns how far `t` is from the root, in units of the last place that a number of the precision
 /// near the root has.
 pub fn ulps_off(root: Root, precision: Precision, t: f64) -> f64 {
     root.error_in_ulps(t) / (precision.epsilon() / f64::EPSILON)
 }
 
-/// How far the point at `t`, computed as a program would, is from the sphere, in
-/// radii.
+/// Returns how far the point at `t`, computed as a program would, is from the
+/// sphere, in radii.
 fn off_the_surface(case: &Case, t: f64, precision: Precision) -> f64 {
     let point = case.point(t, precision);
     // The direction does not matter here.
@@ -224,7 +223,8 @@ fn off_the_surface(case: &Case, t: f64, precision: Precision) -> f64 {
     (above_one / ((1.0 + above_one).sqrt() + 1.0)).abs()
 }
 
-/// The value that the share `p` of `sorted` does not exceed, if there is one.
+/// Returns the value that the share `p` of `sorted`, from 0 to 1, does not
+/// exceed, or `None` for an empty list.
 fn quantile(sorted: &[f64], p: f64) -> Option<f64> {
     let rank = (p * sorted.len() as f64).ceil() as usize;
     sorted.get(rank.saturating_sub(1)).copied()

@@ -12,7 +12,7 @@ use speed_vs_accuracy::Precision;
 
 use crate::spread::Spread;
 
-/// Those that take turns. The first is what the others are compared with.
+/// Runners that take turns. The others are compared with the first.
 pub struct Group(pub Vec<Runner>);
 
 /// Something whose time is taken.
@@ -23,18 +23,18 @@ pub struct Runner {
     pub run: Box<dyn FnMut()>,
 }
 
-/// How long to take.
+/// The length of a measurement.
 #[derive(Clone, Copy, Debug)]
 pub struct Effort {
-    /// How many turns everyone has.
+    /// The number of turns that each runner has.
     pub rounds: usize,
-    /// How long a turn should be at least.
+    /// The least length of a turn.
     pub turn: Duration,
 }
 
 impl Effort {
-    /// A minute or two for all that the benchmark `clock` measures, or if it must be
-    /// `quick`, seconds.
+    /// Chooses a minute or two for all that the benchmark `clock` measures, or seconds if it must
+    /// be `quick`.
     pub fn new(quick: bool) -> Self {
         let (rounds, microseconds) = if quick { (11, 500) } else { (101, 1000) };
         let turn = Duration::from_micros(microseconds);
@@ -43,7 +43,8 @@ impl Effort {
 }
 
 impl Runner {
-    /// Someone whose times are not yet taken.
+    /// Makes a runner whose times are not yet taken. `key` says what, by which
+    /// method and where.
     pub fn new(
         [what, name, place]: [&str; 3],
         precision: Precision,
@@ -64,7 +65,7 @@ impl Runner {
         Self { row, run }
     }
 
-    /// Nanoseconds for one test, from so many runs.
+    /// Runs the loop so often, and returns the nanoseconds of one test.
     fn take_turn(&mut self, runs: usize) -> f64 {
         let start = Instant::now();
         for _ in 0..runs {
@@ -73,7 +74,7 @@ impl Runner {
         1e9 * start.elapsed().as_secs_f64() / (runs * self.row.n) as f64
     }
 
-    /// How many runs make a turn. The first of them also warm up.
+    /// Counts the runs that make a turn. The first of them also warm up.
     fn runs_in(&mut self, turn: Duration) -> usize {
         let mut runs = 1;
         loop {
@@ -88,8 +89,8 @@ impl Runner {
 }
 
 impl Group {
-    /// The times of each in each round, in nanoseconds for one test: a list for
-    /// everyone, in order.
+    /// Takes all times, in turns: for each runner, in order, the nanoseconds of
+    /// one test in each round.
     pub fn times(&mut self, effort: &Effort) -> Vec<Vec<f64>> {
         let Self(runners) = self;
         let runs: Vec<usize> = runners
@@ -106,7 +107,7 @@ impl Group {
     }
 }
 
-/// The rows of all runners, in order.
+/// Lets all groups run, and returns the rows of all runners, in order.
 pub fn run(groups: Vec<Group>, effort: &Effort) -> Vec<Timing> {
     let rows = groups.into_iter().flat_map(|mut group| {
         let times = group.times(effort);
@@ -126,7 +127,8 @@ fn filled_in(row: Timing, times: Vec<f64>, first: &[f64]) -> Timing {
     }
 }
 
-/// How many times as long as the `other` it took in the same round.
+/// Returns the spread of `times` divided by the times of the `other` in the same
+/// round.
 pub fn ratio(times: &[f64], other: &[f64]) -> Spread {
     let ratios = times.iter().zip(other).map(|(time, other)| time / other);
     Spread::of(ratios.collect())

@@ -12,8 +12,8 @@ use speed_vs_accuracy::{Case, Eye, METHODS, Method, Precision, Scene, SingleRay,
 
 use crate::contest::{Effort, Group, Runner};
 
-/// The times of each method, the reference first, in nanoseconds for a question of
-/// `scene`: as many as there are rounds.
+/// Measures each method, the reference first: the nanoseconds of a question of `scene`, one number
+/// for each round.
 pub fn times(scene: &Scene, effort: &Effort) -> Vec<(Method, Vec<f64>)> {
     let asked = questions(scene);
     let mut group = group(&scene.name, &of_cases(&asked, &asked));
@@ -32,11 +32,11 @@ pub struct Questions<D, S> {
 /// A center and a radius, a ray, and where the range of t begins.
 pub type Double = ((Point3, f64), Ray, f64);
 
-/// The same in `f32`.
+/// A center and a radius, a ray, and where the range of t begins, in `f32`.
 pub type Single = ((SingleVec3, f32), SingleRay, f32);
 
-/// Questions that lie ready in memory: those of methods in `f64`, and as many for methods
-/// in `f32`.
+/// Makes questions that lie ready in memory: those of methods in `f64`, and as many for methods in
+/// `f32`.
 pub fn of_cases(
     double: &[(Case, f64)],
     single: &[(Case, f64)],
@@ -55,7 +55,7 @@ pub fn of_cases(
     }
 }
 
-/// Columns and rows of a picture, and spheres: their rays are made when they are asked for.
+/// Makes questions from columns, rows and spheres: their rays are made when they are asked for.
 pub fn of_pixels(
     camera: Camera,
     asked: Vec<([u32; 2], (Point3, f64))>,
@@ -88,7 +88,8 @@ pub fn of_pixels(
 /// call, and for the ray that is handed over in memory.
 macro_rules! loops {
     ($(in $number:ident $precision:ident: $question:ident, $($method:ident)*;)*) => {
-        /// All methods, the reference first: all are asked the same questions.
+        /// Makes a loop for each method, the reference first, over the same
+        /// questions.
         pub fn group<D, S>(place: &str, asked: &Questions<D, S>) -> Group
         where
             D: Fn(usize) -> Double + Clone + 'static,
@@ -126,11 +127,11 @@ pub fn throughput<T>(count: usize, answer: impl Fn(usize) -> T) -> impl FnMut() 
     }
 }
 
-/// So many questions of a scene are enough that no processor learns them by heart.
+/// Questions of a scene: enough that no processor learns their branches by heart.
 const CASES: usize = 4096;
 
-/// Camera rays and spheres, spread over the picture and in its order; where there is
-/// a sun, so many rays to it again.
+/// Chooses camera rays and spheres that are spread over the picture, in its order; where there is a
+/// sun, as many rays to it again.
 fn questions(scene: &Scene) -> Vec<(Case, f64)> {
     let camera = Camera::new(scene.width);
     let spheres = scene.spheres.len();

@@ -73,8 +73,8 @@ macro_rules! runners {
     }};
 }
 
-/// The methods in lanes: from 0 on, where signs decide, and those that a certificate is compared
-/// with from another `t_min` on.
+/// Returns the loops of methods in lanes: with a range from 0 on, where signs decide, and from
+/// another `t_min` on, for those that a certificate is compared with.
 pub fn groups() -> [Group; 2] {
     let blocks = blocks();
     let in_any_range = runners! { blocks, "any_range", 0.001,
@@ -92,7 +92,8 @@ pub fn groups() -> [Group; 2] {
     [Group(runners), Group(in_any_range)]
 }
 
-/// What a question in lanes cannot do without: the same blocks, with so little to compute.
+/// Makes a loop over the same blocks that computes as little as no question in lanes can do
+/// without.
 fn limit(
     name: &str,
     blocks: Vec<Block<f64>>,
@@ -113,8 +114,8 @@ fn limit(
     Runner::new(["limit", name, "book"], Precision::Double, count, run)
 }
 
-/// Rays of the book's camera from all over the picture, block by block, each with the ball
-/// and with the ground.
+/// Makes blocks of rays of the book's camera from all over the picture, each with the ball and with
+/// the ground.
 fn blocks() -> Vec<Block<f64>> {
     let camera = Camera::new(400);
     let spheres = SPHERES.map(|(center, radius)| [center.x, center.y, center.z, radius]);

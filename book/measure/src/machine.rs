@@ -3,7 +3,7 @@
 
 use std::{env, fs, thread};
 
-/// The processor, how many of it there are, and the system.
+/// Names the processor, how many threads it runs at a time, and the system.
 pub fn machine() -> String {
     let info = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let model = info

@@ -4,9 +4,8 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs, io};
 
-/// The program whose source is a single file, compiled as the book does and optimized with
-/// `-O3`, or why there is none: most often, because there is no C++ compiler. It is named
-/// after its source.
+/// Compiles a program whose source is a single file, as the book does and optimized with `-O3`,
+/// into `folder`. The program is named after its source.
 ///
 /// The compiler is the one that the variable `CXX` names, or else `c++`.
 ///

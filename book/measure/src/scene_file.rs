@@ -49,12 +49,12 @@ pub static SCENES: LazyLock<[Scene; 7]> = LazyLock::new(|| {
     ]
 });
 
-/// The scene of chapter 6 of that name.
+/// Returns the scene of chapter 6 of that name.
 pub fn find_scene(name: &str) -> Option<&'static Scene> {
     SCENES.iter().find(|scene| scene.name == name)
 }
 
-/// The scene in `text`, the content of a file.
+/// Reads the scene in `text`, the content of a file.
 ///
 /// # Errors
 /// The first mistake, with line and column: what is no TOML, a key that is not known or
@@ -133,7 +133,7 @@ enum OneOrTwo {
     Two([f64; 2]),
 }
 
-/// The value, or why there is none like that.
+/// Returns the value if it is possible, and the error `otherwise`.
 fn checked<T, E: Error>(value: T, is_possible: bool, otherwise: &str) -> Result<T, E> {
     if is_possible {
         Ok(value)
@@ -192,7 +192,7 @@ fn spheres<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<Ball>, D::Error> {
     checked(balls, is_possible, "a scene has a sphere at least")
 }
 
-/// Below 0 too: the same sphere, with the normal inwards.
+/// Reads a radius: a finite number above 0.
 fn radius<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
     let radius = f64::deserialize(from)?;
     let otherwise = "a radius is a finite number above 0: no picture shows a point";

@@ -14,8 +14,11 @@ pub struct Spread {
 }
 
 impl Spread {
-    /// The spread of `numbers`; the median of an even number of them is the greater
+    /// Sorts `numbers` and finds their spread. The median of an even number of them is the greater
     /// of the two in the middle.
+    ///
+    /// # Panics
+    /// If there are no numbers.
     pub fn of(mut numbers: Vec<f64>) -> Self {
         numbers.sort_by(f64::total_cmp);
         let last = numbers.len() - 1;
@@ -27,9 +30,9 @@ impl Spread {
         }
     }
 
-    /// The median, rounded to a step of 1, 2 or 5 in some digit: the least that is no less
-    /// than half the distance of the quartiles, and gives three digits at most. One digit is
-    /// left of the noisiest, so that no time becomes 0.
+    /// Rounds the median to a step of 1, 2 or 5 in some digit: the least that is no less than half
+    /// the distance of the quartiles, and gives three digits at most. One digit is left of the
+    /// noisiest, so that no time becomes 0.
     pub fn agreed(&self) -> f64 {
         let [low, high] = self.quartiles;
         let coarsest = 10_f64.powf(self.median.log10().floor());
@@ -45,6 +48,6 @@ impl Spread {
             };
         let decimals = (-digit).max(0.0) as usize;
         let text = format!("{:.decimals$}", (self.median / step).round() * step);
-        text.parse().expect("it was printed from a number")
+        text.parse().unwrap_or(self.median)
     }
 }

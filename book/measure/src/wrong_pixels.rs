@@ -10,14 +10,14 @@ use speed_vs_accuracy::{Eye, METHODS, Method, Scene, Sight};
 
 use crate::scene_file::SCENES;
 
-/// The wrong pixels of all methods in all scenes, in pictures `width` pixels wide.
+/// Counts the wrong pixels of all methods in all scenes, in pictures `width` pixels wide.
 pub fn table(width: u32) -> Table<WrongPixels> {
     let rows = SCENES.par_iter().flat_map_iter(|scene| rows(scene, width));
     rows.collect::<Vec<_>>().into()
 }
 
 fn rows(scene: &Scene, width: u32) -> impl Iterator<Item = WrongPixels> {
-    let Drawn {
+    let Views {
         right, by_method, ..
     } = drawn(scene, METHODS, width, &|_, _| ());
     let pixels = right.rgb().len() / 3;
@@ -31,13 +31,13 @@ fn rows(scene: &Scene, width: u32) -> impl Iterator<Item = WrongPixels> {
 }
 
 /// A scene as it should be, and as some methods see it.
-pub struct Drawn {
+pub struct Views {
     /// The right picture.
     pub right: Picture,
-    /// How many of its pixels lie in the shadow of the very surface that they show, though it
+    /// The number of its pixels that lie in the shadow of the very surface that they show, though it
     /// faces the sun: the ray to the sun starts at a rounded point, and hits where it starts.
     pub with_acne: usize,
-    /// What each method draws, in their order.
+    /// The judged pictures of the methods, in their order.
     pub by_method: Vec<View>,
 }
 
@@ -45,20 +45,20 @@ pub struct Drawn {
 pub struct View {
     /// The method.
     pub method: Method,
-    /// How many pixels have a component that is more than a level off.
+    /// The number of pixels with a component that is more than a level off.
     pub wrong: usize,
     /// The first wrong pixel from the top: column and row.
     pub first_wrong: Option<[u32; 2]>,
-    /// How many levels a component is off at most.
+    /// The greatest difference of a component, in levels.
     pub levels: u8,
-    /// How far hits of the right sphere are off. None if there are none.
+    /// The greatest errors of hits of the right sphere; `None` if there are none.
     pub off: Option<Off>,
-    /// How many pixels see another sphere than the right one, or the sky instead, or a
+    /// The number of pixels that see another sphere than the right one, or the sky instead, or a
     /// sphere instead of the sky.
     pub misjudged: usize,
 }
 
-/// How far hits are off at most.
+/// The greatest errors of hits.
 #[derive(Clone, Copy, Debug)]
 pub struct Off {
     /// The point, in radii of its sphere.
@@ -68,7 +68,7 @@ pub struct Off {
 }
 
 impl Off {
-    /// The worse of each; what is no number is as far off as can be.
+    /// Returns the worse of each; what is no number is as far off as can be.
     fn or(self, other: Self) -> Self {
         let worse = |one: f64, other: f64| match one.max(other) {
             _ if one.is_nan() || other.is_nan() => f64::INFINITY,
@@ -83,12 +83,15 @@ impl Off {
 
 /// Draws `scene` by all `methods`, on all threads, and says after each row how many of how many
 /// are drawn.
+///
+/// # Panics
+/// If `progress` does.
 pub fn drawn(
     scene: &Scene,
     methods: &[Method],
     width: u32,
     progress: &(dyn Fn(usize, usize) + Sync),
-) -> Drawn {
+) -> Views {
     let (camera, done) = (Camera::new(width), AtomicUsize::new(0));
     let rows = (0..camera.image_height).into_par_iter().map(|j| {
         let sights = |eye| -> Vec<Sight> {
@@ -124,7 +127,7 @@ pub fn drawn(
         let misjudged = rows().map(|(.., misjudged)| misjudged).sum();
         View::new(*method, &right, &picture(rgb.concat()), off, misjudged)
     });
-    Drawn {
+    Views {
         by_method: views.collect(),
         with_acne: with_acne.iter().sum(),
         right,
@@ -146,7 +149,7 @@ fn has_acne(scene: &Scene, sight: &Sight) -> bool {
     })
 }
 
-/// The farthest that hits are off, where both are on one sphere.
+/// Returns how far hits are off at most, where both are on one sphere.
 fn farthest(scene: &Scene, right: &[Sight], seen: &[Sight]) -> Option<Off> {
     let off = |(right, seen): (&Sight, &Sight)| {
         let (right, seen) = right.hit.zip(seen.hit)?;
@@ -160,7 +163,7 @@ fn farthest(scene: &Scene, right: &[Sight], seen: &[Sight]) -> Option<Off> {
     right.iter().zip(seen).filter_map(off).reduce(Off::or)
 }
 
-/// Which sphere is seen, if one is.
+/// Returns the index of the sphere that is seen, if one is.
 fn sphere(sight: &Sight) -> Option<usize> {
     sight.hit.map(|hit| hit.sphere)
 }
@@ -187,7 +190,8 @@ impl View {
     }
 }
 
-/// How many levels each pixel is off, in the component that is farthest off.
+/// Returns how many levels each pixel is off, in the component that is farthest
+/// off; pixel `j * width + i`, from the top.
 pub fn levels_off(right: &Picture, drawn: &Picture) -> Vec<u8> {
     let pixels = right.rgb().as_chunks().0.iter();
     let levels = |(right, drawn): (&[u8; 3], &[u8; 3])| {

@@ -35,7 +35,7 @@ fn main() {
     fs::write(Path::new(&folder).join("traced.rs"), copies).expect("the folder takes it");
 }
 
-/// A function, or the methods of a type.
+/// Returns the function, or the methods of a type.
 fn functions(item: Item) -> Vec<ImplItemFn> {
     match item {
         Item::Fn(it) => vec![parse_quote!(#it)],
@@ -51,8 +51,8 @@ fn method(item: ImplItem) -> Option<ImplItemFn> {
     }
 }
 
-/// The names of its lines, in order, and the function with a note of the value behind each
-/// `let`, unless it changes later.
+/// Returns the names of the function's lines, in order, and the function with a note of the value
+/// behind each `let`, unless that changes later.
 fn traced(mut function: ImplItemFn) -> impl ToTokens {
     let mut names = Vec::new();
     let mut body = Vec::new();

@@ -5,8 +5,8 @@
 
 use common::rtweekend::*;
 
-/// A square of `width` × `width` pixels, black at the upper left and yellow at
-/// the lower right.
+/// Returns a square of `width` × `width` pixels, black at the upper left and
+/// yellow at the lower right.
 pub fn picture(width: u32) -> Picture {
     // The last column and row are full red and full green, so there is one step
     // less than there are pixels. A picture of a single pixel stays black.

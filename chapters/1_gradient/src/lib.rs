@@ -4,12 +4,12 @@
 
 use common::rtweekend::*;
 
-/// The picture at `width` pixels wide.
+/// Returns the picture at `width` pixels wide.
 pub fn picture(width: u32) -> Picture {
     render(width, ray_color)
 }
 
-/// A linear blend (*lerp*) between white, straight down, and blue, straight up.
+/// Blends linearly (*lerp*) from white, straight down, to blue, straight up.
 /// The picture shows a part of it: it looks neither so far down nor so far up.
 ///
 /// The height y of the unit direction lies between −1 and 1; equation (2) of

@@ -5,12 +5,12 @@
 
 use common::rtweekend::*;
 
-/// The picture at `width` pixels wide.
+/// Returns the picture at `width` pixels wide.
 pub fn picture(width: u32) -> Picture {
     render(width, ray_color)
 }
 
-/// Red where the ray meets a sphere of radius ½ at z = −1, sky elsewhere.
+/// Returns red where the ray meets a sphere of radius ½ at z = −1, else the sky.
 pub fn ray_color(ray: &Ray) -> Color {
     if hit_sphere(Point3::new(0.0, 0.0, -1.0), 0.5, ray) {
         return Color::new(1.0, 0.0, 0.0);
@@ -18,7 +18,7 @@ pub fn ray_color(ray: &Ray) -> Color {
     sky(ray)
 }
 
-/// Whether the whole line through `ray` meets the sphere, ahead or behind; a tangent does.
+/// Returns true if the whole line of `ray` meets the sphere, ahead or behind; a tangent does.
 ///
 /// It asks whether there is a root, not where. `radius` counts by its size; NaN anywhere or
 /// an overflow: false; a direction of 0: true. Source: equations (11)–(15) of the notes.

@@ -5,12 +5,12 @@
 
 use common::rtweekend::*;
 
-/// The picture at `width` pixels wide.
+/// Returns the picture at `width` pixels wide.
 pub fn picture(width: u32) -> Picture {
     render(width, ray_color)
 }
 
-/// The unit normal as a color where the sphere is in front, sky elsewhere.
+/// Returns the unit normal as a color where the sphere is in front, else the sky.
 ///
 /// Each component of the normal, from −1 to 1, is mapped to 0 to 1.
 #[inline]
@@ -25,8 +25,8 @@ pub fn ray_color(ray: &Ray) -> Color {
     sky(ray)
 }
 
-/// The nearer root `t` of |C − P(t)|² = r², if the line of the ray meets the
-/// sphere; a tangent does.
+/// Finds the nearer root `t` of |C − P(t)|² = r², if the line of the ray meets
+/// the sphere; a tangent does.
 ///
 /// It is the `t` of chapter 3 to the last bit, barring overflow and underflow, and NaN,
 /// −∞ or negative where that is: multiplying by two and four never rounds.

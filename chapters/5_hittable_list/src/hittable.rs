@@ -5,14 +5,14 @@ use common::rtweekend::*;
 /// Anything that a ray can hit: a sphere, a list of such things, or a shape of
 /// your own.
 pub trait Hittable {
-    /// The nearest hit with `t_min` < `t` < `t_max`, if there is one.
+    /// Finds the nearest hit with `t_min` < `t` < `t_max`, if there is one.
     ///
     /// Both ends are left out, so a ray that starts on a surface does not hit it
     /// at `t` = 0. Where rounding turns that 0 into 1e-17, it still does.
     fn hit(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<HitRecord>;
 }
 
-/// What there is to know about a hit.
+/// Where and from which side a ray hits a surface.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct HitRecord {
     /// The ray parameter, in lengths of the ray's direction.
@@ -21,7 +21,7 @@ pub struct HitRecord {
     pub point: Point3,
     /// The unit normal at that point, always against the ray.
     pub normal: Vec3,
-    /// Whether the ray came from outside.
+    /// True if the ray came from outside.
     pub front_face: bool,
 }
 

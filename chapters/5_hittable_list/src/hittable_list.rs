@@ -22,7 +22,7 @@ impl HittableList {
 }
 
 impl Hittable for HittableList {
-    /// The nearest hit of all. Where two are equally near, the first one added.
+    /// Finds the nearest hit of all: of two equally near, the one added first.
     fn hit(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<HitRecord> {
         let mut nearest = None;
         let mut closest_so_far = t_max;

@@ -13,13 +13,13 @@ pub use sphere::Sphere;
 
 use common::rtweekend::*;
 
-/// The picture at `width` pixels wide.
+/// Returns the picture at `width` pixels wide.
 pub fn picture(width: u32) -> Picture {
     let world = world();
     render(width, move |ray| ray_color(ray, &world))
 }
 
-/// A small sphere, and below it a large one for the ground.
+/// Returns a small sphere, and below it a large one for the ground.
 pub fn world() -> HittableList {
     let mut world = HittableList::default();
     world.add(Sphere::new(Point3::new(0.0, 0.0, -1.0), 0.5));
@@ -27,7 +27,7 @@ pub fn world() -> HittableList {
     world
 }
 
-/// The normal of the nearest hit in front of the ray as a color, or the sky.
+/// Returns the normal of the nearest hit ahead of the ray as a color, or the sky.
 pub fn ray_color(ray: &Ray, world: &dyn Hittable) -> Color {
     if let Some(record) = world.hit(ray, 0.0, f64::INFINITY) {
         return 0.5 * (record.normal + Vec3::ONE);

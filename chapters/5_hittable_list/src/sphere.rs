@@ -12,7 +12,7 @@ pub struct Sphere {
 }
 
 impl Sphere {
-    /// A sphere; a `radius` below 0, or NaN, counts as 0, as in the book.
+    /// Makes a sphere; a `radius` below 0, or NaN, counts as 0, as in the book.
     pub fn new(center: Point3, radius: f64) -> Self {
         Self {
             center,
@@ -22,8 +22,8 @@ impl Sphere {
 }
 
 impl Hittable for Sphere {
-    /// The nearer root if it lies in the interval, else the farther one: from
-    /// inside the sphere, the nearer root is behind the ray.
+    /// Finds the nearer root if it lies in the interval, else the farther one:
+    /// from inside the sphere, the nearer root is behind the ray.
     ///
     /// Both ends are left out. NaN or ∞ anywhere, a direction of 0 or an overflow: `None`.
     /// A sphere of radius 0 is a point and has no normal: it is NaN.

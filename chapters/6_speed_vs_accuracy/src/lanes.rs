@@ -16,7 +16,7 @@ use crate::workload::Case;
 /// lanes that it has.
 pub const BLOCK: usize = 64;
 
-/// The answers to the questions 0, 1 and so on, one in each lane.
+/// Fills in the answers to the questions 0, 1 and so on, one in each lane.
 ///
 /// The compiler makes three versions, for any processor, for AVX2 and for AVX-512, and the
 /// program chooses when it runs. An operation rounds alike in all of them.
@@ -65,7 +65,7 @@ pub fn certified_in_lanes<const ULP: bool>(
     }
 }
 
-/// A filter that chooses in this way.
+/// Makes a filter that chooses in this way.
 #[inline(always)]
 fn by<const ULP: bool>(
     case: impl Fn(usize) -> Case,
@@ -79,7 +79,7 @@ fn by<const ULP: bool>(
     }
 }
 
-/// As [`in_lanes`], and says whether some are NaN.
+/// Fills in the answers as [`in_lanes`] does, and returns true if some are NaN.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512bw+avx512vl+fma", "x86_64+avx2+fma"))]
 fn filtered<F: Fn(usize) -> f64>(answers: &mut [f64; BLOCK], answer: F) -> bool {
     let mut some_are_nan = false;

@@ -27,8 +27,8 @@ pub use workload::{
 
 use common::rtweekend::Picture;
 
-/// The picture at `width` pixels wide: a star in a telescope, on the left as
-/// chapter 5 sees it, on the right as it is.
+/// Returns the picture at `width` pixels wide: a star in a telescope, on the left
+/// as chapter 5 sees it, on the right as it is.
 pub fn picture(width: u32) -> Picture {
     let eyes = [Method::HALF_B, Method::CERTIFIED_T].map(Eye::Method);
     Scene::telescope().seen_by(eyes, width)
@@ -49,7 +49,7 @@ pub const METHODS: &[Method] = &[
     Method::CERTIFIED_F32,
 ];
 
-/// The method of that name.
+/// Returns the method of that name, such as `half_b`.
 pub fn find(name: &str) -> Option<Method> {
     METHODS.iter().copied().find(|method| method.name == name)
 }

@@ -11,7 +11,7 @@ pub struct Method {
     pub name: &'static str,
     /// The function.
     pub solve: Solve,
-    /// Whether a filter with a proven error bound stands behind each answer, and
+    /// True if a filter with a proven error bound stands behind each answer, and
     /// asks for more digits where it cannot be sure.
     pub is_certified: bool,
 }
@@ -27,7 +27,7 @@ pub enum Solve {
 }
 
 impl Method {
-    /// The precision that it computes with, seen from outside.
+    /// Returns the precision that it computes with, seen from outside.
     pub fn precision(&self) -> Precision {
         match self.solve {
             Solve::Double(_) => Precision::Double,
@@ -35,7 +35,7 @@ impl Method {
         }
     }
 
-    /// A method in `f64` without a certificate.
+    /// Makes a method in `f64` without a certificate.
     pub(crate) const fn double(
         name: &'static str,
         solve: fn(Point3, f64, &Ray, f64, f64) -> Option<f64>,
@@ -43,7 +43,7 @@ impl Method {
         Self::plain(name, Solve::Double(solve))
     }
 
-    /// A method in `f32` without a certificate.
+    /// Makes a method in `f32` without a certificate.
     pub(crate) const fn single(
         name: &'static str,
         solve: fn(glam::Vec3, f32, &SingleRay, f32, f32) -> Option<f32>,
@@ -51,7 +51,7 @@ impl Method {
         Self::plain(name, Solve::Single(solve))
     }
 
-    /// The method with a certificate.
+    /// Returns the method with a certificate.
     pub(crate) const fn certified(self) -> Self {
         Self {
             is_certified: true,

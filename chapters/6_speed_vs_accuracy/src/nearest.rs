@@ -10,13 +10,14 @@ use common::rtweekend::*;
 
 use crate::certified::{certified_t, comes_before};
 
-/// The index of the sphere that the ray hits first in the range, and `t`.
+/// Finds the sphere that the ray hits first in the range, and returns its index
+/// in `spheres` and `t`.
 ///
 /// Under the conditions of the theorem (`certified.md` of the notes) the sphere is right:
-/// its nearest root in the range is the least of all. Where roots are equal, the first sphere of the list counts, as in the
-/// book's loop. `t` is within an ulp of that root; roots beyond the largest `f64`
-/// compare as they are, and become that. Spheres that are not finite are missed,
-/// and so is everything in a range between whose ends no `f64` lies.
+/// its nearest root in the range is the least of all. Where roots are equal, the first
+/// sphere of the list counts, as in the book's loop. `t` is within an ulp of that root;
+/// roots beyond the largest `f64` compare as they are, and become that. Spheres that are
+/// not finite are missed, and so is everything in a range between whose ends no `f64` lies.
 ///
 /// Cost: that of [`certified_t`] for each sphere that comes before all earlier
 /// ones, and of its decision for the others. Two roots within two ulps of each

@@ -15,7 +15,7 @@ impl Precision {
     /// Both, the finer one first.
     pub const ALL: [Self; 2] = [Self::Double, Self::Single];
 
-    /// As it is called in Rust.
+    /// Returns its name in Rust, `f64` or `f32`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Double => "f64",
@@ -23,7 +23,7 @@ impl Precision {
         }
     }
 
-    /// How far numbers from 1 to 2 are apart.
+    /// Returns how far numbers from 1 to 2 are apart.
     pub fn epsilon(self) -> f64 {
         match self {
             Self::Double => f64::EPSILON,
@@ -35,14 +35,14 @@ impl Precision {
 /// A ray in `f32`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SingleRay {
-    /// Where it starts.
+    /// The point at t = 0.
     pub origin: Vec3,
-    /// Where it points; one `t` long.
+    /// The way for each unit of t; it need not be a unit vector.
     pub direction: Vec3,
 }
 
 impl SingleRay {
-    /// The ray from `origin` along `direction`.
+    /// Makes the ray from `origin` along `direction`.
     #[inline]
     pub const fn new(origin: Vec3, direction: Vec3) -> Self {
         Self { origin, direction }

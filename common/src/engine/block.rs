@@ -36,8 +36,8 @@ impl Block {
         blue: [0; BLOCK],
     };
 
-    /// So many pixels of the colors `color_at(0)`, `color_at(1)` and so on, at most
-    /// [`BLOCK`] of them.
+    /// Paints `count` pixels, at most [`BLOCK`], in the colors `color_at(0)`, `color_at(1)` and so
+    /// on.
     #[inline]
     pub(super) fn paint(count: usize, color_at: impl Fn(usize) -> Color) -> Self {
         let mut block = Self::BLACK;
@@ -45,7 +45,8 @@ impl Block {
         block
     }
 
-    /// Pixels of known bytes, three each, for at most [`BLOCK`] of them.
+    /// Makes a block of pixels from their bytes, three each, for at most
+    /// [`BLOCK`] of them.
     pub(super) fn from_rgb(rgb: &[u8]) -> Self {
         let mut block = Self::BLACK;
         let (pixels, _) = rgb.as_chunks();

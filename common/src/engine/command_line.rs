@@ -44,7 +44,7 @@ pub fn main(book_width: u32, picture: fn(u32) -> Picture) -> ExitCode {
     }
 }
 
-/// The number of pixels that `text` says, if a picture can be so wide.
+/// Reads the number of pixels that `text` says, if a picture can be so wide.
 ///
 /// # Errors
 /// If it is no whole number, or not one of [`WIDTHS`].
@@ -56,7 +56,7 @@ pub fn parse_width(text: &str) -> Result<u32, String> {
     })
 }
 
-/// What the command line asks for.
+/// The wish of a command line.
 enum Wish {
     Help,
     Stdout(u32),
@@ -96,7 +96,8 @@ impl Wish {
     }
 }
 
-/// As `Debug` has it, a terminal can only show the option, not obey it.
+/// Makes the error about an unknown option. As `Debug` has it, a terminal can
+/// only show the option, not obey it.
 fn no_option(typed: &str) -> lexopt::Error {
     format!("there is no option {typed:?}").into()
 }

@@ -49,7 +49,8 @@ pub fn to_file(
     written.map_err(|cause| named(&format!("{path:?}"), &cause))
 }
 
-/// Where what will be at `target` can be made: beside it, by a name that nothing else has.
+/// Returns the path at which the file `target` is made before it is renamed: beside it, by a name
+/// that nothing else has.
 ///
 /// # Errors
 /// If the target has no name.
@@ -104,7 +105,7 @@ fn fill(file: &File, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io
     out.flush()
 }
 
-/// The error with the name of what could not be written, and what helps.
+/// Returns the error with the name of what could not be written, and what helps.
 fn named(place: &str, cause: &io::Error) -> io::Error {
     let advice = match cause.kind() {
         ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {

@@ -1,5 +1,6 @@
 //! Lazy painting in strips: a picture is painted when its bytes are asked for.
 
+use std::convert::Infallible;
 use std::fmt;
 use std::io::{self, Write};
 use std::sync::OnceLock;
@@ -22,7 +23,7 @@ pub struct Picture {
     source: Source,
 }
 
-/// Where the bytes of a picture come from.
+/// The source of the bytes of a picture.
 enum Source {
     /// They are painted when they are asked for, and kept.
     Recipe {
@@ -37,8 +38,8 @@ enum Source {
 type Paint = dyn Fn(u32, u32, usize) -> Block + Send + Sync;
 
 impl Picture {
-    /// A picture whose pixel in column `i` and row `j` has the color
-    /// `color_at(i, j)`.
+    /// Makes a picture whose pixel in column `i` and row `j`, counted from the
+    /// top left, has the color `color_at(i, j)`.
     ///
     /// A pixel depends on nothing but its place, so the picture is the same
     /// whoever paints which part of it.
@@ -64,7 +65,8 @@ impl Picture {
         }
     }
 
-    /// A picture from its bytes, or `None` if their number is not 3·width·height.
+    /// Makes a picture from its bytes, pixel `j * width + i` from the top, or
+    /// returns `None` if their number is not 3·width·height.
     pub fn from_rgb(width: u32, height: u32, rgb: Vec<u8>) -> Option<Self> {
         (rgb.len() == 3 * width as usize * height as usize).then(|| Self {
             width,
@@ -73,17 +75,18 @@ impl Picture {
         })
     }
 
-    /// Pixels in a row.
+    /// Returns the number of pixels in a row.
     pub fn width(&self) -> u32 {
         self.width
     }
 
-    /// Number of rows.
+    /// Returns the number of rows.
     pub fn height(&self) -> u32 {
         self.height
     }
 
-    /// All bytes: three a pixel, row by row from the top.
+    /// Returns all bytes, painted at the first call: red, green and blue of pixel
+    /// `j * width + i`, from the top.
     pub fn rgb(&self) -> &[u8] {
         match &self.source {
             Source::Recipe { painted, .. } => {
@@ -93,19 +96,19 @@ impl Picture {
         }
     }
 
-    /// The same bytes, painted anew by that many threads.
+    /// Paints the bytes of [`Picture::rgb`] anew, by that many threads, at least
+    /// one.
     pub fn rgb_with_threads(&self, threads: usize) -> Vec<u8> {
         let mut rgb = Vec::with_capacity(3 * self.width as usize * self.height as usize);
         let paint = |strip, bytes: &mut Vec<u8>| self.push_strip(strip, bytes);
-        in_order(self.strips(), threads, paint, |bytes| {
+        let Ok::<(), Infallible>(()) = in_order(self.strips(), threads, paint, |bytes| {
             rgb.extend_from_slice(bytes);
             Ok(())
-        })
-        .expect("memory takes it");
+        });
         rgb
     }
 
-    /// How many strips there are: some 2500 pixels each, in reading order.
+    /// Counts the strips: some 2500 pixels each, in reading order.
     pub fn strips(&self) -> usize {
         (self.blocks_in_row() * self.height as usize).div_ceil(STRIP)
     }
@@ -123,7 +126,7 @@ impl Picture {
     /// a line.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Fails if `out` fails, and stops there.
     pub fn write_p3(&self, out: &mut dyn Write) -> io::Result<()> {
         self.write_p3_with_threads(self.threads(), out)
     }
@@ -131,7 +134,7 @@ impl Picture {
     /// Writes the same text, painted and put into words by that many threads.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Fails if `out` fails, and stops there.
     pub fn write_p3_with_threads(&self, threads: usize, out: &mut dyn Write) -> io::Result<()> {
         write!(out, "P3\n{} {}\n255\n", self.width, self.height)?;
         let describe = |strip, text: &mut Vec<u8>| {
@@ -142,8 +145,8 @@ impl Picture {
         in_order(self.strips(), threads, describe, |text| out.write_all(text))
     }
 
-    /// How many threads the picture is worth: one for a small picture, at most
-    /// as many as there are processors.
+    /// Returns how many threads the picture is worth: one for a small picture, at
+    /// most as many as there are processors.
     fn threads(&self) -> usize {
         match (self.strips() / STRIPS_WORTH_A_THREAD).min(MOST_THREADS) {
             // To ask the system how many there are takes as long as a strip.
@@ -183,7 +186,7 @@ impl Picture {
 /// the first touch of each costs a microsecond.
 const STRIP: usize = 32;
 
-/// So many strips take about half a millisecond. A thread for fewer would save
+/// The number of strips that take about half a millisecond. A thread for fewer would save
 /// less than it costs to start.
 const STRIPS_WORTH_A_THREAD: usize = 32;
 

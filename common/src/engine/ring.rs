@@ -3,7 +3,6 @@
 //! One would use this where pieces of a stream can be made independently but
 //! must leave in order, and memory must not grow with the stream.
 
-use std::io;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::thread::{self, Scope};
 
@@ -20,12 +19,12 @@ use std::thread::{self, Scope};
 ///
 /// # Errors
 /// The first one of `take`; nothing is taken after it.
-pub(super) fn in_order(
+pub(super) fn in_order<E>(
     count: usize,
     threads: usize,
     make: impl Fn(usize, &mut Vec<u8>) + Sync,
-    mut take: impl FnMut(&[u8]) -> io::Result<()>,
-) -> io::Result<()> {
+    mut take: impl FnMut(&[u8]) -> Result<(), E>,
+) -> Result<(), E> {
     debug_assert!(threads > 0, "nobody to do it");
     // One thread is this one. Nothing is started for it, which also lets it run
     // where threads don't exist.

@@ -7,7 +7,8 @@ use std::process::Command;
 use figures::records::Timing;
 use measure::contest::Group;
 
-/// Instructions for one question of that row, if there is a valgrind.
+/// Counts the instructions that one question of a row takes, or returns `None`
+/// without a valgrind.
 pub(crate) fn of(row: &Timing) -> Option<f64> {
     let [once, twice] = [1, 2].map(|runs| counted(&key(row), runs));
     Some((twice? - once?) as f64 / row.n as f64)

@@ -62,7 +62,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The loops whose instructions are counted, too.
+/// Returns the loops whose instructions are counted, too.
 fn counted() -> Vec<Group> {
     let groups = one_by_one::in_order().into_iter();
     groups.chain(measure::lanes::groups()).collect()

@@ -12,7 +12,8 @@ pub(crate) const CASES: usize = 16_384;
 /// Which cases.
 const SEED: u64 = 1;
 
-/// The rays of the book in the picture's order: all methods, the record, and the rays alone.
+/// Returns the loops over rays of the book in the picture's order: all methods, chapter 5's record,
+/// and the rays alone. The second group has only rays that hit.
 pub(crate) fn in_order() -> [Group; 2] {
     [("book", false), ("all_hits", true)].map(|(place, only_hits)| {
         let asked = asked(only_hits);
@@ -27,7 +28,8 @@ pub(crate) fn in_order() -> [Group; 2] {
     })
 }
 
-/// All methods in each situation but that of the book.
+/// Returns a group of loops for each situation but that of the book, with all
+/// methods.
 pub(crate) fn elsewhere() -> impl Iterator<Item = Group> {
     let regimes = REGIMES
         .into_iter()
@@ -49,8 +51,8 @@ fn camera() -> Camera {
 /// Column and row, and a sphere.
 type Asked = ([u32; 2], (Point3, f64));
 
-/// Pixels of the book, spread over the picture and in its order, each asked about both
-/// spheres; or those that hit.
+/// Chooses pixels that are spread over the book's picture, in its order, each asked about both
+/// spheres; or only those that hit.
 fn asked(only_hits: bool) -> Vec<Asked> {
     let camera = camera();
     let pixels =
@@ -65,7 +67,7 @@ fn asked(only_hits: bool) -> Vec<Asked> {
     kept.flat_map(|k| [all[2 * k], all[2 * k + 1]]).collect()
 }
 
-/// A loop over the same questions with another answer.
+/// Makes a loop over the same questions with another answer.
 fn runner<T: 'static>(
     key: [&str; 3],
     asked: &[Asked],

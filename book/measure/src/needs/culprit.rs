@@ -10,24 +10,25 @@ use speed_vs_accuracy::{Case, Eye, Hit, Method, Scene};
 pub struct Culprit {
     /// Column and row.
     pub pixel: [u32; 2],
-    /// What the method draws there, and what is right.
+    /// The color that the method draws there, and the right one.
     pub colors: [[u8; 3]; 2],
     /// The sphere, by its place in the list.
     pub sphere: usize,
-    /// Whether the ray leads from the hit point to the sun.
+    /// True if the ray leads from the hit point to the sun.
     pub is_to_sun: bool,
-    /// Whether the right sphere is seen, and is taken to be in the shadow or in the sun.
+    /// True if the right sphere is seen, but wrongly in the shadow or in the sun.
     pub is_shadow: bool,
     /// The ray and the sphere.
     pub case: Case,
-    /// Where the range of t begins.
+    /// The lower end of the range of t, excluded.
     pub t_min: f64,
-    /// How many ulps t is off; infinite if the decision is wrong.
+    /// The error of t in ulps; infinite if the decision is wrong.
     pub error: f64,
 }
 
 impl Culprit {
-    /// In the first wrong pixel of `view`, if there is one.
+    /// Finds the culprit in the first wrong pixel of `view`, in reading order, or
+    /// returns `None` if there is none.
     pub fn of(scene: &Scene, view: &View) -> Option<Self> {
         let pixel @ [i, j] = view.first_wrong?;
         let ray = Camera::new(scene.width).ray(i, j);
@@ -68,8 +69,8 @@ impl Culprit {
     }
 }
 
-/// Of the spheres that were seen or should have been, the one about which the method
-/// errs most, with its place and the error.
+/// Finds the sphere, of those that were seen or should have been, about which the method errs most;
+/// returns its index and the error.
 fn worst(
     scene: &Scene,
     method: &Method,
@@ -85,8 +86,7 @@ fn worst(
     found.max_by(|(_, one), (_, other)| one.total_cmp(other))
 }
 
-/// How many ulps t is off; infinite where a hit is taken for a miss, or a miss for a
-/// hit.
+/// Returns how many ulps t is off; infinity where a hit is taken for a miss, or a miss for a hit.
 fn error(method: &Method, case: &Case, t_min: f64) -> f64 {
     let precision = method.precision();
     let exact = Exact::of_finite(&case.rounded(precision));

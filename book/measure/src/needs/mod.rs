@@ -10,7 +10,7 @@ use speed_vs_accuracy::{METHODS, Method, Precision, Scene};
 
 pub use culprit::Culprit;
 
-/// What a scene needs in one precision.
+/// The least method that a scene needs in one precision.
 pub struct Found {
     /// The precision.
     pub precision: Precision,
@@ -30,20 +30,20 @@ pub struct Found {
 
 /// A method: what it draws, and what it takes.
 pub struct Row {
-    /// What it draws.
+    /// The picture that it draws, judged.
     pub view: View,
     /// Nanoseconds for a question in the quickest round, which others disturbed least.
     pub ns: f64,
-    /// How many times as long as the reference in the same round: the median. By this
-    /// they are in order, because it does not change with the pace of the processor.
+    /// The time divided by that of the reference in the same round: the median. By this
+    /// the rows are in order, because it does not change with the pace of the processor.
     pub ratio: f64,
     /// Nanoseconds in each round.
     times: Vec<f64>,
 }
 
 impl Found {
-    /// From what the methods of that precision draw, and the times of all methods, the
-    /// reference first; `tolerance` is how large a part of t may be wrong.
+    /// Judges what the methods of one precision draw, beside the times of all methods, the
+    /// reference first. `tolerance` is the part of t that may be wrong.
     pub fn new(
         scene: &Scene,
         precision: Precision,
@@ -76,7 +76,7 @@ impl Found {
     }
 }
 
-/// The one to take, of the leasts of `f64` and of `f32`: where neither is cheaper, that of `f32`,
+/// Returns the least of the leasts of `f64` and of `f32`: where neither is cheaper, that of `f32`,
 /// whose numbers take half the memory.
 pub fn least_of_all(found: &[Found]) -> Option<(&Found, &Row)> {
     let leasts = found
@@ -106,9 +106,9 @@ impl Row {
         }
     }
 
-    /// Whether it took less time than the other in three rounds of four at least, which by
-    /// chance alone happens once in some thousand times; and so much less, a twentieth, that
-    /// the next run says the same.
+    /// Returns true if it took less time than the other in three rounds of four at least, which by
+    /// chance alone happens once in some thousand times; and so much less, a twentieth, that the
+    /// next run says the same.
     fn is_cheaper_than(&self, other: &Self) -> bool {
         let rounds = self.times.iter().zip(&other.times);
         let won = rounds.filter(|(one, other)| one < other).count();
@@ -116,9 +116,9 @@ impl Row {
     }
 }
 
-/// Of `rows`, the cheapest first, the one to take: the cheapest that suffices, or of
-/// several that cost the same the first in the order of [`METHODS`], which begins with
-/// the simplest. And the others of these.
+/// Returns which of `rows`, the cheapest first, to take: the cheapest that suffices, or of several
+/// that cost the same the first in the order of [`METHODS`], which begins with the simplest. And
+/// the others of these.
 fn least_of(rows: &[Row], suffices: impl Fn(&View) -> bool) -> (Option<usize>, Vec<usize>) {
     let mut sufficing = (0..rows.len()).filter(|&n| suffices(&rows[n].view));
     let Some(cheapest) = sufficing.next() else {

@@ -1,7 +1,7 @@
 //! Vector arithmetic in five small drawings: two arrows, sum, difference, multiples, and the dot
 //! product as a shadow. Both arrows move, and all drawings follow.
 
-use crate::vocabulary::*;
+use crate::prelude::*;
 
 parameters! {
     u: Vec3 =
@@ -44,7 +44,8 @@ const BOTH: Plane = Plane::new(100.0, 92.0, SCALE);
 /// Units of the sheet for each unit of an arrow.
 const SCALE: f64 = 40.0;
 
-/// A drawing around that place of the sheet, of arrows from 0 to these points.
+/// Makes a plane with its middle at (x, y) of the sheet, for arrows from 0 to
+/// these points.
 fn around(x: f64, y: f64, points: &[Vec3]) -> Plane {
     let all = || points.iter().copied().chain([Vec3::ZERO]);
     let least = all().fold(Vec3::ZERO, Vec3::min);
@@ -104,13 +105,13 @@ fn draw(u: Vec3, v: Vec3) -> Svg {
     svg
 }
 
-/// The title of a drawing, and where its arrows start.
+/// Draws the title of a drawing, and the dot where its arrows start.
 fn start(svg: &mut Svg, plane: &Plane, title: DVec2, words: &str) {
     svg.label("ink", title, Middle, words);
     svg.circle("ink solid", plane.origin, 2.5);
 }
 
-/// An arrow from the start, with its name beyond its tip.
+/// Draws an arrow from the start, with its name beyond its tip.
 fn named(svg: &mut Svg, arrow: Vec3, class: &str, name: &str) {
     let (tip, along) = (BOTH.point(arrow), BOTH.vector(arrow).normalize_or_zero());
     svg.arrow(class, BOTH.origin, tip);
@@ -118,7 +119,7 @@ fn named(svg: &mut Svg, arrow: Vec3, class: &str, name: &str) {
     svg.label(idea, (tip + 20.0 * along).down(5.0), Middle, name);
 }
 
-/// The light falls onto the line of u at a right angle.
+/// Draws the shadow of v: the light falls onto the line of u at a right angle.
 fn draw_shadow(svg: &mut Svg, u: Vec3, v: Vec3) {
     let panel = around(100.0, 400.0, &[u, v]);
     start(svg, &panel, spot(100.0, 330.0), "the shadow of **v**");
@@ -133,7 +134,7 @@ fn draw_shadow(svg: &mut Svg, u: Vec3, v: Vec3) {
     svg.circle("normal solid", foot, 4.0);
 }
 
-/// The arrows in numbers, beside the shadow.
+/// Writes the arrows in numbers, beside the shadow.
 fn draw_numbers(svg: &mut Svg, u: Vec3, v: Vec3) {
     let pair = |it: Vec3| format!("({}, {})", spoken(it.x), spoken(it.y));
     let product = |one: f64, other: f64| format!("{} · {}", spoken(one), bracketed(other));
@@ -147,7 +148,7 @@ fn draw_numbers(svg: &mut Svg, u: Vec3, v: Vec3) {
     svg.readout(spot(232.0, 352.0), &lines);
 }
 
-/// A factor: a negative one in brackets.
+/// Writes a factor, a negative one in brackets.
 fn bracketed(value: f64) -> String {
     let said = spoken(value);
     if value < 0.0 {

@@ -13,7 +13,7 @@ pub(crate) struct Axis {
     pub(crate) end: DVec2,
     pub(crate) least: f64,
     pub(crate) most: f64,
-    /// Whether equal steps are equal ratios.
+    /// True if equal steps are equal ratios.
     pub(crate) is_logarithmic: bool,
 }
 
@@ -21,7 +21,8 @@ pub(crate) struct Axis {
 pub(crate) type Tick = (f64, String);
 
 impl Axis {
-    /// A linear axis to the right, from (x, y) on so long.
+    /// Makes a linear axis to the right, from (x, y) on, `long` units of the
+    /// sheet.
     pub(crate) const fn new(x: f64, y: f64, long: f64, least: f64, most: f64) -> Self {
         Self {
             start: spot(x, y),
@@ -32,7 +33,8 @@ impl Axis {
         }
     }
 
-    /// Where `value` is, or the end that is nearer to it.
+    /// Returns the place of `value` on the sheet, or the end that is nearer to
+    /// it.
     pub(crate) fn point(&self, value: f64) -> DVec2 {
         let Self { least, most, .. } = *self;
         let part = if self.is_logarithmic {
@@ -43,7 +45,7 @@ impl Axis {
         self.start.lerp(self.end, part.clamp(0.0, 1.0))
     }
 
-    /// Which number is there on a linear axis to the right, or would be beyond its end.
+    /// Returns the number that is there on a linear axis to the right, or would be beyond its end.
     pub(crate) fn place(&self, at: DVec2) -> f64 {
         let part = (at.x - self.start.x) / (self.end.x - self.start.x);
         self.least + part * (self.most - self.least)
@@ -75,7 +77,7 @@ impl Axis {
     }
 }
 
-/// Numbers as ticks.
+/// Makes ticks of numbers.
 pub(crate) fn ticks(
     numbers: impl Iterator<Item = f64>,
     words: impl Fn(f64) -> String,

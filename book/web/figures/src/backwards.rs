@@ -3,7 +3,7 @@
 
 use normals::hit_sphere;
 
-use crate::vocabulary::*;
+use crate::prelude::*;
 
 parameters! {
     square: f64 = Number {
@@ -47,16 +47,17 @@ const TOP: f64 = 1.08;
 const SIDE: f64 = 0.24;
 const SQUARES: u32 = 9;
 
-/// Where the scene is on the sheet, and its size.
+/// The place of the scene on the sheet, and the size of its part of the sheet.
 const PLANE: Plane = Plane::new(34.0, 138.0, 80.0);
 const SIZE: DVec2 = spot(400.0, 246.0);
 
-/// The middle of a square, counted from the top.
+/// Returns the middle of a square, counted from 1 at the top.
 fn middle(square: f64) -> Point3 {
     xy(AHEAD, TOP - (square - 0.5) * SIDE)
 }
 
-/// The ray from the eye through the middle of a square, and where it meets the ball.
+/// Returns the ray from the eye through the middle of a square, and the point where it meets the
+/// ball.
 fn seen(square: f64) -> (Ray, Option<Point3>) {
     let ray = Ray::new(Point3::ZERO, middle(square));
     let hit = hit_sphere(BALL, RADIUS, &ray).map(|t| ray.at(t));
@@ -90,13 +91,14 @@ fn draw(square: f64, ray: &Ray, hit: Option<Point3>) -> Svg {
     svg
 }
 
-/// Whether light comes from the lamp to that point of the ball: nothing of it is nearer.
+/// Returns true if light comes from the lamp to that point of the ball: nothing of the ball is
+/// nearer.
 fn is_lit(point: Point3) -> bool {
     let light = Ray::new(LAMP, point - LAMP);
     hit_sphere(BALL, RADIUS, &light).is_some_and(|t| t > 1.0 - 1e-9)
 }
 
-/// The lamp, and some of the ways that its light goes: up to the ball, or to the rim.
+/// Draws the lamp, and some of the ways that its light goes: up to the ball, or to the rim.
 fn draw_lamp(svg: &mut Svg) {
     let lamp = PLANE.point(LAMP);
     for n in 0..20 {
@@ -110,7 +112,7 @@ fn draw_lamp(svg: &mut Svg) {
     svg.label("normal", lamp, UpperRight, "lamp");
 }
 
-/// The squares of the pane: those are filled whose ray meets the ball.
+/// Draws the squares of the pane: those are filled whose ray meets the ball.
 fn draw_pane(svg: &mut Svg, chosen: f64) {
     let (wide, high) = (10.0, PLANE.scale * SIDE);
     for square in (1..=SQUARES).map(f64::from) {

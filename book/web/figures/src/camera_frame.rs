@@ -3,7 +3,7 @@
 
 use normals::hit_sphere;
 
-use crate::vocabulary::*;
+use crate::prelude::*;
 
 parameters! {
     side: Vec3 =
@@ -67,16 +67,17 @@ fn answer(&Parameters { side, row }: &Parameters) -> Answer {
     Answer::new(drawing, sentence, vec![])
 }
 
-/// Where the scene is looked at from.
+/// The view of a reader who looks at the scene from outside.
 struct View {
     right: Vec3,
     up: Vec3,
-    /// From the scene towards the reader's eye.
+    /// The unit vector from the scene towards the reader's eye.
     back: Vec3,
 }
 
 impl View {
-    /// From behind the eye, turned to the right and tilted upwards.
+    /// Looks from behind the eye, turned to the right and tilted upwards, in
+    /// degrees.
     fn new(side: Vec3) -> Self {
         let (sin_turn, cos_turn) = side.x.to_radians().sin_cos();
         let (sin_tilt, cos_tilt) = side.y.to_radians().sin_cos();
@@ -86,14 +87,15 @@ impl View {
         Self { right, up, back }
     }
 
-    /// A point of the scene on the sheet, in perspective.
+    /// Returns the place of a point of the scene on the sheet, in perspective.
     fn point(&self, point: Point3) -> DVec2 {
         let way = point - PIVOT;
         let scale = ZOOM / (DISTANCE - way.dot(self.back));
         MIDDLE + scale * spot(way.dot(self.right), -way.dot(self.up))
     }
 
-    /// A circle of the scene, around a unit normal.
+    /// Returns a circle of the scene, around a unit normal, as points on the
+    /// sheet.
     fn circle(&self, center: Point3, radius: f64, normal: Vec3) -> [DVec2; 49] {
         let (one, other) = normal.any_orthonormal_pair();
         std::array::from_fn(|n| {
@@ -103,19 +105,19 @@ impl View {
     }
 }
 
-/// What the scene turns around, and how far away it is looked at from.
+/// The point that the scene turns around, and the distance from which it is seen.
 const PIVOT: Point3 = Point3::new(0.0, 0.0, -0.7);
 const DISTANCE: f64 = 7.0;
 
-/// Where the pivot is on the sheet, and how large what is 1 unit away.
+/// The place of the pivot on the sheet, and the size of a unit at a distance of 1.
 const MIDDLE: DVec2 = spot(200.0, 140.0);
 const ZOOM: f64 = 620.0;
 
-/// Where the knob is that turns the scene, and how far it can be moved.
+/// The place of the knob that turns the scene, and how far it can be moved.
 const KNOB: DVec2 = spot(200.0, 302.0);
 const KNOB_ROOM: DVec2 = spot(150.0, 26.0);
 
-/// How far a ray is drawn that meets nothing.
+/// The t up to which a ray is drawn that meets nothing.
 const FAR: f64 = 1.4;
 
 fn draw(view: &View, camera: &Camera, row: u32, rays: &[Ray]) -> Svg {
@@ -135,7 +137,7 @@ fn draw(view: &View, camera: &Camera, row: u32, rays: &[Ray]) -> Svg {
     svg
 }
 
-/// The pixels, those of the row filled.
+/// Draws the pixels, those of the row filled.
 fn draw_viewport(svg: &mut Svg, view: &View, camera: &Camera, row: u32) {
     let (width, height) = (camera.image_width, camera.image_height);
     let (u, v) = (camera.pixel_delta_u, camera.pixel_delta_v);
@@ -154,7 +156,8 @@ fn draw_viewport(svg: &mut Svg, view: &View, camera: &Camera, row: u32) {
     }
 }
 
-/// Its outline, where the lines of sight touch it, and its equator.
+/// Draws the sphere's outline, where the lines of sight touch it, and its
+/// equator.
 fn draw_sphere(svg: &mut Svg, view: &View) {
     let (towards, distance) = (PIVOT + DISTANCE * view.back - CENTER).normalize_and_length();
     let nearer = RADIUS * RADIUS / distance;
@@ -173,7 +176,7 @@ fn draw_axes(svg: &mut Svg, view: &View, eye: Point3) {
     svg.dot("ink", view.point(eye), Below, "eye");
 }
 
-/// What the knob slides on.
+/// Draws the cross on which the knob slides.
 fn draw_knob(svg: &mut Svg) {
     let DVec2 { x, y } = KNOB_ROOM;
     svg.line("faint thin", KNOB.right(-x), KNOB.right(x));

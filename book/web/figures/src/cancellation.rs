@@ -3,9 +3,9 @@
 use speed_vs_accuracy::{Case, Method, exact_discriminant};
 
 use crate::decimal::{PLACES, agreeing, exponent, places};
-use crate::vocabulary::*;
+use crate::prelude::*;
 
-/// What is computed for a ray, and what is right.
+/// The numbers that are computed for a ray, and the right ones.
 pub(crate) struct Numbers {
     /// h², rounded.
     h_squared: f64,
@@ -22,7 +22,7 @@ pub(crate) struct Numbers {
 }
 
 impl Numbers {
-    /// The numbers of a `case` with finite numbers, seen from outside.
+    /// Computes the numbers of a `case` that is finite and seen from outside.
     pub(crate) fn of(case: &Case) -> Self {
         let nearest = |method| case.put_to(method, 0.0, f64::INFINITY);
         let exact_discriminant = exact_discriminant(case.center, case.radius, &case.ray);
@@ -36,20 +36,21 @@ impl Numbers {
         }
     }
 
-    /// In how many digits h² and a·c agree.
+    /// Counts the leading digits in which h² and a·c agree.
     pub(crate) fn agreeing(&self) -> usize {
         let [one, other] = [self.h_squared, self.ac].map(|it| places(it, self.first()));
         agreeing(&one, &other)
     }
 
-    /// How many digits of t are right, if there is one and should be.
+    /// Counts the digits of t that are right; `None` unless there is a t, and
+    /// should be one.
     pub(crate) fn right_digits(&self) -> Option<usize> {
         let (t, exact) = (self.t?, self.exact_t?);
         let first = exponent(t).max(exponent(exact));
         Some(agreeing(&places(t, first), &places(exact, first)))
     }
 
-    /// How far off D is, in sizes of D.
+    /// Returns how far off D is, relative to the exact D.
     pub(crate) fn error(&self) -> f64 {
         ((self.discriminant - self.exact_discriminant) / self.exact_discriminant).abs()
     }
@@ -94,8 +95,8 @@ impl Numbers {
         }
     }
 
-    /// Before which place there are only zeros that D should have too, before which one its
-    /// digits are right, and before which one there are only zeros in the exact D.
+    /// Returns three places in D: up to the first there are only zeros, as there should be; up to
+    /// the second the digits are right; up to the third the exact D has only zeros.
     fn digits_of_discriminant(&self) -> [usize; 3] {
         let both = [self.discriminant, self.exact_discriminant];
         let [found, exact] = both.map(|it| places(it, self.first()));
@@ -109,7 +110,7 @@ impl Numbers {
         [shared, right, zeros(&exact)]
     }
 
-    /// The exponent of the first place of the largest number. D has none before it, because
+    /// Returns the exponent of the first place of the largest number. D has none before it, because
     /// c is positive here.
     fn first(&self) -> i32 {
         exponent(self.h_squared).max(exponent(self.ac))
@@ -129,7 +130,7 @@ struct Row {
 }
 
 impl Row {
-    /// The digits are of these classes, each up to some place.
+    /// Draws the digits: of each class those up to a place.
     fn draw(&self, svg: &mut Svg, classes: &[(&str, usize)]) {
         let at = spot(84.0, self.y);
         svg.label("ink", at.right(-19.0), End, self.name);
@@ -151,7 +152,7 @@ impl Row {
     }
 }
 
-/// How many zeros come first.
+/// Counts the zeros that come first.
 fn zeros(digits: &str) -> usize {
     digits.bytes().take_while(|digit| *digit == b'0').count()
 }

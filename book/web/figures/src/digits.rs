@@ -4,7 +4,7 @@
 use speed_vs_accuracy::{Case, Eye, Lens, Method, Scene, USUAL_T_MIN};
 
 use crate::cancellation::Numbers;
-use crate::vocabulary::*;
+use crate::prelude::*;
 
 parameters! {
     exponent: f64 = Number::whole("Distance in radii, as a power of ten", 0.0, 16.0, 7.0);
@@ -65,7 +65,7 @@ fn answer(it: &Parameters) -> Answer {
     Answer::new(draw(it, &found), sentence, says)
 }
 
-/// What is left of D.
+/// Says what is left of D.
 fn of_discriminant(found: &Numbers) -> String {
     match found.error() {
         0.0 => "*D* has lost no digit.".to_owned(),
@@ -79,7 +79,7 @@ fn of_discriminant(found: &Numbers) -> String {
     }
 }
 
-/// What is left of t, of which 1 is so many `radii` long.
+/// Says what is left of t. A t of 1 is `radii` radii long.
 fn of_t(found: &Numbers, radii: f64) -> String {
     match (found.t, found.exact_t, found.right_digits()) {
         (Some(t), Some(exact), _) if t == exact => "No digit of *t* is wrong.".to_owned(),
@@ -102,7 +102,7 @@ const PER_RADIUS: f64 = 5.5;
 /// up for it. Behind them is so little of the sky that it has few colors.
 const CLOSER: f64 = 16.0;
 
-/// Where the star is drawn, in pixels from its middle, and by which method.
+/// The places of the two stars, in pixels from their middles, and the methods that draw them.
 const SKIES: [Plane; 2] = [
     Plane::new(97.75, 115.75, SIDE),
     Plane::new(301.75, 115.75, SIDE),
@@ -114,12 +114,12 @@ const SIDE: f64 = 12.5;
 const AXIS: Axis = Axis::new(20.0, 236.0, 360.0, 0.0, 16.0);
 
 impl Parameters {
-    /// From the eye to the center, in radii.
+    /// Returns the distance from the eye to the center, in radii.
     fn away(&self) -> f64 {
         (0..self.exponent as u8).fold(1.0, |power, _| 10.0 * power)
     }
 
-    /// The star, and the ray.
+    /// Returns the star, with the chosen ray.
     fn case(&self) -> Case {
         Case {
             center: self.center(),
@@ -143,7 +143,8 @@ impl Parameters {
         }
     }
 
-    /// The ray of the book's camera that the lens sends through that pixel.
+    /// Returns the ray of the book's camera that the lens sends through that
+    /// pixel.
     fn ray(&self, pixel: Vec3) -> Ray {
         let through = Vec3::new(0.25, -0.5, -CLOSER) + pixel / PER_RADIUS;
         Ray::new(Point3::ZERO, through / CLOSER)

@@ -2,8 +2,8 @@
 
 use normals::hit_sphere;
 
+use crate::prelude::*;
 use crate::traced::red_sphere_lines;
-use crate::vocabulary::*;
 
 parameters! {
     q: Point3 =
@@ -65,12 +65,12 @@ impl Parameters {
         ray(self.q, self.d)
     }
 
-    /// All t at which the line meets the sphere.
+    /// Finds all t at which the line meets the sphere.
     fn roots(&self) -> Vec<f64> {
         roots(&self.ray(), |ray| hit_sphere(self.c, self.radius, ray))
     }
 
-    /// The point of the line that is nearest to the center.
+    /// Returns the point of the line that is nearest to the center.
     fn foot(&self) -> Point3 {
         self.ray().at(nearest(&self.ray(), self.c))
     }
@@ -94,7 +94,7 @@ fn listed(roots: &[f64]) -> String {
     roots.join(" and ")
 }
 
-/// What the roots mean.
+/// Says what the roots mean.
 fn sentence(roots: &[f64]) -> String {
     let at = listed(roots);
     match roots[..] {
@@ -119,16 +119,16 @@ fn sentence(roots: &[f64]) -> String {
     }
 }
 
-/// Whether two roots differ by rounding alone, in this figure.
+/// Returns true if two roots of this figure differ by rounding alone.
 fn near(one: f64, other: f64) -> bool {
     (one - other).abs() < 1e-9
 }
 
-/// Where the scene is on the sheet, and its size.
+/// The place of the scene on the sheet, and the size of its part of the sheet.
 const PLANE: Plane = Plane::new(60.0, 118.0, 60.0);
 const SIZE: DVec2 = spot(400.0, 226.0);
 
-/// Where a t is, below the scene.
+/// The axis of t, below the scene.
 const AXIS: Axis = Axis::new(23.0, 258.0, 357.0, -2.5, 6.0);
 
 /// Draws the scene and the axis.

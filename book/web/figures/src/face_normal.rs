@@ -3,8 +3,8 @@
 
 use hittable_list::{HitRecord, Hittable, Sphere};
 
+use crate::prelude::*;
 use crate::traced::sphere_lines;
-use crate::vocabulary::*;
 
 parameters! {
     origin: Point3 =
@@ -65,13 +65,13 @@ fn sentence(ray: &Ray) -> String {
     )
 }
 
-/// Where the left of the two spheres is on the sheet, and where the right one.
+/// The places of the left and of the right sphere on the sheet.
 const PLANES: [Plane; 2] = [
     Plane::new(98.0, 148.0, 64.0),
     Plane::new(302.0, 148.0, 64.0),
 ];
 
-/// Where a ray meets the sphere. It has radius 1 around the origin, so a point of it is the
+/// Finds where a ray meets the sphere. It has radius 1 around the origin, so a point of it is the
 /// normal there that points out.
 fn hit(ray: &Ray) -> Option<HitRecord> {
     Sphere::new(Point3::ZERO, 1.0).hit(ray, 0.0, f64::INFINITY)

@@ -23,6 +23,7 @@ pub mod number;
 mod parameters;
 mod pixels;
 mod plane;
+mod prelude;
 mod ray;
 pub mod records;
 mod style;
@@ -31,10 +32,9 @@ pub mod table;
 mod text;
 mod traced;
 mod viewport_grid;
-mod vocabulary;
 mod walk;
 
-pub use charts::{CHARTS, Chart, Drawn};
+pub use charts::{CHARTS, Chart, DrawnChart};
 pub use figure::Figure;
 pub use live::{Answer, Movable};
 pub use parameters::Number;
@@ -57,10 +57,10 @@ pub static LESSON: &[&dyn Movable] = &[
     &face_normal::LIVE,
 ];
 
-/// That of chapter 6, which calls all that it has, integers of any size among it.
+/// The figure of chapter 6. It calls all methods, and needs integers of any size.
 pub static ACCURACY: &[&dyn Movable] = &[&digits::LIVE];
 
-/// All figures, in reading order.
+/// Returns all figures, in reading order.
 pub fn figures() -> impl Iterator<Item = &'static dyn Movable> {
     LESSON.iter().chain(ACCURACY).copied()
 }

@@ -20,9 +20,9 @@ use crate::text::html;
 /// A place on the drawing that a reader can drag.
 #[derive(Debug)]
 pub(crate) struct Handle<P> {
-    /// What it changes.
+    /// The field of the parameters that it changes.
     pub(crate) field: &'static str,
-    /// Where it is on the sheet.
+    /// Its place on the sheet.
     pub(crate) at: fn(&P) -> DVec2,
     /// Brings it as near as can be to a place on the sheet.
     pub(crate) drag: fn(&mut P, DVec2),
@@ -48,7 +48,7 @@ macro_rules! point {
 }
 pub(crate) use point;
 
-/// What a button says, and what it does to all parameters.
+/// The words on a button, and its effect on the parameters.
 pub(crate) type Action<P> = (&'static str, fn(&mut P));
 
 /// A figure that a reader can move by changing parameters of type `P`.
@@ -56,9 +56,9 @@ pub(crate) type Action<P> = (&'static str, fn(&mut P));
 pub(crate) struct Live<P: 'static> {
     /// The figure, as the page shows it.
     pub(crate) figure: Figure,
-    /// Where on the drawing it can be grasped. Of two in the same place the later one is.
+    /// The places at which the drawing can be grasped: of two in one place, the later one is.
     pub(crate) handles: &'static [Handle<P>],
-    /// What a button does.
+    /// The buttons below the drawing.
     pub(crate) actions: &'static [Action<P>],
     /// The figure for these parameters, each within its range.
     pub(crate) answer: fn(&P) -> Answer,
@@ -67,21 +67,21 @@ pub(crate) struct Live<P: 'static> {
 /// Words by name: for sentences of the page, and for the lines of a listing.
 pub(crate) type Says = Vec<(&'static str, String)>;
 
-/// What a figure answers.
+/// A figure for certain parameters.
 #[derive(Clone, Debug)]
 pub struct Answer {
     /// The drawing.
     pub drawing: Svg,
-    /// What is to be seen in it; `*t*` is a number, `**P**` a vector.
+    /// A sentence about the drawing; `*t*` is a number, `**P**` a vector.
     pub sentence: String,
-    /// Where each handle is on the sheet.
+    /// The place of each handle on the sheet.
     pub handles: Vec<DVec2>,
-    /// What the page shows beside it.
+    /// Values, by name, that the page shows in its sentences and beside listings.
     pub says: Says,
 }
 
 impl Answer {
-    /// An answer whose handles are where the figure says.
+    /// Makes an answer whose handles are where the figure says.
     pub(crate) fn new(drawing: Svg, sentence: String, says: Says) -> Self {
         Self {
             drawing,
@@ -94,16 +94,18 @@ impl Answer {
 
 /// A figure, whatever its parameters are: they go in and come out as a list of numbers.
 pub trait Movable: Sync {
-    /// The figure, as the page shows it.
+    /// Returns the words of the figure.
     fn figure(&self) -> &Figure;
 
-    /// What can be changed.
+    /// Returns the numbers that a reader can change, in the order of all lists of
+    /// them.
     fn numbers(&self) -> &'static [Number];
 
-    /// For each handle the places of the numbers that it changes.
+    /// Returns, for each handle, the places in that order of the numbers that it
+    /// changes.
     fn handles(&self) -> Vec<Vec<usize>>;
 
-    /// What each button says.
+    /// Returns the words on each button.
     fn actions(&self) -> Vec<&'static str>;
 
     /// Drags a handle to a place on the sheet: what it changes comes onto a step.
@@ -112,15 +114,15 @@ pub trait Movable: Sync {
     /// Does what a button says.
     fn act(&self, action: usize, numbers: &mut [f64]);
 
-    /// The figure for these numbers, each within its range.
+    /// Draws the figure for these numbers, each within its range.
     fn answer(&self, numbers: &[f64]) -> Answer;
 
-    /// How pages name the figure.
+    /// Returns the name that pages call the figure by.
     fn name(&self) -> &'static str {
         self.figure().name
     }
 
-    /// The numbers of the figure on the page.
+    /// Returns the numbers of the figure on the page.
     fn defaults(&self) -> Vec<f64> {
         self.numbers().iter().map(|it| it.default).collect()
     }
@@ -134,9 +136,9 @@ pub trait Movable: Sync {
         }
     }
 
-    /// The answer in lines: the drawing, the sentence, and then with a word before them
-    /// the places of the handles, the numbers with their words and their greatest values,
-    /// and what sentences of the page show.
+    /// Writes the answer in lines: the drawing, the sentence, and then, each with a word before it,
+    /// the places of the handles, the numbers with their words and their greatest values, and what
+    /// sentences of the page show.
     fn text(&self, numbers: &[f64]) -> String {
         let answer = self.answer(numbers);
         let mut text = format!("{}\n{}", answer.drawing.finish(), html(&answer.sentence));

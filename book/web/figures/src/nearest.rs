@@ -3,7 +3,7 @@
 
 use hittable_list::{Hittable, Sphere};
 
-use crate::vocabulary::*;
+use crate::prelude::*;
 
 parameters! {
     one: Point3 =
@@ -60,13 +60,13 @@ const LISTS: &[&str] = &[
 /// The radii of the three spheres.
 const RADII: [f64; 3] = [0.7, 0.6, 0.5];
 
-/// What becomes of a sphere when it has its turn.
+/// The turn of a sphere in the search.
 struct Turn {
     /// The number of the sphere.
     sphere: usize,
-    /// Up to which t it is asked.
+    /// The end of the range for which it is asked.
     t_max: f64,
-    /// Where it is hit before that.
+    /// The t at which it is hit before that.
     hit: Option<f64>,
 }
 
@@ -80,7 +80,7 @@ impl Turn {
         format!("Sphere {sphere} is asked for 0 < *t* < {end}, and {result}.")
     }
 
-    /// What the search holds after it.
+    /// Returns the t that the search holds after this turn.
     fn closest_so_far(&self) -> f64 {
         self.hit.unwrap_or(self.t_max)
     }
@@ -134,7 +134,7 @@ fn answer(it: &Parameters) -> Answer {
     Answer::new(draw(it, &turns), sentence, says)
 }
 
-/// A t of a hit, or the end of an interval, in few digits.
+/// Writes the t of a hit, or the end of an interval, in few digits.
 fn in_digits(t: f64) -> String {
     match t {
         f64::INFINITY => "∞".to_owned(),
@@ -142,15 +142,15 @@ fn in_digits(t: f64) -> String {
     }
 }
 
-/// Where the scene is on the sheet, and its size.
+/// The place of the scene on the sheet, and the size of its part of the sheet.
 const PLANE: Plane = Plane::new(24.0, 96.0, 82.0);
 const SIZE: DVec2 = spot(400.0, 192.0);
 
 /// The greatest t on a bar.
 const MOST: f64 = 4.4;
 
-/// All t for which a sphere is asked, in that row below the scene. Below a ray to the right,
-/// one unit of t is as long as in the scene.
+/// Returns the axis of all t for which a sphere is asked, in that row below the scene. Below a ray
+/// to the right, one unit of t is as long as in the scene.
 fn bar(row: usize) -> Axis {
     let y = 226.0 + 38.0 * row as f64;
     Axis::new(PLANE.origin.x, y, MOST * PLANE.scale, 0.0, MOST)
@@ -183,7 +183,7 @@ fn draw(it: &Parameters, turns: &[Turn]) -> Svg {
     svg
 }
 
-/// Words, and below them a bar from 0 to `end`.
+/// Writes words, and draws below them a bar from 0 to `end`.
 fn draw_row(svg: &mut Svg, row: usize, idea: &str, words: &str, end: f64) {
     let (from, to) = (bar(row).start, bar(row).point(end));
     svg.small_label("ink", from.down(-10.0), Start, words);

@@ -3,8 +3,8 @@
 
 use normals::hit_sphere;
 
+use crate::prelude::*;
 use crate::traced::normals_lines;
-use crate::vocabulary::*;
 
 parameters! {
     q: Point3 =
@@ -67,7 +67,7 @@ fn answer(parameters: &Parameters) -> Answer {
     Answer::new(draw(&ray, root), sentence, lines)
 }
 
-/// The outward normal there.
+/// Returns the outward normal at a point of the sphere.
 fn normal(point: Point3) -> Vec3 {
     (point - CENTER).normalize()
 }

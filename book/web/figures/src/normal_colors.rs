@@ -2,7 +2,7 @@
 
 use normals::{hit_sphere, ray_color};
 
-use crate::vocabulary::*;
+use crate::prelude::*;
 
 parameters! {
     point: Point3 =
@@ -45,7 +45,7 @@ fn viewport() -> Plane {
 /// The sphere of chapter 3; its radius is ½.
 const CENTER: Point3 = Point3::new(0.0, 0.0, -1.0);
 
-/// The color of the ray through a point of the viewport, and the normal where it hits the
+/// Returns the color of the ray through a point of the viewport, and the normal where it hits the
 /// sphere.
 fn seen(point: Point3) -> (Color, Option<Vec3>) {
     let ray = Ray::new(Point3::ZERO, point - Vec3::Z);

@@ -4,7 +4,8 @@ use std::cmp::Ordering;
 
 use common::rtweekend::*;
 
-/// Such as 0.41, 158, 1.3e-16.
+/// Writes a number in three digits, such as 0.41, 158, 1.3e-16; what is not
+/// finite as `inf` or `NaN`.
 pub fn three_digits(value: f64) -> String {
     let rounded = format!("{value:.2e}");
     let Some((digits, exponent)) = rounded.split_once('e') else {
@@ -17,7 +18,7 @@ pub fn three_digits(value: f64) -> String {
     }
 }
 
-/// The same as it is printed: −0.41, 158, 1.3·10⁻¹⁶.
+/// Writes a number in three digits as it is printed: −0.41, 158, 1.3·10⁻¹⁶.
 pub fn printed(value: f64) -> String {
     let text = three_digits(value).replace('-', "−");
     match text.split_once('e') {
@@ -26,12 +27,12 @@ pub fn printed(value: f64) -> String {
     }
 }
 
-/// Decimals without the zeros at their end.
+/// Cuts the zeros at the end of decimals, and the point if none is left.
 fn trimmed(decimals: &str) -> &str {
     decimals.trim_end_matches('0').trim_end_matches('.')
 }
 
-/// A number as an exponent.
+/// Writes a number as an exponent.
 pub(crate) fn raised(number: impl ToString) -> String {
     let raised = |digit: char| match digit.to_digit(10) {
         Some(digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(digit as usize),
@@ -40,25 +41,25 @@ pub(crate) fn raised(number: impl ToString) -> String {
     number.to_string().chars().filter_map(raised).collect()
 }
 
-/// Ten to that power.
+/// Writes ten to that power.
 pub(crate) fn power_of_ten(exponent: i32) -> String {
     format!("10{}", raised(exponent))
 }
 
-/// A number with at most two decimals, and no minus before zero.
+/// Writes a number with at most two decimals, and no minus before zero.
 pub(crate) fn number(value: f64) -> String {
     let text = format!("{value:.2}");
     let short = trimmed(&text);
     if short == "-0" { "0" } else { short }.to_owned()
 }
 
-/// A number as a reader writes it: two decimals at most, a half rounded up as at school, and
+/// Writes a number as a reader writes it: two decimals at most, a half rounded up as at school, and
 /// a real minus.
 pub fn spoken(value: f64) -> String {
     number((100.0 * value).round() / 100.0).replace('-', "−")
 }
 
-/// How a number stands to another.
+/// Returns `<`, `=` or `>`, as one number stands to the other.
 pub(crate) fn sign(one: f64, other: f64) -> char {
     match one.total_cmp(&other) {
         Ordering::Less => '<',
@@ -67,7 +68,7 @@ pub(crate) fn sign(one: f64, other: f64) -> char {
     }
 }
 
-/// A vector in such numbers.
+/// Writes a vector as three numbers with at most two decimals.
 pub(crate) fn triple(vector: Vec3) -> String {
     let [x, y, z] = vector.to_array().map(spoken);
     format!("({x}, {y}, {z})")

@@ -10,26 +10,26 @@ use crate::plane::xy;
 pub struct Number {
     /// The field of the parameters that it belongs to.
     pub field: &'static str,
-    /// What it is, in words.
+    /// Its name, for a reader.
     pub name: &'static str,
     /// The least value.
     pub least: f64,
     /// The greatest value.
     pub most: f64,
-    /// How many steps of the slider make 1.
+    /// The number of steps of the slider that make 1.
     pub steps: f64,
-    /// What the figure on the page shows.
+    /// The value of the figure on the page.
     pub default: f64,
     /// The greatest value beside these numbers, if they leave less room.
     pub most_beside: Option<fn(&[f64]) -> f64>,
-    /// Whether more is farther down on the drawing.
+    /// True if more is farther down on the drawing.
     pub downwards: bool,
-    /// What the values are called, from `least` on, if it is a choice.
+    /// The names of the values, from `least` on, if it is a choice.
     pub choices: &'static [&'static str],
 }
 
 impl Number {
-    /// A number of some unit from `least` to `most`.
+    /// Makes a number from `least` to `most`, in steps of 0.05.
     pub(crate) const fn new(name: &'static str, least: f64, most: f64, default: f64) -> Self {
         Self {
             field: "",
@@ -44,7 +44,7 @@ impl Number {
         }
     }
 
-    /// A whole number from `least` to `most`.
+    /// Makes a whole number from `least` to `most`.
     pub(crate) const fn whole(name: &'static str, least: f64, most: f64, default: f64) -> Self {
         Self {
             steps: 1.0,
@@ -52,7 +52,7 @@ impl Number {
         }
     }
 
-    /// A choice of these, of which the first is on the page.
+    /// Makes a choice of these, of which the first is on the page.
     pub(crate) const fn choice(name: &'static str, choices: &'static [&'static str]) -> Self {
         Self {
             choices,
@@ -60,7 +60,7 @@ impl Number {
         }
     }
 
-    /// The greatest value beside the others.
+    /// Returns the greatest value beside the others.
     pub(crate) fn most_among(&self, numbers: &[f64]) -> f64 {
         let most = self.most_beside.map(|most_beside| most_beside(numbers));
         most.map_or(self.most, |most| most.min(self.most))
@@ -75,12 +75,12 @@ impl Number {
         }
     }
 
-    /// The nearest value on a step: the quotient is the double nearest to a short decimal.
+    /// Returns the nearest value on a step: the quotient is the double nearest to a short decimal.
     pub(crate) fn on_a_step(&self, value: f64) -> f64 {
         self.confine((value * self.steps).round() / self.steps)
     }
 
-    /// The value in words, for a reader who cannot see the slider.
+    /// Writes the value in words, for a reader who cannot see the slider.
     pub(crate) fn in_words(&self, value: f64) -> String {
         match self.choices.get((value - self.least) as usize) {
             Some(&choice) => choice.to_owned(),
@@ -97,7 +97,7 @@ pub(crate) trait Parameters: Sized + 'static {
     /// Reads them from a list in that order.
     fn of(numbers: &[f64]) -> Self;
 
-    /// Such a list.
+    /// Returns them as such a list.
     fn numbers(&self) -> Vec<f64>;
 }
 
@@ -131,7 +131,7 @@ impl Field for Vec3 {
 /// is.
 macro_rules! parameters {
     ($($field:ident: $kind:ty = $($number:expr),+;)*) => {
-        /// What can be changed.
+        /// The parameters that a reader can change.
         #[derive(Clone, Copy, Debug)]
         pub(crate) struct Parameters {
             $($field: $kind,)*

@@ -54,7 +54,8 @@ impl Frame {
         })
     }
 
-    /// The viewport of `camera`, where a picture of it is drawn.
+    /// Returns the plane of the viewport of `camera`, where a picture of it is
+    /// drawn.
     pub(crate) fn viewport(&self, camera: &Camera) -> Plane {
         let scale = self.side / camera.pixel_delta_u.x;
         let first = scale * DVec2::new(camera.pixel00.x, -camera.pixel00.y);

@@ -9,7 +9,7 @@ use crate::svg::{Anchor, Svg};
 /// down, and back.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Plane {
-    /// Where (0, 0, z) is on the sheet.
+    /// The place of (0, 0, z) on the sheet.
     pub(crate) origin: DVec2,
     /// Units of the sheet for each unit of the scene.
     pub(crate) scale: f64,
@@ -21,23 +21,23 @@ impl Plane {
         Self { origin, scale }
     }
 
-    /// A point of the scene on the sheet.
+    /// Returns the place of a point of the scene on the sheet.
     pub(crate) fn point(&self, point: Point3) -> DVec2 {
         self.origin + self.vector(point)
     }
 
-    /// A vector of the scene on the sheet.
+    /// Returns a vector of the scene as one on the sheet.
     pub(crate) fn vector(&self, vector: Vec3) -> DVec2 {
         self.scale * DVec2::new(vector.x, -vector.y)
     }
 
-    /// The point of the scene, with z = 0, that is there on the sheet.
+    /// Returns the point of the scene, with z = 0, that is there on the sheet.
     pub(crate) fn place(&self, at: DVec2) -> Point3 {
         let way = (at - self.origin) / self.scale;
         xy(way.x, -way.y)
     }
 
-    /// The least and the greatest t at which the line of `ray` is on a sheet of that
+    /// Returns the least and the greatest t at which the line of `ray` is on a sheet of that
     /// `size`, a margin of 14 left out; `None` if it never is.
     pub(crate) fn on_sheet(&self, ray: &Ray, size: DVec2) -> Option<(f64, f64)> {
         let (from, along) = (self.point(ray.origin), self.vector(ray.direction));
@@ -69,25 +69,25 @@ impl Plane {
     }
 }
 
-/// A point of the plane, or a vector.
+/// Makes a point or a vector of the plane z = 0.
 pub(crate) const fn xy(x: f64, y: f64) -> Vec3 {
     Vec3::new(x, y, 0.0)
 }
 
-/// A ray in the plane. A vector without a length is no direction: the shortest is one step of
-/// what a reader drags.
+/// Makes a ray in the plane. A `direction` without a length becomes (0.05, 0), one step of what a
+/// reader drags.
 pub(crate) fn ray(origin: Point3, direction: Vec3) -> Ray {
     let shortest = xy(0.05, 0.0);
     let has_length = direction != Vec3::ZERO;
     Ray::new(origin, if has_length { direction } else { shortest })
 }
 
-/// The t at which the line of `ray` is nearest to a point.
+/// Returns the t at which the line of `ray` is nearest to a point.
 pub(crate) fn nearest(ray: &Ray, point: Point3) -> f64 {
     ray.direction.dot(point - ray.origin) / ray.direction.length_squared()
 }
 
-/// All t at which the line of `ray` meets what `nearer` finds: the farther one is the nearer
+/// Finds all t at which the line of `ray` meets what `nearer` finds: the farther one is the nearer
 /// one of the ray turned round.
 pub(crate) fn roots(ray: &Ray, nearer: impl Fn(&Ray) -> Option<f64>) -> Vec<f64> {
     let turned = Ray::new(ray.origin, -ray.direction);

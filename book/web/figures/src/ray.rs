@@ -1,7 +1,7 @@
 //! Figure 2 of the notes: P(t) = Q + t·d. Q, the tip of d, and P along the line move.
 
 use crate::parameters::Parameters as _;
-use crate::vocabulary::*;
+use crate::prelude::*;
 
 parameters! {
     q: Point3 =
@@ -85,7 +85,7 @@ fn answer(parameters: &Parameters) -> Answer {
     Answer::new(draw(&ray, t), sentence, says)
 }
 
-/// Where the scene is on the sheet, and its size.
+/// The place of the scene on the sheet, and the size of its part of the sheet.
 const PLANE: Plane = Plane::new(142.0, 142.0, 60.0);
 const SIZE: DVec2 = spot(400.0, 206.0);
 
@@ -110,12 +110,12 @@ fn draw(ray: &Ray, t: f64) -> Svg {
     svg
 }
 
-/// From the line of the ray to what is written beside it.
+/// Returns the way from the line of the ray to what is written beside it.
 fn aside(ray: &Ray) -> DVec2 {
     20.0 * PLANE.vector(ray.direction).perp().normalize_or_zero()
 }
 
-/// A dot on the line and its t, as long as the marks leave room for words.
+/// Draws a dot on the line and its t, as long as the marks leave room for words.
 fn draw_mark(svg: &mut Svg, ray: &Ray, mark: f64) {
     let point = PLANE.point(ray.at(mark));
     svg.circle("ray solid", point, 4.5);

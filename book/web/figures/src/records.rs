@@ -10,21 +10,21 @@ use speed_vs_accuracy::Precision;
 
 use crate::table::{Record, Table};
 
-/// How exact a method is in a regime, all levels together, with t from 0 to
+/// The accuracy of a method in a regime, all levels together, with t from 0 to
 /// infinity. The regime `book` is each pixel of the book's picture, `book_ball` and
 /// `book_ground` are its two spheres by themselves.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Accuracy {
     /// The name of the regime.
     pub regime: String,
-    /// What numbers the method computes with: `f64` or `f32`.
+    /// The numbers that the method computes with: `f64` or `f32`.
     #[serde(with = "PrecisionName")]
     pub precision: Precision,
     /// The name of the method.
     pub method: String,
-    /// How many questions it was asked.
+    /// The number of questions.
     pub cases: usize,
-    /// How many of them have a root.
+    /// The number of questions that have a root.
     pub hits: usize,
     /// Hits where there is no root, and misses where there is one.
     pub wrong_per_million: f64,
@@ -35,9 +35,9 @@ pub struct Accuracy {
     pub p999_ulps: Option<f64>,
     /// The largest error.
     pub largest_ulps: Option<f64>,
-    /// How far the point at t is from the sphere, in radii.
+    /// The distance of the point at t from the sphere, in radii: the median.
     pub surface_median_radii: Option<f64>,
-    /// The farthest.
+    /// The greatest such distance.
     pub surface_largest_radii: Option<f64>,
     /// A sum of the first few answers, by which a test knows them again.
     pub answers: u64,
@@ -49,10 +49,10 @@ pub struct Accuracy {
 pub struct Tightness {
     /// The letter of the proof, and which side of it.
     pub bound: String,
-    /// What the three that follow are counted in: `u` = 2⁻⁵³, `u2` = u², the `bound` that
+    /// The unit of the three numbers that follow: `u` = 2⁻⁵³, `u2` = u², the `bound` that
     /// is computed with the numbers; `log2` if they are exponents of two.
     pub unit: String,
-    /// What the code has.
+    /// The constant in the code.
     pub constant: f64,
     /// The least for which there is a proof.
     pub proved: f64,
@@ -60,13 +60,13 @@ pub struct Tightness {
     pub attained: f64,
     /// Center, radius, origin and direction, with all their digits.
     pub witness: String,
-    /// Where the range of t begins.
+    /// The lower end of the range of t, excluded.
     pub t_min: f64,
-    /// Where the range of t ends.
+    /// The upper end of the range of t, excluded.
     pub t_max: f64,
 }
 
-/// How exact a method is at one level of a regime.
+/// The accuracy of a method at one level of a regime.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Level {
     /// `far`.
@@ -88,7 +88,7 @@ pub struct Level {
     pub answers: u64,
 }
 
-/// How many pixels of a scene a method gets wrong.
+/// The number of pixels of a scene that a method gets wrong.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct WrongPixels {
     /// The name of the scene.
@@ -98,17 +98,17 @@ pub struct WrongPixels {
     pub precision: Precision,
     /// The name of the method.
     pub method: String,
-    /// How many pixels there are.
+    /// The number of pixels.
     pub pixels: usize,
-    /// How many are more than one level off, in some component, from the exact
+    /// The number of those that are more than one level off, in some component, from the exact
     /// picture.
     pub wrong: usize,
 }
 
-/// How long one test takes, or one ray, as the benchmark `clock` measured it.
+/// The time of one test, or of one ray, as the benchmark `clock` measured it.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Timing {
-    /// What one time is of.
+    /// The kind of loop that was timed.
     ///
     /// | `what` | `name` | |
     /// |---|---|---|
@@ -120,13 +120,13 @@ pub struct Timing {
     pub what: String,
     /// A method.
     pub name: String,
-    /// What numbers it computes with.
+    /// The numbers that it computes with.
     #[serde(with = "PrecisionName")]
     pub precision: Precision,
     /// A regime, or `all_hits`: the rays of `book` that hit.
     #[serde(rename = "where")]
     pub place: String,
-    /// How many questions there are.
+    /// The number of questions.
     pub n: usize,
     /// Nanoseconds: half of the rounds took less, half more. It has the digits on which
     /// half of the rounds agree, as `ratio` has.
@@ -139,15 +139,15 @@ pub struct Timing {
 }
 
 impl Table<Timing> {
-    /// The row of that kind, name and place.
+    /// Returns the row of that kind, name and place.
     pub fn find(&self, what: &str, name: &str, place: &str) -> Option<&Timing> {
         let same = |row: &&Timing| row.what == what && row.name == name && row.place == place;
         self.rows.iter().find(same)
     }
 }
 
-/// How long our program takes to draw a picture, and how long the C++ program: as
-/// the benchmark `race` measured it. Whole programs are timed from the start of each
+/// The times of our program and of the C++ program for one picture, as the benchmark
+/// `race` measured them. Whole programs are timed from the start of each
 /// process to its end.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Race {
@@ -155,22 +155,22 @@ pub struct Race {
     pub chapter: String,
     /// Its width in pixels.
     pub width: u32,
-    /// Where the text went: `nowhere`. Or `traced`, if there was none: then each kept the
+    /// The place of the text, `nowhere`; or `traced`, if there was none: then each kept the
     /// bytes of the picture in memory, on one thread.
     pub to: String,
     /// Milliseconds of our program: half of the runs took less, half more.
     pub rust_median_ms: f64,
-    /// Our quickest run.
+    /// Milliseconds of our quickest run.
     pub rust_least_ms: f64,
-    /// Our slowest run.
+    /// Milliseconds of our slowest run.
     pub rust_greatest_ms: f64,
     /// Milliseconds of the C++ program.
     pub cpp_median_ms: f64,
-    /// Its quickest run.
+    /// Milliseconds of its quickest run.
     pub cpp_least_ms: f64,
-    /// Its slowest run.
+    /// Milliseconds of its slowest run.
     pub cpp_greatest_ms: f64,
-    /// How many times as long the C++ program takes, by the medians.
+    /// The time of the C++ program divided by ours, by the medians.
     pub ratio: f64,
 }
 

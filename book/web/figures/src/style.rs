@@ -4,8 +4,8 @@
 /// for light and for dark, and a class for each way to show it.
 pub const CSS: &str = include_str!("../../../theme/figures.css");
 
-/// The drawing `svg` as a file of its own: it brings the style sheet and the
-/// paper, and follows the reader's light or dark preference.
+/// Makes a file of its own of the drawing `svg`: it brings the style sheet and
+/// the paper, and follows the reader's light or dark preference.
 pub fn standalone(svg: &str) -> String {
     let style = format!(
         "<style>:root {{ color-scheme: light dark }}\n{CSS}</style>\

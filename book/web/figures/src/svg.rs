@@ -20,16 +20,16 @@ pub struct Svg {
     text: String,
 }
 
-/// A place on a sheet.
+/// Makes a place on a sheet.
 pub(crate) const fn spot(x: f64, y: f64) -> DVec2 {
     DVec2::new(x, y)
 }
 
 /// Steps on a sheet.
 pub(crate) trait Step {
-    /// So far to the right.
+    /// Moves to the right.
     fn right(self, by: f64) -> Self;
-    /// So far down.
+    /// Moves down.
     fn down(self, by: f64) -> Self;
 }
 
@@ -43,7 +43,7 @@ impl Step for DVec2 {
     }
 }
 
-/// Where a label stands relative to its point.
+/// The place of a label relative to its point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Anchor {
     /// The point is at its left end.
@@ -63,7 +63,7 @@ pub(crate) enum Anchor {
 }
 
 impl Anchor {
-    /// From the point to where the text is written, and which of its ends is there.
+    /// Returns the way from the point to where the text is written, and which of its ends is there.
     fn place(self) -> (DVec2, &'static str) {
         let (x, y, end) = match self {
             Self::Start => (0.0, 0.0, ""),
@@ -82,9 +82,9 @@ impl Anchor {
 }
 
 impl Svg {
-    /// An empty drawing, as wide as the screen of a phone lets one read. Its ids begin with
-    /// `name`, so several drawings can share a page; a reader who cannot see it hears `title`
-    /// and `description`.
+    /// Makes an empty drawing, 400 units wide, which is as wide as the screen of a phone lets one
+    /// read. Its ids begin with `name`, so several drawings can share a page; a reader who cannot
+    /// see it hears `title` and `description`.
     pub(crate) fn new(name: &str, title: &str, description: &str, height: f64) -> Self {
         Self {
             name: name.to_owned(),
@@ -100,13 +100,13 @@ impl Svg {
         self.description = plain(text);
     }
 
-    /// A straight line.
+    /// Draws a straight line.
     pub(crate) fn line(&mut self, class: &str, from: DVec2, to: DVec2) {
         let ends = [("x1", from.x), ("y1", from.y), ("x2", to.x), ("y2", to.y)];
         self.element("line", class, &ends);
     }
 
-    /// A line through several points; filled, if the class says so.
+    /// Draws a line through several points; filled, if the class says so.
     pub(crate) fn path(&mut self, class: &str, points: &[DVec2]) {
         let mut path = String::new();
         for (n, point) in points.iter().enumerate() {
@@ -116,26 +116,26 @@ impl Svg {
         self.text += &format!("<path class=\"{class}\" d=\"{path}\"/>");
     }
 
-    /// A circle, or where the class fills it, a disc.
+    /// Draws a circle, or where the class fills it, a disc.
     pub(crate) fn circle(&mut self, class: &str, center: DVec2, radius: f64) {
         let numbers = [("cx", center.x), ("cy", center.y), ("r", radius)];
         self.element("circle", class, &numbers);
     }
 
-    /// A dot with its name beside it.
+    /// Draws a dot with its name beside it.
     pub(crate) fn dot(&mut self, idea: &str, at: DVec2, anchor: Anchor, name: &str) {
         self.circle(&format!("{idea} solid"), at, 4.5);
         self.label(idea, at, anchor, name);
     }
 
-    /// A rectangle from its upper left corner.
+    /// Draws a rectangle from its upper left corner.
     pub(crate) fn rect(&mut self, class: &str, corner: DVec2, size: DVec2) {
         let [x, y, width, height] = [corner.x, corner.y, size.x, size.y];
         let numbers = [("x", x), ("y", y), ("width", width), ("height", height)];
         self.element("rect", class, &numbers);
     }
 
-    /// A line that ends in an arrow head at `to`.
+    /// Draws a line that ends in an arrow head at `to`.
     pub(crate) fn arrow(&mut self, class: &str, from: DVec2, to: DVec2) {
         let along = (to - from).normalize_or_zero();
         let neck = to - 9.0 * along;
@@ -145,24 +145,25 @@ impl Svg {
         self.path(&format!("{idea} solid"), &[to, neck + side, neck - side]);
     }
 
-    /// A bold arrow with its name above the middle.
+    /// Draws a bold arrow with its name above the middle.
     pub(crate) fn vector(&mut self, idea: &str, from: DVec2, to: DVec2, name: &str) {
         self.arrow(&format!("{idea} bold"), from, to);
         self.label(idea, 0.5 * (from + to), Anchor::Above, name);
     }
 
-    /// A small square at `corner` where two lines meet at a right angle, along these units.
+    /// Draws a small square at `corner`, where two lines meet at a right angle, along these unit
+    /// vectors.
     pub(crate) fn right_angle(&mut self, corner: DVec2, one: DVec2, other: DVec2) {
         let points = [one, one + other, other].map(|way| corner + 9.0 * way);
         self.path("faint thin", &points);
     }
 
-    /// A label, in the notation of [`crate::text`].
+    /// Writes a label, in the notation of [`crate::text`].
     pub(crate) fn label(&mut self, idea: &str, at: DVec2, anchor: Anchor, text: &str) {
         self.sized_label(idea, "", at, anchor, text);
     }
 
-    /// A smaller label.
+    /// Writes a smaller label.
     pub(crate) fn small_label(&mut self, idea: &str, at: DVec2, anchor: Anchor, text: &str) {
         self.sized_label(idea, &format!(" font-size=\"{SMALL}\""), at, anchor, text);
     }
@@ -180,7 +181,7 @@ impl Svg {
         );
     }
 
-    /// Numbers in words, line below line.
+    /// Writes numbers in words, line below line.
     pub(crate) fn readout(&mut self, at: DVec2, lines: &[String]) {
         for (line, n) in lines.iter().zip(0..) {
             let line_below = at.down(21.0 * f64::from(n));
@@ -188,7 +189,7 @@ impl Svg {
         }
     }
 
-    /// Digits of equal width, each stretch of a class.
+    /// Writes digits of equal width: stretches of a class and digits.
     pub(crate) fn digits(&mut self, at: DVec2, stretches: &[(&str, &str)]) {
         let [x, y] = at.to_array().map(number);
         self.text += &format!("<text class=\"digits label\" x=\"{x}\" y=\"{y}\">");
@@ -198,13 +199,14 @@ impl Svg {
         self.text += "</text>";
     }
 
-    /// A rectangle whose color is what it is about, so no theme changes it.
+    /// Fills a rectangle with a color that no theme changes.
     pub(crate) fn pixel(&mut self, corner: DVec2, size: DVec2, [red, green, blue]: [u8; 3]) {
         let fill = format!("fill=\"#{red:02x}{green:02x}{blue:02x}\"");
         self.bars(&fill, [(corner, size)].into_iter());
     }
 
-    /// Rectangles in one path with this attribute, from their corners and sizes.
+    /// Draws rectangles in one path with this attribute, from their corners and
+    /// sizes.
     pub(crate) fn bars(&mut self, paint: &str, bars: impl Iterator<Item = (DVec2, DVec2)>) {
         let mut path = String::new();
         for (corner, size) in bars {
@@ -214,14 +216,14 @@ impl Svg {
         self.text += &format!("<path {paint} d=\"{path}\"/>");
     }
 
-    /// What `draw` draws, as a group of that class.
+    /// Draws what `draw` draws as a group of that class.
     pub(crate) fn group(&mut self, class: &str, draw: impl FnOnce(&mut Self)) {
         self.text += &format!("<g class=\"{class}\">");
         draw(self);
         self.text += "</g>";
     }
 
-    /// The finished drawing as an `<svg>` element in one line, which a page can take in.
+    /// Returns the finished drawing as an `<svg>` element in one line, which a page can take in.
     pub fn finish(self) -> String {
         let id = format!("drawing-{}", self.name.replace('_', "-"));
         let [title, description] = [&self.title, &self.description].map(|words| escape(words));

@@ -35,7 +35,7 @@ impl<Row> From<Vec<Row>> for Table<Row> {
 }
 
 impl<Row: Record> Table<Row> {
-    /// The table in `text`.
+    /// Reads the table in `text`.
     ///
     /// # Errors
     /// What is wrong in which line and column of the file.
@@ -49,7 +49,10 @@ impl<Row: Record> Table<Row> {
         Ok(Self { about, rows })
     }
 
-    /// The file, which [`Table::read`] reads. Of a number with a fraction it has three digits.
+    /// Writes the file that [`Table::read`] reads, with three digits of a number with a fraction.
+    ///
+    /// # Panics
+    /// If a field of a row is a list.
     pub fn text(&self) -> String {
         let mut text = String::new();
         for (key, value) in &self.about {
@@ -76,14 +79,14 @@ fn in_few_digits(field: &str) -> String {
     }
 }
 
-/// A reader of `text`, for whom lines that begin with `#` are remarks.
+/// Makes a reader of `text` that skips lines which begin with `#`.
 pub fn reader(text: &str) -> Reader<&[u8]> {
     ReaderBuilder::new()
         .comment(Some(b'#'))
         .from_reader(text.as_bytes())
 }
 
-/// The lines `# key: value` of `text`.
+/// Returns the lines `# key: value` of `text`, by key.
 pub fn about(text: &str) -> BTreeMap<String, String> {
     let remarks = text.lines().filter_map(|line| line.strip_prefix("# "));
     remarks

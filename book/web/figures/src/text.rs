@@ -9,17 +9,17 @@ pub(crate) const SMALL: f64 = 12.0;
 /// The size of a subscript.
 const SUBSCRIPT: f64 = 11.0;
 
-/// The text without its marks.
+/// Returns the text without its marks.
 pub(crate) fn plain(text: &str) -> String {
     text.replace('*', "")
 }
 
-/// The text in HTML.
+/// Writes the text in HTML.
 pub fn html(text: &str) -> String {
     marked(text, ["<i>", "</i>"], ["<b>", "</b>"])
 }
 
-/// The text in SVG.
+/// Writes the text in SVG.
 pub(crate) fn spans(label: &str) -> String {
     let mut spans = String::new();
     for (n, piece) in label.split(['{', '}']).enumerate() {
@@ -35,7 +35,7 @@ pub(crate) fn spans(label: &str) -> String {
     spans
 }
 
-/// The text with these tags around each number, and around each vector.
+/// Puts these tags around each number, and around each vector.
 fn marked(text: &str, number: [&str; 2], vector: [&str; 2]) -> String {
     let within = |text: String, n: usize, [open, close]: [&str; 2]| match n % 2 {
         0 => text,
@@ -53,7 +53,7 @@ fn marked(text: &str, number: [&str; 2], vector: [&str; 2]) -> String {
         .collect()
 }
 
-/// How wide a label is at most, in the usual fonts.
+/// Returns how wide a label is at most, in the usual fonts.
 pub(crate) fn width(label: &str, size: f64) -> f64 {
     let advance = |letter: char| match letter {
         '*' => 0.0,
@@ -66,7 +66,7 @@ pub(crate) fn width(label: &str, size: f64) -> f64 {
     size * label.chars().map(advance).sum::<f64>()
 }
 
-/// Text that means itself in XML.
+/// Writes text that means itself in XML.
 pub fn escape(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")

@@ -16,28 +16,29 @@ struct Sphere {
     radius: f64,
 }
 
-/// The lines of `hit_sphere` in chapter 2.
+/// Returns the values of the lines of `hit_sphere` in chapter 2.
 pub(crate) fn red_sphere_lines(center: Point3, radius: f64, ray: &Ray) -> Says {
     lines(red_sphere::LINES, |notes| {
         Some(red_sphere::hit_sphere(center, radius, ray, notes).to_string())
     })
 }
 
-/// The lines of `hit_sphere` in chapter 3.
+/// Returns the values of the lines of `hit_sphere` in chapter 3.
 pub(crate) fn normals_lines(center: Point3, radius: f64, ray: &Ray) -> Says {
     lines(normals::LINES, |notes| {
         normals::hit_sphere(center, radius, ray, notes).map(some)
     })
 }
 
-/// The lines of `hit_sphere` in chapter 4.
+/// Returns the values of the lines of `hit_sphere` in chapter 4.
 pub(crate) fn half_b_lines(center: Point3, radius: f64, ray: &Ray) -> Says {
     lines(half_b_sphere::LINES, |notes| {
         half_b_sphere::hit_sphere(center, radius, ray, notes).map(some)
     })
 }
 
-/// The lines of `Sphere::hit` in chapter 5, for everything in front of the ray.
+/// Returns the values of the lines of `Sphere::hit` in chapter 5, for everything
+/// in front of the ray.
 pub(crate) fn sphere_lines(center: Point3, radius: f64, ray: &Ray) -> Says {
     lines(sphere::LINES, |notes| {
         let record = Sphere { center, radius }.hit(ray, 0.0, f64::INFINITY, notes)?;
@@ -49,8 +50,8 @@ fn some(t: f64) -> String {
     format!("Some({})", spoken(t))
 }
 
-/// The value of each line, by the name that it gives; `none` is the line that returns
-/// nothing, and `result` the last one. What is not reached is empty.
+/// Returns the value of each line, by the name that the line gives; `none` is the line that returns
+/// nothing, and `result` the last one. A line that is not reached has an empty value.
 fn lines(
     names: &[&'static str],
     function: impl FnOnce(&mut Vec<String>) -> Option<String>,
@@ -63,7 +64,7 @@ fn lines(
     names.iter().copied().zip(notes).collect()
 }
 
-/// What a page shows of a value.
+/// A value that a page can show beside a line.
 trait Shown {
     fn shown(&self) -> String;
 }

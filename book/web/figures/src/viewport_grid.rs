@@ -1,7 +1,7 @@
 //! Figure 4 of the notes: the viewport and its grid of pixels. The width of the picture
 //! changes, and the marked pixel moves.
 
-use crate::vocabulary::*;
+use crate::prelude::*;
 
 parameters! {
     width: f64 = Number::whole("Width", 1.0, 11.0, 8.0);
@@ -74,7 +74,7 @@ fn answer(it: &Parameters) -> Answer {
     Answer::new(draw(&grid), sentence, says)
 }
 
-/// Why there are so many rows.
+/// Says why there are so many rows.
 fn because(width: u32) -> String {
     // In sixteenths, so that no digit is cut.
     let quotient = f64::from(9 * width) / 16.0;
@@ -96,12 +96,12 @@ struct Grid {
     edges: [Vec3; 2],
     /// The upper left corner of the viewport, by the formula of the page.
     corner: Point3,
-    /// Where the scene is on the sheet: the viewport as wide, or as high, as there is room.
+    /// The place of the scene on the sheet: the viewport as wide, or as high, as there is room.
     plane: Plane,
 }
 
 impl Grid {
-    /// The grid of the chapter's camera.
+    /// Makes the grid of the chapter's camera.
     fn of(it: &Parameters) -> Self {
         let camera = Camera::new(it.width as u32);
         let u = f64::from(camera.image_width) * camera.pixel_delta_u;
@@ -118,17 +118,17 @@ impl Grid {
         }
     }
 
-    /// The place through which the ray of a pixel goes.
+    /// Returns the point through which the ray of a pixel goes.
     fn place(&self, [i, j]: [u32; 2]) -> Point3 {
         self.camera.ray(i, j).at(1.0)
     }
 
-    /// The same on the sheet.
+    /// Returns the place of that point on the sheet.
     fn at(&self, pixel: [u32; 2]) -> DVec2 {
         self.plane.point(self.place(pixel))
     }
 
-    /// The column and the row that are there on the sheet.
+    /// Returns the column and the row, with fractions, at a place on the sheet.
     fn pixel_at(&self, to: DVec2) -> Vec3 {
         let way = self.plane.place(to) - self.camera.pixel00;
         let along = |step: Vec3| way.dot(step) / step.length_squared();
@@ -138,17 +138,18 @@ impl Grid {
         )
     }
 
-    /// From one pixel to the next on the sheet, along both edges.
+    /// Returns the ways from one pixel to the next on the sheet, along both
+    /// edges.
     fn steps(&self) -> [DVec2; 2] {
         let steps = [self.camera.pixel_delta_u, self.camera.pixel_delta_v];
         steps.map(|step| self.plane.vector(step))
     }
 }
 
-/// Where the upper left corner of the viewport is on the sheet.
+/// The upper left corner of the viewport on the sheet.
 const CORNER: DVec2 = spot(84.0, 40.0);
 
-/// How large the viewport can be there.
+/// The greatest size of the viewport on the sheet.
 const ROOM: DVec2 = spot(288.0, 164.0);
 
 /// Draws the grid with its points and vectors, and the numbers below.
@@ -162,7 +163,7 @@ fn draw(grid: &Grid) -> Svg {
     svg
 }
 
-/// The edges of all pixels, of which one is marked, and where their rays go through.
+/// Draws the edges of all pixels, of which one is marked, and where their rays go through.
 fn draw_grid(svg: &mut Svg, grid: &Grid) {
     let (width, height) = (grid.camera.image_width, grid.camera.image_height);
     let [u, v] = grid.steps();
@@ -182,7 +183,7 @@ fn draw_grid(svg: &mut Svg, grid: &Grid) {
     }
 }
 
-/// The two edges from the corner.
+/// Draws the two edges from the corner.
 fn draw_viewport(svg: &mut Svg, grid: &Grid) {
     let [u, v] = grid.edges.map(|edge| grid.plane.vector(edge));
     svg.vector("viewport", CORNER, CORNER + u, "**V**_{u}");
@@ -192,7 +193,7 @@ fn draw_viewport(svg: &mut Svg, grid: &Grid) {
     svg.label("viewport", CORNER + 0.85 * v, Left, "**V**_{v}");
 }
 
-/// The first point, and from there the steps to its neighbors, as far as there are any.
+/// Draws the first point, and from there the steps to its neighbors, as far as there are any.
 fn draw_steps(svg: &mut Svg, grid: &Grid) {
     let ([u, v], first) = (grid.steps(), grid.at([0, 0]));
     if grid.camera.image_width > 1 {
@@ -209,10 +210,10 @@ fn draw_steps(svg: &mut Svg, grid: &Grid) {
     svg.label("ink", beside, Left, "**P**_{0,0}");
 }
 
-/// How large the dot of a pixel is.
+/// The radius of the dot of a pixel.
 const DOT: f64 = 5.0;
 
-/// The point of the marked pixel, and its name.
+/// Draws the point of the marked pixel, and its name.
 fn draw_pixel(svg: &mut Svg, grid: &Grid) {
     let [i, j] = grid.pixel;
     let point = grid.at([i, j]);
@@ -229,7 +230,7 @@ fn draw_pixel(svg: &mut Svg, grid: &Grid) {
     svg.label("ink", point + spot(right, down), anchor, &name);
 }
 
-/// The vectors in numbers, below the grid in two columns.
+/// Writes the vectors in numbers, below the grid in two columns.
 fn draw_numbers(svg: &mut Svg, grid: &Grid) {
     let [i, j] = grid.pixel;
     let [u, v] = grid.edges.map(triple);

@@ -3,8 +3,8 @@
 
 use half_b_sphere::hit_sphere;
 
+use crate::prelude::*;
 use crate::traced::half_b_lines;
-use crate::vocabulary::*;
 
 parameters! {
     c: Point3 =
@@ -73,7 +73,7 @@ impl Parameters {
         roots(&self.ray(), |ray| hit_sphere(self.c, self.radius, ray))
     }
 
-    /// The t of the point that is nearest to the center.
+    /// Returns the t of the point that is nearest to the center.
     fn foot(&self) -> f64 {
         nearest(&self.ray(), self.c)
     }
@@ -103,7 +103,7 @@ fn answer(it: &Parameters) -> Answer {
     Answer::new(draw(it, &roots), sentence, lines)
 }
 
-/// Where the scene is on the sheet.
+/// The place of the scene on the sheet.
 const PLANE: Plane = Plane::new(34.0, 176.0, 140.0);
 
 fn draw(it: &Parameters, roots: &[f64]) -> Svg {
@@ -138,7 +138,8 @@ fn draw(it: &Parameters, roots: &[f64]) -> Svg {
     svg
 }
 
-/// A measured stretch of the ray with a short line at each mark, so far below it.
+/// Draws a measured stretch of the ray with a short line at each mark, `below`
+/// units below it.
 fn measure(svg: &mut Svg, ray: &Ray, marks: &[f64], below: f64, words: &str) {
     let at = |t: f64| PLANE.point(ray.at(t)).down(below);
     let (from, to) = (at(marks[0]), at(marks[marks.len() - 1]));

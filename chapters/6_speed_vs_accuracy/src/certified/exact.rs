@@ -19,7 +19,7 @@ impl Method {
     pub const EXACT: Self = Self::double("exact", exact);
 }
 
-/// The nearest root in the range, decided exactly and rounded once.
+/// Finds the nearest root in the range, decided exactly and rounded once.
 ///
 /// Cost: a few hundred times that of `half_b`, more for numbers of very
 /// different size. Error: half an ulp. Fails: never. A root that is in range
@@ -33,7 +33,7 @@ pub fn exact(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> 
     inwards(quadratic.rounded(root), t_min, t_max)
 }
 
-/// D = h² − a·c, of which nothing was rounded before it became an `f64`.
+/// Computes D = h² − a·c, of which nothing is rounded before it becomes an `f64`.
 ///
 /// Its unit is the squared length of the scene times that of the direction. Error: an
 /// ulp, unless D is beyond the normal numbers. `None` if a number is infinite or NaN.
@@ -43,8 +43,9 @@ pub fn exact_discriminant(center: Point3, radius: f64, ray: &Ray) -> Option<f64>
     Some(quotient(&(&h * &h - a * c), &IBig::ONE, unit))
 }
 
-/// Whether the nearest root in the range on the first of two spheres is less than
-/// that on the second. Not if they are equal, or one of them has none.
+/// Returns true if the nearest root in the range on the first of two spheres is
+/// less than that on the second; false if they are equal, or one of them has
+/// none.
 ///
 /// Cost: about twice that of [`exact`]. Rounds: nothing.
 pub(crate) fn comes_before(spheres: [(Point3, f64); 2], ray: &Ray, t_min: f64, t_max: f64) -> bool {
@@ -58,8 +59,8 @@ pub(crate) fn comes_before(spheres: [(Point3, f64); 2], ray: &Ray, t_min: f64, t
     first.compare_roots(root, &second, of_second) == Ordering::Less
 }
 
-/// `t`, or the next number inwards if it is not between the ends; `None` if
-/// there is no number between them.
+/// Returns `t`, or the next number inwards if it is not between the ends; `None`
+/// if there is no number between them.
 pub(super) fn inwards(t: f64, t_min: f64, t_max: f64) -> Option<f64> {
     let inside = t.max(t_min.next_up()).min(t_max.next_down());
     (t_min < inside && inside < t_max).then_some(inside)
@@ -85,7 +86,8 @@ enum Root {
 }
 
 impl Quadratic {
-    /// `None` if there are no roots or a number is not finite.
+    /// Makes the equation, or returns `None` if it has no roots or a number is
+    /// not finite.
     fn new(center: Point3, radius: f64, ray: &Ray) -> Option<Self> {
         let ([a, h, c], [unit_of_length, unit_of_direction]) = coefficients(center, radius, ray)?;
         let discriminant = UBig::try_from(&h * &h - &a * &c).ok()?;
@@ -98,8 +100,8 @@ impl Quadratic {
         })
     }
 
-    /// The nearer root if it lies between the ends, else the farther one if that
-    /// does.
+    /// Returns the nearer root if it lies between the ends, else the farther one
+    /// if that does.
     fn nearest_root_in(&self, t_min: f64, t_max: f64) -> Option<Root> {
         [Root::Nearer, Root::Farther].into_iter().find(|&root| {
             self.compare(root, t_min) == Some(Ordering::Greater)
@@ -107,7 +109,7 @@ impl Quadratic {
         })
     }
 
-    /// This root against a root of another sphere on the same ray.
+    /// Compares this root with a root of another sphere on the same ray.
     ///
     /// Both are h ± √D over one a, so it is the sign of h₁ − h₂ ± √D₁ against
     /// ±√D₂ that counts. To square keeps an order if signs are kept: each number
@@ -123,8 +125,8 @@ impl Quadratic {
         left.cmp(&IBig::ZERO)
     }
 
-    /// h and the signed square of ±√D, of which this root is the sum over a, both
-    /// counted in a finer unit of `t`.
+    /// Returns h and the signed square of ±√D, of which this root is the sum over
+    /// a, both counted in a finer unit of `t`.
     fn parts(&self, root: Root, unit: i64) -> (IBig, IBig) {
         let finer = distance(self.unit, unit);
         let square = IBig::from(&self.discriminant << (2 * finer));
@@ -135,7 +137,7 @@ impl Quadratic {
         (&self.h << finer, signed)
     }
 
-    /// The root against `x`, which may be infinite; `None` if it is NaN.
+    /// Compares the root with `x`, which may be infinite; `None` if it is NaN.
     fn compare(&self, root: Root, x: f64) -> Option<Ordering> {
         if x.is_finite() {
             let (mantissa, exponent) = split(x);
@@ -145,7 +147,7 @@ impl Quadratic {
         }
     }
 
-    /// The root against x = `mantissa` · 2^`exponent`.
+    /// Compares the root with x = `mantissa` · 2^`exponent`.
     ///
     /// The parabola a·x² − 2h·x + c is below zero between the roots and above it
     /// on either side; its slope a·x − h tells on which.
@@ -165,8 +167,8 @@ impl Quadratic {
         }
     }
 
-    /// The `f64` nearest to the root, ties to even: the guess, moved until the
-    /// root lies between the two points half-way to its neighbors.
+    /// Returns the `f64` nearest to the root, ties to even: the guess, moved
+    /// until the root lies between the two points half-way to its neighbors.
     fn rounded(&self, root: Root) -> f64 {
         let mut t = self.guess(root).clamp(f64::MIN, f64::MAX);
         while t < f64::MAX && self.rounds_away(root, t, t.next_up(), Ordering::Greater) {
@@ -178,8 +180,8 @@ impl Quadratic {
         t
     }
 
-    /// Whether the root rounds to something on the side of `neighbor`, which is
-    /// the next number on the side `toward` of `t`.
+    /// Returns true if the root rounds to something on the side of `neighbor`,
+    /// which is the next number on the side `toward` of `t`.
     fn rounds_away(&self, root: Root, t: f64, neighbor: f64, toward: Ordering) -> bool {
         let inner = if t.abs() < neighbor.abs() {
             t
@@ -197,7 +199,7 @@ impl Quadratic {
         side == toward || (side == Ordering::Equal && t.to_bits() % 2 == 1)
     }
 
-    /// The root to about 60 digits before it is rounded to 53: as in
+    /// Finds the root to about 60 digits before it is rounded to 53: as in
     /// `half_b_q`, with q = h ± √D of which nothing cancels.
     fn guess(&self, root: Root) -> f64 {
         let more = 70_usize.saturating_sub(self.h.bit_len().max(self.discriminant.bit_len() / 2));
@@ -216,9 +218,9 @@ impl Quadratic {
     }
 }
 
-/// a, h and c as integers, and the exponents of the two units that they are counted in:
-/// of length, of which c has two and h one, and of the direction, of which a has two and
-/// h one. `None` if a number is not finite.
+/// Returns a, h and c as integers, and the exponents of the two units that they are counted in: of
+/// length, of which c has two and h one, and of the direction, of which a has two and h one. `None`
+/// if a number is not finite.
 fn coefficients(center: Point3, radius: f64, ray: &Ray) -> Option<([IBig; 3], [i64; 2])> {
     let ([cx, cy, cz], [qx, qy, qz]) = (center.to_array(), ray.origin.to_array());
     let ([cx, cy, cz, qx, qy, qz, r], unit_of_length) = integers([cx, cy, cz, qx, qy, qz, radius])?;
@@ -229,7 +231,7 @@ fn coefficients(center: Point3, radius: f64, ray: &Ray) -> Option<([IBig; 3], [i
     Some(([a, h, c], [unit_of_length, unit_of_direction]))
 }
 
-/// n / d times 2^`exponent`, to within an ulp.
+/// Computes n / d times 2^`exponent`, to within an ulp.
 fn quotient(n: &IBig, d: &IBig, exponent: i64) -> f64 {
     let shift = 66 + d.bit_len() as i64 - n.bit_len() as i64;
     let digits = if shift > 0 {
@@ -248,7 +250,7 @@ fn quotient(n: &IBig, d: &IBig, exponent: i64) -> f64 {
     t
 }
 
-/// The values as integers, counted in one power of two, and its exponent.
+/// Returns the values as integers, counted in one power of two, and its exponent.
 /// `None` if one is not finite.
 fn integers<const N: usize>(values: [f64; N]) -> Option<([IBig; N], i64)> {
     if values.iter().any(|value| !value.is_finite()) {
@@ -270,7 +272,8 @@ fn integers<const N: usize>(values: [f64; N]) -> Option<([IBig; N], i64)> {
     Some((integers, unit))
 }
 
-/// The integer and the exponent of two whose product is `x`, as they are stored.
+/// Returns the integer and the exponent of two whose product is `x`, as they are
+/// stored.
 pub(super) fn split(x: f64) -> (i64, i64) {
     let bits = x.abs().to_bits();
     let fraction = (bits & ((1 << 52) - 1)).cast_signed();
@@ -281,7 +284,7 @@ pub(super) fn split(x: f64) -> (i64, i64) {
     (if x < 0.0 { -mantissa } else { mantissa }, exponent)
 }
 
-/// x·|x|: the square, with the sign of `x`.
+/// Returns x·|x|: the square, with the sign of `x`.
 fn signed_square(x: &IBig) -> IBig {
     x * x.abs()
 }

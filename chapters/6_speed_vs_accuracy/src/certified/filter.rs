@@ -22,11 +22,11 @@ const BEFORE_BAND: f64 = 48.0 * U;
 /// 0.8 ulp off.
 const R_BANDS: [f64; 2] = [1.0 / 65_536.0, 1.0 / 32_768.0];
 
-/// What a stage says that has too few digits to be certain.
+/// The answer of a stage that has too few digits to be certain.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Unclear;
 
-/// The first stage: `t`, infinity for a miss, and NaN if it is not certain. `ULP` asks for a
+/// Asks the first stage: `t`, infinity for a miss, and NaN if it is not certain. `ULP` asks for a
 /// `t` within one ulp.
 #[inline(always)]
 pub(super) fn filter<const ULP: bool>(case: &Case, t_min: f64, t_max: f64) -> f64 {
@@ -81,9 +81,9 @@ impl Rounded {
         }
     }
 
-    /// A miss that needs no root: by D the line meets nothing, or by C the ray starts outside
-    /// and does not turn towards the center. In lanes, where all take the same way, the exit
-    /// saves nothing.
+    /// Returns true for a miss that needs no root: by D the line meets nothing, or by C the ray
+    /// starts outside and does not turn towards the center. In lanes, where all take the same way,
+    /// the exit saves nothing.
     #[inline(always)]
     fn is_missed(&self, t_min: f64) -> bool {
         let band = BAND * self.m;
@@ -92,9 +92,9 @@ impl Rounded {
         self.is_ordinary & (meets_nothing | turns_away)
     }
 
-    /// From 0 on no root need be known to choose one: from inside it is the farther one, and
-    /// from outside the nearer one, which is behind if both are. Step S of the proof; T for an
-    /// end, if the range has one.
+    /// Chooses a root of a range from 0 on by signs, without knowing one: from inside it is the
+    /// farther one, and from outside the nearer one, which is behind if both are. Step S of the
+    /// proof; T for an end, if the range has one.
     #[inline(always)]
     pub(crate) fn by_signs(&self, end: Option<f64>) -> Choice {
         let Self { a, h, c, m, .. } = *self;
@@ -120,7 +120,7 @@ impl Rounded {
         }
     }
 
-    /// In any range the nearer root counts, unless it lies before: both sides of that are
+    /// Chooses the root of any range: the nearer one, unless it lies before. Both sides of that are
     /// multiplied by its denominator, so that one division is enough. Step T of the proof.
     #[inline(always)]
     pub(crate) fn by_gaps(&self, t_min: f64, t_max: f64) -> Choice {
@@ -142,13 +142,14 @@ impl Rounded {
         }
     }
 
-    /// Step D: there are two roots, or none.
+    /// Returns true if there surely are two roots, or surely none. Step D.
     #[inline(always)]
     fn is_clear(&self) -> bool {
         (self.discriminant.abs() > self.a * (BAND * self.m)) & self.is_ordinary
     }
 
-    /// The root that was chosen: refined, if its last digit counts, and NaN if it is not certain.
+    /// Returns the root that was chosen: refined, if its last digit counts, and NaN if it is not
+    /// certain.
     #[inline(always)]
     pub(crate) fn answer<const ULP: bool>(&self, case: &Case, choice: Choice) -> f64 {
         let (Self { a, h, m, .. }, t) = (*self, choice.t);
@@ -169,22 +170,22 @@ impl Rounded {
     }
 }
 
-/// Whether the root is in the range or out, for certain. The gap is NaN if there is no root,
-/// which is certain, too.
+/// Returns true if the root is in the range or out, for certain. The gap is NaN if there is no
+/// root, which is certain, too.
 #[inline(always)]
 fn is_far(gap: f64, band: f64) -> bool {
     let is_near = gap.abs() <= band;
     !is_near
 }
 
-/// The lesser of the two, the first if one is NaN: a single instruction.
+/// Returns the lesser of the two, the first if one is NaN: a single instruction.
 #[inline(always)]
 fn lesser(a: f64, b: f64) -> f64 {
     if b < a { b } else { a }
 }
 
-/// Whether both are at least 2⁻²⁵⁶ and less than 2²⁵⁶. If a and M are, nothing overflows on the
-/// way, and what underflow takes away is far below every bound here (bound E).
+/// Returns true if both are at least 2⁻²⁵⁶ and less than 2²⁵⁶. If a and M are, nothing overflows on
+/// the way, and what underflow takes away is far below every bound here (bound E).
 #[inline(always)]
 fn are_ordinary(a: f64, m: f64) -> bool {
     const LEAST: u64 = (1023 - 256) << 52;

@@ -19,7 +19,7 @@ use crate::methods::{Double, Quadratic};
 /// Bound W: a root as a pair is off by no more than 64u² of itself.
 const W_BAND: f64 = 64.0 * U * U;
 
-/// The nearest root in the range, decided exactly and rounded once.
+/// Finds the nearest root in the range, decided exactly and rounded once.
 ///
 /// Error: half an ulp and bound W, before a root that rounds to an end gives way
 /// inwards as in [`exact`](crate::exact()). Unclear if lengths or directions do
@@ -46,7 +46,8 @@ pub(super) fn fixed_width(
     Ok(None)
 }
 
-/// The roots as pairs, the nearer one first; `None` where the numbers do not fit.
+/// Finds the roots as pairs, the nearer one first; `None` where the numbers do
+/// not fit.
 fn pairs(center: Point3, radius: f64, ray: &Ray) -> Option<impl Iterator<Item = Double>> {
     let ([cx, cy, cz], [qx, qy, qz]) = (center.to_array(), ray.origin.to_array());
     let (lengths, unit_of_length) = integers([cx, cy, cz, qx, qy, qz, radius])?;
@@ -63,7 +64,8 @@ fn pairs(center: Point3, radius: f64, ray: &Ray) -> Option<impl Iterator<Item = 
     Some(roots.into_iter().flatten().map(in_units))
 }
 
-/// a·t² − 2h·t + c = 0 and its D, each rounded once; `None` if it has no roots.
+/// Computes a·t² − 2h·t + c = 0 and its D, each rounded once; `None` if it has no
+/// roots.
 #[inline(always)]
 fn quadratic([cx, cy, cz, qx, qy, qz, r]: [i128; 7], d: [i128; 3]) -> Option<Quadratic> {
     let oc = [cx - qx, cy - qy, cz - qz];
@@ -91,13 +93,13 @@ fn quadratic([cx, cy, cz, qx, qy, qz, r]: [i128; 7], d: [i128; 3]) -> Option<Qua
     })
 }
 
-/// The values as integers of 120 digits at most, counted in one power of two, and
-/// its exponent.
+/// Returns the values as integers of 120 digits at most, counted in one power of
+/// two, and its exponent.
 #[inline(always)]
 fn integers<const N: usize>(values: [f64; N]) -> Option<([i128; N], i64)> {
     /// A number has 53 digits, and may be shifted by so many.
     const MOST: i64 = 120 - 53;
-    /// What an infinity or NaN seems to have.
+    /// The exponent field of an infinity or NaN.
     const NOT_FINITE: i64 = 972;
     let parts = values.map(split);
     // A zero has the least exponent, and none that counts.
@@ -126,7 +128,7 @@ fn signed_product(x: i128, y: i128) -> Integer {
     }
 }
 
-/// x · y, for `TWICE` = 2 · `N`: word by word, as on paper.
+/// Computes x · y, for `TWICE` = 2 · `N`: word by word, as on paper.
 #[inline(always)]
 fn product<const N: usize, const TWICE: usize>(x: [u64; N], y: [u64; N]) -> [u64; TWICE] {
     let mut product = [0; TWICE];
@@ -150,7 +152,7 @@ fn sum<const N: usize>(x: [u64; N], y: [u64; N]) -> [u64; N] {
     })
 }
 
-/// x − y; `None` if it is negative.
+/// Computes x − y; `None` if it is negative.
 #[inline(always)]
 fn difference<const N: usize>(x: [u64; N], y: [u64; N]) -> Option<[u64; N]> {
     let mut borrow = false;
@@ -183,7 +185,8 @@ fn signed_pair(x: Integer) -> Double {
     if is_negative(x) { -size } else { size }
 }
 
-/// A natural number as a pair, off by less than 2u² of it: its first 106 digits.
+/// Rounds a natural number to a pair, off by less than 2u² of it: its first 106
+/// digits.
 #[inline(always)]
 fn pair<const N: usize>(x: [u64; N]) -> Double {
     let top = x.iter().rposition(|&word| word != 0).unwrap_or(0);
@@ -199,7 +202,7 @@ fn pair<const N: usize>(x: [u64; N]) -> Double {
     )
 }
 
-/// 2 to the power `exponent`, from −1022 to 1023.
+/// Returns 2 to the power `exponent`, from −1022 to 1023.
 #[inline]
 fn two_to(exponent: i32) -> f64 {
     f64::from_bits(((1023 + exponent) as u64) << 52)

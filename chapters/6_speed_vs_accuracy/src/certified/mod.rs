@@ -50,8 +50,8 @@ impl Method {
     pub const CERTIFIED_F32: Self = Self::single("certified_f32", certified_f32).certified();
 }
 
-/// The nearest root in the range: hit or miss, and which of the two roots, as the [theorem](self)
-/// says.
+/// Finds the nearest root in the range: hit or miss, and which of the two roots, as the
+/// [theorem](self) says.
 ///
 /// Cost: 1 √, 1 ÷, and a few + and × more than `half_b_q`. Some thirty times as much
 /// where `half_b_q` could decide wrongly, because the sphere is far, or the ray starts
@@ -69,7 +69,8 @@ pub fn certified_hit(
     staged::<false>(Case::new(center, radius, *ray), t_min, t_max).0
 }
 
-/// As [`certified_hit`], and `t` is less than 0.8 ulp from the root, as the [theorem](self) says.
+/// Finds the root of [`certified_hit`], with a `t` that is less than 0.8 ulp from it, as the
+/// [theorem](self) says.
 ///
 /// Cost: that of `certified_hit`, and for a hit 1 ÷ and 90 + or × more. Integers
 /// are asked also if D or c is small: from some 250 radii away, and close to the
@@ -79,8 +80,8 @@ pub fn certified_t(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f6
     staged::<true>(Case::new(center, radius, *ray), t_min, t_max).0
 }
 
-/// [`certified_t`] on numbers that are stored in `f32`: the [theorem](self) with `f32` for `f64`,
-/// about the sphere and the ray as they are after that.
+/// Asks [`certified_t`] about numbers that are stored in `f32`: the [theorem](self) with `f32` for
+/// `f64`, about the sphere and the ray as they are after that.
 ///
 /// Cost: that of `certified_t`, and the conversions. Error: less than 0.51 ulp of an `f32`, with
 /// the theorem's exceptions. A filter in `f32` would be silent from 600 radii on, 48u·a·M being
@@ -108,12 +109,12 @@ pub enum Stage {
     Exact,
 }
 
-/// The stage at which [`certified_hit`] has its answer.
+/// Returns the stage at which [`certified_hit`] has its answer.
 pub fn stage_of_hit(case: &Case, t_min: f64, t_max: f64) -> Stage {
     staged::<false>(*case, t_min, t_max).1
 }
 
-/// The answer, and the stage that has it.
+/// Returns the answer, and the stage that has it.
 #[inline(always)]
 fn staged<const ULP: bool>(case: Case, t_min: f64, t_max: f64) -> (Option<f64>, Stage) {
     let t = filter::<ULP>(&case, t_min, t_max);
@@ -123,8 +124,9 @@ fn staged<const ULP: bool>(case: Case, t_min: f64, t_max: f64) -> (Option<f64>, 
     ((t < f64::INFINITY).then_some(t), Stage::Filter)
 }
 
-/// What the filter leaves open. The numbers come as they are: if a center or a ray were asked for
-/// by its address, it would be kept in memory, and the filter would wait until it is there.
+/// Answers what the filter leaves open. The numbers come as they are: if a center or a ray were
+/// asked for by its address, it would be kept in memory, and the filter would wait until it is
+/// there.
 #[cold]
 #[inline(never)]
 pub(crate) fn later_stages(numbers: [f64; 10], t_min: f64, t_max: f64) -> (Option<f64>, Stage) {

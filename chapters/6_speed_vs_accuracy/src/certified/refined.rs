@@ -4,7 +4,8 @@ use glam::DVec4;
 
 use crate::workload::Case;
 
-/// The root near `t`, off by less than 0.8 ulp under the conditions of bound R.
+/// Refines the root near `t`: off by less than 0.8 ulp under the conditions of
+/// bound R.
 ///
 /// With F(t) = |t·d − oc|² − r², which is zero at the root τ, and s = a·τ − h,
 /// F(t) = (t − τ)·((a·t − h) + s): no term is left out. So τ is t − F/`divisor`,
@@ -35,34 +36,34 @@ pub(super) fn refined(case: &Case, m: f64, t: f64, divisor: impl Fn(f64) -> f64)
     t - residual / divisor(t)
 }
 
-/// (high + low)², of which the last coordinate is subtracted.
+/// Computes (high + low)², of which the last coordinate is subtracted.
 #[inline(always)]
 fn square(high: DVec4, low: DVec4) -> f64 {
     let sum = |v: DVec4| (v.x + v.z) + (v.y - v.w);
     sum(high * high) + sum((high + high + low) * low)
 }
 
-/// The multiple of the grid nearest to each coordinate.
+/// Returns the multiple of the grid nearest to each coordinate.
 #[inline(always)]
 fn on_grid(v: DVec4, shifter: f64) -> DVec4 {
     (v + shifter) - shifter
 }
 
-/// 1.5 · 2⁵² times the grid, which is 2⁻²⁵ of the power of two next below √m: a
-/// sum with it is a multiple of the grid.
+/// Returns 1.5 · 2⁵² times the grid, which is 2⁻²⁵ of the power of two next below
+/// √m: a sum with it is a multiple of the grid.
 #[inline(always)]
 fn shifter(m: f64) -> f64 {
     let exponent = ((m.to_bits() >> 52) + 1023) / 2;
     f64::from_bits(((exponent + 27) << 52) | (1 << 51))
 }
 
-/// The first 26 digits.
+/// Returns the first 26 digits.
 #[inline(always)]
 fn upper_digits(x: f64) -> f64 {
     f64::from_bits(x.to_bits() & !((1 << 27) - 1))
 }
 
-/// a − b, and what rounding took from it (Knuth).
+/// Returns a − b, and what rounding took from it (Knuth).
 #[inline(always)]
 fn difference(a: DVec4, b: DVec4) -> (DVec4, DVec4) {
     let difference = a - b;

@@ -11,8 +11,9 @@ impl Method {
     pub const COMPENSATED: Self = Self::double("compensated", compensated);
 }
 
-/// [`cross_q`](crate::cross_q) where the sphere is far, and near its surface
-/// [`half_b_q`](crate::half_b_q), with a c and a cross product that have all their digits.
+/// Finds the nearest root in the range as [`cross_q`](crate::cross_q) does where the sphere is far,
+/// and near its surface as [`half_b_q`](crate::half_b_q), with a c and a cross product that have
+/// all their digits.
 ///
 /// Cost: 1 √, 1 ÷, and some 120 + or ×, 17 of them fused: quick where the processor fuses and the
 /// compiler may say so, as in lanes; else each is the call of a function. Error: that of the

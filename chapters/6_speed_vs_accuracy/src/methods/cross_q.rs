@@ -10,8 +10,8 @@ impl Method {
     pub const CROSS_Q: Self = Self::double("cross_q", cross_q);
 }
 
-/// The discriminant by the identity of Lagrange: (d·oc)² + |d × oc|² is
-/// |d|²·|oc|², so D = a·r² − |d × oc|².
+/// Finds the nearest root in the range, with the discriminant by the identity of
+/// Lagrange: (d·oc)² + |d × oc|² is |d|²·|oc|², so D = a·r² − |d × oc|².
 ///
 /// Cost: 1 √, 1 ÷. Error of D: u·(6w·|d||oc| + 6w² + 6a·r²) with w = |d × oc|. Fails:
 /// near the surface, where c has lost its digits, and by some ten thousand ulps on the

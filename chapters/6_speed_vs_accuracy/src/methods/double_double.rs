@@ -12,7 +12,8 @@ impl Method {
     pub const DOUBLE_DOUBLE: Self = Self::double("double_double", double_double);
 }
 
-/// `half_b_q` with some 106 digits instead of 53; `t` is rounded at the end.
+/// Finds the nearest root in the range as `half_b_q` does, with some 106 digits
+/// instead of 53; `t` is rounded at the end.
 ///
 /// Cost: 1 √, 2 to 4 ÷, and about 400 + or ×, 15 of them fused. Error: at most 72u²·a·M in
 /// D, where rounded once it is 24u·a·M. Fails: by the decision from 10¹³ radii on, once in a
@@ -65,8 +66,8 @@ impl Quadratic {
         }
     }
 
-    /// Both roots as numerator and denominator, the nearer one first; each by the
-    /// division that does not cancel, as in `half_b_q`.
+    /// Finds both roots as numerator and denominator, the nearer one first; each
+    /// by the division that does not cancel, as in `half_b_q`.
     pub(crate) fn roots(&self) -> Option<[(Double, Double); 2]> {
         let Self {
             a,
@@ -99,33 +100,33 @@ pub(crate) struct Double {
 }
 
 impl Double {
-    /// a − b, exactly.
+    /// Computes a − b, exactly.
     fn difference(a: f64, b: f64) -> Self {
         Self::from_pair(two_sum(a, -b))
     }
 
-    /// a + b, exactly, for |a| ≥ |b| or a = 0.
+    /// Computes a + b, exactly, for |a| ≥ |b| or a = 0.
     pub(crate) fn sum(a: f64, b: f64) -> Self {
         Self::from_pair(quick_two_sum(a, b))
     }
 
-    /// `self` × `power`, which is a power of two.
+    /// Computes `self` × `power`, which is a power of two.
     pub(crate) fn times_power_of_two(self, power: f64) -> Self {
         Self::from_pair((self.high * power, self.low * power))
     }
 
-    /// Whether the sum is greater than `x`.
+    /// Returns true if the sum is greater than `x`.
     pub(crate) fn is_above(self, x: f64) -> bool {
         self.high > x || (self.high == x && self.low > 0.0)
     }
 
-    /// How far above `x` it is, rounded; `x` may be infinite.
+    /// Returns how far above `x` it is, rounded; `x` may be infinite.
     pub(crate) fn minus(self, x: f64) -> f64 {
         (self.high - x) + self.low
     }
 
-    /// One step of Newton's method from the root that hardware finds; off by no
-    /// more than 8u² of it.
+    /// Takes one step of Newton's method from the root that hardware finds; off
+    /// by no more than 8u² of it.
     fn sqrt(self) -> Self {
         let root = self.high.sqrt();
         if root == 0.0 {
@@ -160,7 +161,7 @@ impl Neg for Double {
 impl Add for Double {
     type Output = Self;
 
-    /// Off by no more than 3u² of the sum, which may cancel.
+    /// Adds: off by no more than 3u² of the sum, which may cancel.
     fn add(self, other: Self) -> Self {
         let (high, high_error) = two_sum(self.high, other.high);
         let (low, low_error) = two_sum(self.low, other.low);
@@ -180,7 +181,7 @@ impl Sub for Double {
 impl Mul for Double {
     type Output = Self;
 
-    /// Off by no more than 7u² of the product.
+    /// Multiplies: off by no more than 7u² of the product.
     fn mul(self, other: Self) -> Self {
         let (high, error) = two_product(self.high, other.high);
         let mixed = self.high * other.low + self.low * other.high;
@@ -191,7 +192,7 @@ impl Mul for Double {
 impl std::ops::Div for Double {
     type Output = Self;
 
-    /// Off by no more than 20u² of the quotient.
+    /// Divides: off by no more than 20u² of the quotient.
     fn div(self, other: Self) -> Self {
         let first = self.high / other.high;
         let rest = self - other * Self::from(first);

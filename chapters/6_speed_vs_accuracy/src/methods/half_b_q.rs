@@ -9,8 +9,9 @@ impl Method {
     pub const HALF_B_Q: Self = Self::double("half_b_q", half_b_q);
 }
 
-/// The same discriminant; each root by the division that does not cancel, and only the one that
-/// counts is divided. The plain method to begin with.
+/// Finds the nearest root in the range, with the discriminant of `half_b` and each root by the
+/// division that does not cancel; only the one that counts is divided. The plain method to begin
+/// with.
 ///
 /// Cost: 1 √, 1 ÷; neither for a miss, or a ray from outside that turns away. Error: 24u·a·M in D
 /// as before, but t keeps the digits that c has. Fails: where `half_b` does, save that a
@@ -26,7 +27,7 @@ pub fn half_b_q(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) 
     nearest_by_q(a, h, c, h * h - a * c, t_min, t_max)
 }
 
-/// The nearest root of a·t² − 2h·t + c in the range, by one division.
+/// Finds the nearest root of a·t² − 2h·t + c in the range, by one division.
 ///
 /// The sum q = h ± √D with the sign of h cancels nothing. One root is q/a, and since the product
 /// of the two is c/a, the other is c/q. Which of them is before `t_min` is asked before it is

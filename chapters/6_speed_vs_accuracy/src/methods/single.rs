@@ -20,7 +20,8 @@ impl Method {
         Self::single("widened_half_b_q_f32", widened_half_b_q_f32);
 }
 
-/// As [`half_b`](crate::half_b), in `f32`.
+/// Finds the nearest root in the range as [`half_b`](crate::half_b) does, in
+/// `f32`.
 ///
 /// Cost: 1 √, 1 ÷. Fails: by the decision from 10 radii on, a few times in a
 /// million, and from 1000 radii on for one ray in thirty.
@@ -48,8 +49,8 @@ pub fn half_b_f32(
         .or_else(|| Some((h + sqrtd) / a).filter(in_range))
 }
 
-/// [`half_b_q`](crate::half_b_q) on numbers that are stored in `f32`: widened,
-/// solved in `f64`, and rounded back.
+/// Asks [`half_b_q`](crate::half_b_q) about numbers that are stored in `f32`:
+/// widened, solved in `f64`, and rounded back.
 ///
 /// Cost: 1 √, 1 ÷ in `f64`, and the conversions. Error: one rounding of t to
 /// `f32`, as long as `half_b_q` is good for 24 digits. Fails: by the decision
@@ -67,8 +68,8 @@ pub fn widened_half_b_q_f32(
     widened(half_b_q, center, radius, ray, t_min, t_max)
 }
 
-/// What `solve` answers in `f64`, rounded; a root in range that rounds to an end of
-/// it gives way inwards.
+/// Rounds what `solve` answers in `f64`; a root in the range that rounds to an end of it gives way
+/// inwards.
 #[inline(always)]
 pub(crate) fn widened(
     solve: impl Fn(Point3, f64, &Ray, f64, f64) -> Option<f64>,

@@ -19,7 +19,7 @@ pub struct Case {
 }
 
 impl Case {
-    /// The case of that sphere and that ray.
+    /// Makes the case of that sphere and that ray.
     pub const fn new(center: Point3, radius: f64, ray: Ray) -> Self {
         Self {
             center,
@@ -28,7 +28,7 @@ impl Case {
         }
     }
 
-    /// What `method` answers: the nearest root between `t_min` and `t_max`.
+    /// Asks `method` for the nearest root between `t_min` and `t_max`.
     ///
     /// A method in `f32` is asked about the case [rounded](Case::rounded), and
     /// its answer widened.
@@ -47,7 +47,7 @@ impl Case {
         }
     }
 
-    /// The case with numbers that `precision` can hold, the nearest ones:
+    /// Returns the case with the nearest numbers that `precision` can hold:
     /// itself in `f64`.
     pub fn rounded(&self, precision: Precision) -> Self {
         match precision {
@@ -63,7 +63,7 @@ impl Case {
         }
     }
 
-    /// Where the ray is at `t`, computed in `precision`.
+    /// Returns the point of the ray at `t`, computed in `precision`.
     pub fn point(&self, t: f64, precision: Precision) -> Point3 {
         match precision {
             Precision::Double => self.ray.at(t),
@@ -74,7 +74,7 @@ impl Case {
         }
     }
 
-    /// The ray, rounded to `f32`.
+    /// Returns the ray, rounded to `f32`.
     #[inline]
     pub fn single_ray(&self) -> SingleRay {
         SingleRay {
@@ -83,47 +83,48 @@ impl Case {
         }
     }
 
-    /// The answer of `hit_sphere`, a function of center, radius and ray.
+    /// Returns the answer of `hit_sphere`, a function of center, radius and ray.
     pub fn solve(&self, hit_sphere: &dyn Fn(Point3, f64, &Ray) -> Option<f64>) -> Option<f64> {
         hit_sphere(self.center, self.radius, &self.ray)
     }
 
-    /// a = d·d, rounded: the squared length of the ray's direction.
+    /// Computes a = d·d, rounded: the squared length of the ray's direction.
     pub fn a(&self) -> f64 {
         self.ray.direction.length_squared()
     }
 
-    /// M = oc·oc + r², rounded: the square of the length that rounding errors
-    /// are measured against. Nothing in the quadratic is much longer than √M.
+    /// Computes M = oc·oc + r², rounded: the square of the length that rounding
+    /// errors are measured against. Nothing in the quadratic is much longer than
+    /// √M.
     pub fn m(&self) -> f64 {
         (self.center - self.ray.origin).length_squared() + self.radius * self.radius
     }
 
-    /// h = d·oc, rounded.
+    /// Computes h = d·oc, rounded.
     pub fn h(&self) -> f64 {
         self.ray.direction.dot(self.center - self.ray.origin)
     }
 
-    /// c = oc·oc − r², rounded.
+    /// Computes c = oc·oc − r², rounded.
     pub fn c(&self) -> f64 {
         (self.center - self.ray.origin).length_squared() - self.radius * self.radius
     }
 
-    /// D = h² − a·c, rounded as `half_b`, `half_b_q` and the filter of the certified
+    /// Computes D = h² − a·c, rounded as `half_b`, `half_b_q` and the filter of the certified
     /// methods round it, to the bit.
     pub fn discriminant(&self) -> f64 {
         self.h() * self.h() - self.a() * self.c()
     }
 
-    /// √(M/a): how long √M is in lengths of the ray's direction. No root is
-    /// farther away than twice that.
+    /// Computes √(M/a): how long √M is in lengths of the ray's direction. No root
+    /// is farther away than twice that.
     pub fn t_scale(&self) -> f64 {
         // The roots of both first: the quotient may be too small for a number.
         self.m().sqrt() / self.a().sqrt()
     }
 
-    /// Whether no number on the way to the root overflows, and none that counts
-    /// underflows.
+    /// Returns true if no number on the way to the root overflows, and none that
+    /// counts underflows.
     ///
     /// Between 1e-300 and 1e300, twenty times a·M is still a number, and what
     /// underflow takes away, 5e-324 at a time, is far below u·a·M. All error
@@ -135,7 +136,7 @@ impl Case {
             .all(|scale| (1e-300..=1e300).contains(scale))
     }
 
-    /// The same sphere, with another ray.
+    /// Returns the case of this sphere and another ray.
     pub fn with_ray(&self, origin: Point3, direction: Vec3) -> Self {
         Self {
             ray: Ray::new(origin, direction),
@@ -143,7 +144,7 @@ impl Case {
         }
     }
 
-    /// The ten numbers of the case: center, radius, origin, direction.
+    /// Returns the ten numbers of the case: center, radius, origin, direction.
     pub fn numbers(&self) -> [f64; 10] {
         let ([cx, cy, cz], r) = (self.center.to_array(), self.radius);
         let [qx, qy, qz] = self.ray.origin.to_array();
@@ -151,7 +152,7 @@ impl Case {
         [cx, cy, cz, r, qx, qy, qz, dx, dy, dz]
     }
 
-    /// The case with these ten numbers, in the order of [`Case::numbers`].
+    /// Makes the case with these ten numbers, in the order of [`Case::numbers`].
     pub fn from_numbers([cx, cy, cz, r, qx, qy, qz, dx, dy, dz]: [f64; 10]) -> Self {
         Self {
             center: Point3::new(cx, cy, cz),

@@ -18,7 +18,7 @@ use crate::precision::Precision;
 pub struct Regime {
     /// A word, for tables.
     pub name: &'static str,
-    /// From which k to which, in `f64` and in `f32`.
+    /// The least and the greatest k, in `f64` and in `f32`.
     levels: [(i32, i32); 2],
     case: fn(&mut Random, level: i32) -> Case,
 }
@@ -52,7 +52,7 @@ impl Regime {
         Self { name, levels, case }
     }
 
-    /// So many cases from all levels alike, always the same for one `seed`.
+    /// Makes `count` cases from all levels alike, always the same for one `seed`.
     pub fn cases(&self, precision: Precision, seed: u64, count: usize) -> Vec<Case> {
         let levels = self.levels(precision);
         self.make(precision, seed, count, |random| {
@@ -61,12 +61,12 @@ impl Regime {
         })
     }
 
-    /// So many cases from one level.
+    /// Makes `count` cases from one level.
     pub fn cases_at(&self, level: i32, precision: Precision, seed: u64, count: usize) -> Vec<Case> {
         self.make(precision, seed, count, |_| level)
     }
 
-    /// From the mildest level to the hardest.
+    /// Returns the levels, from the mildest to the hardest.
     pub fn levels(&self, precision: Precision) -> RangeInclusive<i32> {
         let [double, single] = self.levels;
         match precision {
@@ -97,7 +97,8 @@ pub const SPHERES: [(Point3, f64); 2] = [
     (Point3::new(0.0, -100.5, -1.0), 100.0),
 ];
 
-/// A pixel of the picture 3840 wide, and one of the two spheres of the book.
+/// Makes a case of a pixel of the picture 3840 wide and one of the two spheres of
+/// the book.
 fn book(random: &mut Random) -> Case {
     let camera = Camera::new(3840);
     let ray = camera.ray(
@@ -108,20 +109,22 @@ fn book(random: &mut Random) -> Case {
     Case::new(center, radius, ray)
 }
 
-/// From 3 radii away, along a line that just meets the sphere or just misses.
+/// Makes a ray from 3 radii away, along a line that just meets the sphere or just
+/// misses.
 fn grazing(random: &mut Random, level: i32) -> Case {
     let miss_by = 1.0 + random.sign() / power_of_ten(level);
     aimed(random, 3.0, miss_by)
 }
 
-/// At a point that is within 1.2 radii of the center of a far sphere.
+/// Makes a ray at a point that is within 1.2 radii of the center of a far sphere.
 fn far(random: &mut Random, level: i32) -> Case {
     let miss_by = random.between(0.0, 1.2);
     aimed(random, power_of_ten(level), miss_by)
 }
 
-/// From a point of the surface, as exactly as its coordinates can be on it, in
-/// the direction that the book's matte surfaces scatter: normal + unit vector.
+/// Makes a ray from a point of the surface, as exactly as its coordinates can be
+/// on it, in the direction that the book's matte surfaces scatter: normal + unit
+/// vector.
 fn near_surface(random: &mut Random, level: i32) -> Case {
     let (center, radius) = sphere(random, power_of_ten(level));
     let normal = random.direction();
@@ -129,8 +132,8 @@ fn near_surface(random: &mut Random, level: i32) -> Case {
     Case::new(center, radius, ray)
 }
 
-/// In any direction, from 0.01 to 10 above a sphere as large as an Earth, which may be on any side
-/// of the eye: straight below it, |oc| would be a coordinate, and exact.
+/// Makes a ray in any direction, from 0.01 to 10 above a sphere as large as an Earth, which may be
+/// on any side of the eye: straight below it, |oc| would be a coordinate, and exact.
 fn ground(random: &mut Random, level: i32) -> Case {
     let radius = power_of_ten(level);
     let height = random.between(0.01, 10.0);
@@ -139,7 +142,8 @@ fn ground(random: &mut Random, level: i32) -> Case {
     Case::new(center, radius, Ray::new(eye, random.direction()))
 }
 
-/// In any direction, from the center or from a little below the surface.
+/// Makes a ray in any direction, from the center or from a little below the
+/// surface.
 fn inside(random: &mut Random, level: i32) -> Case {
     let size = random.between(0.5, 2.0);
     let (center, radius) = sphere(random, size);
@@ -149,8 +153,8 @@ fn inside(random: &mut Random, level: i32) -> Case {
     Case::new(center, radius, ray)
 }
 
-/// A ray that starts `away` radii before a sphere of ordinary size, and whose
-/// line passes the center at `miss_by` radii.
+/// Makes a ray that starts `away` radii before a sphere of ordinary size, and
+/// whose line passes the center at `miss_by` radii.
 fn aimed(random: &mut Random, away: f64, miss_by: f64) -> Case {
     let size = random.between(0.5, 2.0);
     let (center, radius) = sphere(random, size);
@@ -162,14 +166,14 @@ fn aimed(random: &mut Random, away: f64, miss_by: f64) -> Case {
     Case::new(center, radius, ray)
 }
 
-/// A sphere within a few radii of the origin.
+/// Makes a sphere within a few radii of the origin.
 fn sphere(random: &mut Random, radius: f64) -> (Point3, f64) {
     let mut coordinate = || radius * random.between(-2.0, 2.0);
     let center = Point3::new(coordinate(), coordinate(), coordinate());
     (center, radius)
 }
 
-/// 10 to a power from 0 to 22, which an `f64` holds exactly.
+/// Computes 10 to a power from 0 to 22, which an `f64` holds exactly.
 fn power_of_ten(exponent: i32) -> f64 {
     (0..exponent).fold(1.0, |power, _| 10.0 * power)
 }
@@ -182,12 +186,12 @@ fn power_of_ten(exponent: i32) -> f64 {
 pub struct Random(u64);
 
 impl Random {
-    /// The sequence that belongs to `seed`.
+    /// Begins the sequence that belongs to `seed`.
     pub fn new(seed: u64) -> Self {
         Self(seed)
     }
 
-    /// Any 64 bits.
+    /// Returns any 64 bits.
     pub fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
@@ -196,23 +200,23 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// A whole number from 0 to `end` − 1.
+    /// Returns a whole number from 0 to `end` − 1; `end` must not be 0.
     pub fn below(&mut self, end: u32) -> u32 {
         ((u64::from(end) * (self.bits() >> 32)) >> 32) as u32
     }
 
-    /// A number from `low` to `high`.
+    /// Returns a number from `low` to `high`.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         let share = (self.bits() >> 11) as f64 / (1_u64 << 53) as f64;
         low + (high - low) * share
     }
 
-    /// 1 or −1.
+    /// Returns 1 or −1.
     pub fn sign(&mut self) -> f64 {
         if self.below(2) == 0 { 1.0 } else { -1.0 }
     }
 
-    /// A unit vector in any direction: that of a point in a ball.
+    /// Returns a unit vector in any direction: that of a point in a ball.
     pub fn direction(&mut self) -> Vec3 {
         loop {
             let [x, y, z] = [(); 3].map(|()| self.between(-1.0, 1.0));

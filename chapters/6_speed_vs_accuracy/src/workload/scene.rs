@@ -12,25 +12,26 @@ use crate::precision::Precision;
 pub struct Scene {
     /// A word, for tables.
     pub name: String,
-    /// How wide its picture should be, in pixels.
+    /// The width of its picture, in pixels.
     pub width: u32,
     /// A unit vector towards the sun, if it casts shadows.
     pub sun: Option<Vec3>,
-    /// From where on a hit counts: along rays of the camera, and along those to the sun,
+    /// The t after which a hit counts: along rays of the camera, and along those to the sun,
     /// which else would hit where they start.
     pub t_min: [f64; 2],
-    /// How its eye looks at them.
+    /// The eye, and its view of the spheres.
     pub lens: Lens,
     /// Centers and radii, at least one.
     pub spheres: Vec<(Point3, f64)>,
 }
 
-/// Where hits begin to count if a scene does not say it: in front of the camera, and for
+/// The t after which hits count if a scene does not say it: in front of the camera, and for
 /// shadows as in the book's later chapters.
 pub const USUAL_T_MIN: [f64; 2] = [0.0, 1e-3];
 
 impl Scene {
-    /// A star in a telescope, as far as one like the Sun at seven light-years.
+    /// Returns a scene with a star in a telescope, as far as one like the Sun at
+    /// seven light-years.
     pub fn telescope() -> Self {
         Self {
             name: "telescope".to_owned(),
@@ -56,7 +57,7 @@ impl Scene {
         })
     }
 
-    /// Whether no number of the scene, and of its rays, is too large for `precision`, and
+    /// Returns true if no number of the scene, and of its rays, is too large for `precision`, and
     /// no radius and no direction too small.
     pub fn fits(&self, precision: Precision) -> bool {
         let camera = Camera::new(self.width);
@@ -73,14 +74,14 @@ impl Scene {
         })
     }
 
-    /// The ray of the scene that belongs to a `ray` of the book's camera.
+    /// Returns the ray of the scene that belongs to a `ray` of the book's camera.
     pub fn ray(&self, ray: &Ray) -> Ray {
         self.lens.ray(ray)
     }
 
-    /// What is seen along the ray that belongs to a `ray` of the book's camera: the
-    /// nearest hit, darker where the sun does not reach it, or the sky. The sky is a
-    /// backdrop, and the same behind every lens.
+    /// Looks along the ray that belongs to a `ray` of the book's camera, and sees the nearest hit,
+    /// darker where the sun does not reach it, or the sky. The sky is a backdrop, and the same
+    /// behind every lens.
     pub fn look(&self, eye: Eye, ray: &Ray) -> Sight {
         let Some((sphere, case, t)) = self.nearest(eye, &self.ray(ray), self.t_min[0]) else {
             return Sight {
@@ -110,7 +111,8 @@ impl Scene {
         }
     }
 
-    /// The sphere that is hit first, the case that it makes, and where.
+    /// Finds the sphere that is hit first: returns its index, the case that it
+    /// makes, and `t`.
     fn nearest(&self, eye: Eye, ray: &Ray, t_min: f64) -> Option<(usize, Case, f64)> {
         let case = |&(center, radius): &(Point3, f64)| Case {
             center,
@@ -127,16 +129,16 @@ impl Scene {
     }
 }
 
-/// What is seen along one ray.
+/// The color and the hit along one ray.
 #[derive(Clone, Copy, Debug)]
 pub struct Sight {
-    /// Where it hits, if it does.
+    /// The first hit, if there is one.
     pub hit: Option<Hit>,
-    /// Its color.
+    /// The color that the pixel gets.
     pub color: Color,
 }
 
-/// Where a ray hits first.
+/// The first hit of a ray.
 #[derive(Clone, Copy, Debug)]
 pub struct Hit {
     /// The sphere, by its place in the list.
@@ -149,7 +151,7 @@ pub struct Hit {
     pub shaded_by: Option<usize>,
 }
 
-/// Where the eye is, and how its view differs from that of the book's camera.
+/// The place of the eye, and how its view differs from that of the book's camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lens {
     origin: Point3,
@@ -162,8 +164,8 @@ pub struct Lens {
 }
 
 impl Lens {
-    /// `direction` may have any length but 0. The picture stands upright; that of an
-    /// eye that looks straight up or down has −z at its top.
+    /// Makes a lens at `origin`. `direction` may have any length but 0. The picture stands upright;
+    /// that of an eye that looks straight up or down has −z at its top.
     pub fn new(origin: Point3, direction: Vec3, zoom: [f64; 2]) -> Self {
         let forward = unit(direction);
         let right = match forward {
@@ -179,8 +181,8 @@ impl Lens {
         }
     }
 
-    /// The ray that belongs to one of the book's camera, which looks along −z. For
-    /// the same direction and a zoom of 1 it is the same, to the bit.
+    /// Returns the ray that belongs to one of the book's camera, which looks along −z. For the same
+    /// direction and a zoom of 1 it is the same, to the bit.
     fn ray(&self, ray: &Ray) -> Ray {
         let [across, up] = self.zoom;
         let Vec3 { x, y, z } = ray.direction;
@@ -189,14 +191,15 @@ impl Lens {
     }
 }
 
-/// The unit vector along `v`, which may be as long or short as numbers allow.
+/// Returns the unit vector along `v`, which may be as long or short as numbers
+/// allow, but not 0.
 pub fn unit(v: Vec3) -> Vec3 {
     // Else its square might overflow, or underflow.
     let v = v / v.abs().max_element();
     v.normalize()
 }
 
-/// Who looks.
+/// The arithmetic by which a scene is seen.
 #[derive(Clone, Copy, Debug)]
 pub enum Eye {
     /// A method, in the precision that it computes with: the loop of chapter 5 asks it about
@@ -216,7 +219,8 @@ impl Eye {
     }
 }
 
-/// The answer of the loop of chapter 5: it goes by what `method` rounds.
+/// Returns the answer of the loop of chapter 5, which goes by what `method`
+/// rounds.
 fn nearest_by(cases: &[Case], method: &Method, t_min: f64) -> Option<(usize, f64)> {
     let mut nearest = None;
     let mut closest_so_far = f64::INFINITY;
@@ -229,7 +233,7 @@ fn nearest_by(cases: &[Case], method: &Method, t_min: f64) -> Option<(usize, f64
     nearest
 }
 
-/// The right answer, for cases of one ray; `t` is rounded once.
+/// Returns the right answer, for cases of one ray; `t` is rounded once.
 fn first(cases: &[Case], t_min: f64) -> Option<(usize, f64)> {
     let spheres: Vec<(Point3, f64)> = cases
         .iter()

@@ -8,13 +8,13 @@ use crate::svg::Svg;
 /// A chart: words, the files that it is drawn from, and a function that does it.
 #[derive(Clone, Copy, Debug)]
 pub struct Chart {
-    /// How pages name it: `{{chart NAME}}`.
+    /// The name in `{{chart NAME}}` of a page.
     pub name: &'static str,
-    /// What it shows, in a few words.
+    /// A few words, read aloud where the chart cannot be seen.
     pub title: &'static str,
-    /// What is to be seen, in sentences, for a reader who cannot see it.
+    /// A description in sentences, for a reader who cannot see the chart.
     pub description: &'static str,
-    /// What stands below it on the page.
+    /// The words below it on the page.
     pub caption: &'static str,
     /// The names of its panels, if a reader sees one at a time and chooses which.
     pub choices: &'static [&'static str],
@@ -24,15 +24,15 @@ pub struct Chart {
     ///
     /// # Errors
     /// What is wrong in which line of which file.
-    pub draw: fn(&[&str]) -> Result<Drawn, String>,
+    pub draw: fn(&[&str]) -> Result<DrawnChart, String>,
 }
 
 /// A chart that was drawn.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Drawn {
+pub struct DrawnChart {
     /// An `<svg>` element in one line for each panel.
     pub panels: Vec<String>,
-    /// The same numbers as a table in Markdown.
+    /// Its numbers as a table in Markdown.
     pub table: String,
 }
 
@@ -41,7 +41,7 @@ impl Chart {
     ///
     /// # Errors
     /// A file that cannot be read, or what is wrong in which line of it.
-    pub fn draw_from(&self, notes: &Path) -> Result<Drawn, String> {
+    pub fn draw_from(&self, notes: &Path) -> Result<DrawnChart, String> {
         let read = |file: &&str| {
             let path = notes.join(file);
             fs::read_to_string(&path).map_err(|cause| format!("{}: {cause}", path.display()))
@@ -51,12 +51,12 @@ impl Chart {
         (self.draw)(&texts)
     }
 
-    /// An empty drawing with the words of this chart.
+    /// Returns an empty drawing with the words of this chart.
     pub(super) fn sheet(&self, height: f64) -> Svg {
         Svg::new(self.name, self.title, self.description, height)
     }
 
-    /// An empty drawing for a panel of several, with what it shows.
+    /// Returns an empty drawing for the panel number `place`, which `shows` this.
     pub(super) fn panel(&self, place: usize, shows: &str, height: f64) -> Svg {
         let name = format!("{}_{place}", self.name);
         let title = format!("{}: {shows}", self.title);
@@ -64,7 +64,8 @@ impl Chart {
     }
 }
 
-/// A table in Markdown: names in the first columns, so many, and then numbers.
+/// Writes a table in Markdown, whose first columns, `names` of them, are words,
+/// and the others numbers.
 pub(super) fn table(
     names: usize,
     heads: &[String],

@@ -6,7 +6,7 @@ use speed_vs_accuracy::{Method, find};
 
 use crate::svg::{Svg, spot};
 
-/// What color and mark the method of that name has.
+/// Returns the class of the method of that name: its color and its mark.
 pub(super) fn idea(method: &str) -> &'static str {
     match find(method) {
         Some(method) if method.name == Method::REFERENCE.name => "reference",
@@ -15,8 +15,8 @@ pub(super) fn idea(method: &str) -> &'static str {
     }
 }
 
-/// How many decimal digits an error of so many ulps leaves, of which one is at most the
-/// epsilon of a number. Nothing has fewer than no digits, and what never hit has none.
+/// Returns how many decimal digits an error of so many ulps leaves, where one ulp is at most the
+/// epsilon of the precision. No error leaves less than 0 digits, and a method that never hit has 0.
 pub(super) fn digits(ulps: Option<f64>, precision: Precision) -> f64 {
     let left = |ulps: f64| -(precision.epsilon() * ulps.max(0.5)).log10();
     ulps.map_or(0.0, left).max(0.0)

@@ -6,7 +6,7 @@ mod speed_accuracy;
 mod sweep;
 mod wrong_pixels;
 
-pub use chart::{Chart, Drawn};
+pub use chart::{Chart, DrawnChart};
 
 /// All charts, in reading order.
 pub const CHARTS: &[Chart] = &[sweep::CHART, speed_accuracy::CHART, wrong_pixels::CHART];

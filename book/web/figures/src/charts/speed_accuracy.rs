@@ -3,7 +3,7 @@
 use glam::DVec2;
 use speed_vs_accuracy::Method;
 
-use super::chart::{Chart, Drawn, table};
+use super::chart::{Chart, DrawnChart, table};
 use super::marks::{digits, idea, mark};
 use crate::axis::{Axis, ticks};
 use crate::number::{number, printed};
@@ -39,15 +39,15 @@ pub(super) const CHART: Chart = Chart {
     draw: |files| draw(files[0], files[1]),
 };
 
-/// How exact a method is in a situation, and how long it takes there.
+/// The accuracy of a method in a situation, and its time there.
 type Measured = (Accuracy, Timing);
 
-fn draw(accuracy: &str, timings: &str) -> Result<Drawn, String> {
+fn draw(accuracy: &str, timings: &str) -> Result<DrawnChart, String> {
     let (accuracy, timings) = (Table::read(accuracy)?, Table::read(timings)?);
     let situations = SITUATIONS.map(|situation| read(situation, &accuracy, &timings));
     let situations: Vec<_> = situations.into_iter().collect::<Result<_, _>>()?;
     let all = situations.iter().zip(CHART.choices);
-    Ok(Drawn {
+    Ok(DrawnChart {
         panels: all
             .clone()
             .zip(1..)
@@ -57,7 +57,8 @@ fn draw(accuracy: &str, timings: &str) -> Result<Drawn, String> {
     })
 }
 
-/// What was measured in a situation, the fastest method first.
+/// Pairs the accuracy and the time of each method in a situation, the fastest
+/// first.
 fn read(
     situation: &str,
     accuracy: &Table<Accuracy>,
@@ -74,11 +75,11 @@ fn read(
     Ok(rows)
 }
 
-/// Where the rows begin, and how far one is from the next.
+/// The top of the first row, and the distance from one row to the next.
 const TOP: f64 = 66.0;
 const PITCH: f64 = 36.0;
 
-/// What a chart has no room for: it takes so long that all else would be one heap.
+/// Methods that the chart has no room for: so slow that all others would be one heap.
 const SLOW: [Method; 2] = [Method::DOUBLE_DOUBLE, Method::EXACT];
 
 fn panel(place: usize, shows: &str, rows: &[Measured]) -> String {
@@ -108,7 +109,7 @@ fn panel(place: usize, shows: &str, rows: &[Measured]) -> String {
     svg.finish()
 }
 
-/// An axis of times that holds all of them.
+/// Makes an axis of times that holds all of them.
 fn costs(rows: &[&Measured]) -> Axis {
     let ratios = rows.iter().map(|(_, time)| time.ratio);
     let [least, most] = ratios.fold([1.0; 2], |[least, most], it| [it.min(least), it.max(most)]);
@@ -118,15 +119,15 @@ fn costs(rows: &[&Measured]) -> Axis {
     }
 }
 
-/// An axis of digits that holds all of them.
+/// Makes an axis of digits that holds all of them.
 fn digits_axis(rows: &[&Measured]) -> Axis {
     let least = rows.iter().map(|(row, _)| right_digits(row)[2]);
     let least = least.fold(12.0, f64::min);
     Axis::new(176.0, 30.0, 216.0, 2.0 * (0.5 * least).floor(), 16.0)
 }
 
-/// The numbers with a line: powers of ten, among few also 2 and 5 times these; or every
-/// second or fourth digit.
+/// Returns the ticks of an axis: powers of ten, among few also 2 and 5 times these; or every second
+/// or fourth digit.
 fn marked(axis: &Axis) -> Vec<(f64, String)> {
     let holds = |it: &f64| (axis.least..=axis.most).contains(it);
     if !axis.is_logarithmic {
@@ -182,12 +183,12 @@ fn key(svg: &mut Svg, at: DVec2) {
     }
 }
 
-/// How many digits of t are right for half of the hits, for 999 of 1000, and for all.
+/// Returns how many digits of t are right for half of the hits, for 999 of 1000, and for all.
 fn right_digits(row: &Accuracy) -> [f64; 3] {
     [row.median_ulps, row.p999_ulps, row.largest_ulps].map(|ulps| digits(ulps, row.precision))
 }
 
-/// How often that is, in words and two digits.
+/// Says how often a decision is wrong, in two digits.
 fn one_in(per_million: f64) -> String {
     let times = format!("{:.1e}", 1e6 / per_million)
         .parse()
@@ -195,7 +196,7 @@ fn one_in(per_million: f64) -> String {
     format!("wrong in 1 of {}", number(times))
 }
 
-/// All numbers of all methods.
+/// Writes all numbers of all methods as a table.
 fn numbers<'a>(all: impl Iterator<Item = (&'a Vec<Measured>, &'a &'static str)>) -> String {
     let heads = [
         "situation",

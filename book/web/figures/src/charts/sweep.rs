@@ -3,7 +3,7 @@
 use glam::DVec2;
 use speed_vs_accuracy::{METHODS, Method, Precision};
 
-use super::chart::{Chart, Drawn, table};
+use super::chart::{Chart, DrawnChart, table};
 use super::marks::{cross, digits, idea};
 use crate::axis::{Axis, ticks};
 use crate::number::{number, power_of_ten, printed};
@@ -32,14 +32,14 @@ pub(super) const CHART: Chart = Chart {
 /// A method from level to level.
 type Line = Vec<Level>;
 
-fn draw(file: &str) -> Result<Drawn, String> {
+fn draw(file: &str) -> Result<DrawnChart, String> {
     let lines = read(file)?;
     let panels = [Precision::Double, Precision::Single].map(|precision| {
         let is_drawn = |line: &&Line| line[0].precision == precision && is_drawn(&line[0]);
         let shown: Vec<&Line> = lines.iter().filter(is_drawn).collect();
         panel(precision, &shown)
     });
-    Ok(Drawn {
+    Ok(DrawnChart {
         panels: panels.into(),
         table: numbers(&lines),
     })
@@ -81,7 +81,7 @@ fn panel(precision: Precision, lines: &[&Line]) -> String {
     svg.finish()
 }
 
-/// The last level, which not every line has.
+/// Returns the last level, which not every line has.
 fn last<'a>(lines: impl Iterator<Item = &'a Line>) -> i32 {
     lines.flatten().map(|row| row.level).fold(1, i32::max)
 }
@@ -109,7 +109,7 @@ fn plot(svg: &mut Svg, [levels, right]: [&Axis; 2], lines: &[&Line]) {
     draw_names(svg, levels.end, &ends);
 }
 
-/// The names of lines, in the order in which these end, beside the grid with this corner.
+/// Writes the names of lines, in the order in which these end, beside the grid with this corner.
 fn draw_names(svg: &mut Svg, low: DVec2, ends: &[(DVec2, &Line)]) {
     let heights: Vec<f64> = ends.iter().map(|(end, _)| end.y).collect();
     let places = spread(&heights, SMALL + 4.0, low.y - HIGH - 6.0, low.y);
@@ -141,7 +141,7 @@ fn spread(places: &[f64], gap: f64, least: f64, most: f64) -> Vec<f64> {
     moved
 }
 
-/// How the lines of an idea are drawn. The bold ones come first, so that they hide no other.
+/// The strokes of the lines of an idea. The bold ones come first, so that they hide no other.
 const STROKES: [(&str, &str); 3] = [("certain", "bold"), ("ink", "thin"), ("reference", "line")];
 
 /// Too many lines hide each other. In `f64` these are the methods that the lesson of chapter 6
@@ -158,7 +158,7 @@ fn is_drawn(row: &Level) -> bool {
     is_named || row.precision == Precision::Single
 }
 
-/// The first level at which a method decides wrongly.
+/// Returns the first level at which a method decides wrongly.
 fn first_wrong(line: &Line) -> Option<&Level> {
     line.iter().find(|row| row.wrong_per_million > 0.0)
 }

@@ -4,7 +4,7 @@ use std::iter;
 
 use glam::DVec2;
 
-use super::chart::{Chart, Drawn, table};
+use super::chart::{Chart, DrawnChart, table};
 use crate::records::{Timing, WrongPixels};
 use crate::svg::{Anchor, Step, Svg, spot};
 use crate::table::{Record, Table};
@@ -27,7 +27,7 @@ pub(super) const CHART: Chart = Chart {
     draw: |files| draw(files[0], files[1]),
 };
 
-fn draw(scenes: &str, timings: &str) -> Result<Drawn, String> {
+fn draw(scenes: &str, timings: &str) -> Result<DrawnChart, String> {
     let mut cells = Table::<WrongPixels>::read(scenes)?.rows;
     let timings = Table::<Timing>::read(timings)?;
     let instructions = |cell: &WrongPixels| {
@@ -50,13 +50,13 @@ fn draw(scenes: &str, timings: &str) -> Result<Drawn, String> {
         let name = format!("`{}`", line[0].method);
         iter::once(name).chain(counts).collect()
     });
-    Ok(Drawn {
+    Ok(DrawnChart {
         table: table(1, &heads, rows),
         panels: vec![heat_map(&heads[1..], &lines)],
     })
 }
 
-/// Where the first line of cells is, the height of a cell, and from one line to the next:
+/// The top of the first line of cells, the height of a cell, and the distance of two lines:
 /// between them stands the name of the method.
 const TOP: f64 = 74.0;
 const HIGH: f64 = 24.0;
@@ -92,7 +92,7 @@ fn heat_map(scenes: &[String], lines: &[&[WrongPixels]]) -> String {
     svg.finish()
 }
 
-/// How many of a thousand pixels are wrong, in one of five depths.
+/// Draws how many of a thousand pixels are wrong, in one of five depths.
 fn draw_cell(svg: &mut Svg, corner: DVec2, size: DVec2, cell: &WrongPixels) {
     let wrong = 1000.0 * cell.wrong as f64 / cell.pixels as f64;
     let (depth, idea, words) = match wrong {
