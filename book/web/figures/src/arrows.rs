@@ -14,19 +14,7 @@ parameters! {
 
 /// The figure, as a reader moves it.
 pub(crate) static LIVE: Live<Parameters> = Live {
-    figure: Figure {
-        name: "arrows",
-        title: "Adding, subtracting, stretching arrows, and a shadow",
-        description: "Five small drawings of the arrows u and v, which start at one point. Their sum u plus v \
-            leads along u and then along v. Their difference v minus u leads from the tip of u to the tip of v. \
-            2u is twice as long as u, minus u points the other way. In the last drawing a dashed line goes from \
-            the tip of v to the line of u, at a right angle: from the start to there is the shadow of v.",
-        caption: "**v** − **u** leads from the tip of **u** to the tip of **v**. The shadow of **v** on the line of \
-            **u** is **u**·**v** divided by the length of **u**.",
-        question: "When is **u**·**v** zero, and when is it negative? Drag the two tips.",
-        solution: "Zero if the two make a right angle, negative if they point apart: then the shadow falls behind \
-            the start. How long they are does not change that.",
-    },
+    figure: figure!("arrows"),
     handles: &[point!(BOTH, u), point!(BOTH, v)],
     actions: &[
         ("A right angle", |it| {

@@ -14,19 +14,7 @@ parameters! {
 
 /// The figure, as a reader moves it.
 pub(crate) static LIVE: Live<Parameters> = Live {
-    figure: Figure {
-        name: "backwards",
-        title: "Light from the lamp, and a ray from the eye",
-        description: "Seen from the side: an eye at the left, an upright pane of nine squares, behind it a \
-            ball, and a lamp above. Lines leave the lamp in all directions, and nearly all miss the eye. \
-            From the eye one ray goes through the middle of a square and meets the ball. There an arrow \
-            arrives from the lamp.",
-        caption: "The lamp throws light everywhere. Only what happens to go along the ray, the other way \
-            round, enters the eye through this square.",
-        question: "Which squares show the ball? Drag the ray from square to square.",
-        solution: "Squares 4 to 7. The ray through each of them meets the ball; the others meet nothing, and \
-            show the sky.",
-    },
+    figure: figure!("backwards"),
     handles: &[Handle {
         field: "square",
         at: |it| PLANE.point(middle(it.square)),

@@ -17,22 +17,7 @@ parameters! {
 
 /// The figure, as a reader turns it.
 pub(crate) static LIVE: Live<Parameters> = Live {
-    figure: Figure {
-        name: "camera_frame",
-        title: "The eye, the viewport, and the rays of a row",
-        description: "Seen from the right, from behind and a little from above. From the eye at the \
-            origin three axes start: x to the right, y up, and z back. The viewport, a rectangle of \
-            16 by 9 pixels, stands upright ahead of the eye, across the negative z axis. A ray goes \
-            from the eye through the middle of each pixel of one row, and on. In the middle of the \
-            viewport is the sphere of chapter 2, at which six of the rays end.",
-        caption: "The eye is where the axes meet, and looks along −*z* through a viewport that \
-            is one focal length away. A ray goes through the middle of each pixel; here is a row of \
-            them, and the sphere that chapter 2 will put there.",
-        question: "In which rows do rays meet the sphere? And what do all rays have in common? Turn the scene, \
-        and choose the row.",
-        solution: "In the rows 2 to 6. All rays start in the eye. So they spread, and what is far away takes \
-        fewer of them: it looks small.",
-    },
+    figure: figure!("camera_frame"),
     handles: &[Handle {
         field: "side",
         at: |it| KNOB + KNOB_ROOM * spot(it.side.x / 180.0, -it.side.y / 90.0),

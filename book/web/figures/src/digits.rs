@@ -19,23 +19,7 @@ const RADIUS: f64 = 6.0 / 7.0;
 
 /// The figure, as a reader moves it.
 pub(crate) static LIVE: Live<Parameters> = Live {
-    figure: Figure {
-        name: "digits",
-        title: "Digits vanish",
-        description: "A star, a sphere seen through a lens that makes it as large as the picture, drawn \
-            twice in large pixels. At the right it is a smooth ball. At the left, where half_b draws it, \
-            the rim is uneven and some colors jump. Below is an axis of distances, from ten to the \
-            power of 0 to ten to the power of 16 radii, with a mark at 7. Then come numbers for one \
-            ray, digit below digit. The first thirteen digits of h squared and of a times c are the \
-            same and struck out. So D begins with fourteen zeros, and of the three digits that are left \
-            only the first is right. Of t the first nine digits are right, and the other eight are not.",
-        caption: "In the subtraction the digits in which *h*² and *ac* agree cancel. *D* has only the digits that are \
-            left, and earlier rounding has made some of them wrong: right digits are bold, wrong ones are underlined.",
-        question: "From which distance on is *D* only rounding error? Drag the star away, along the axis, \
-        and choose a pixel in either picture.",
-        solution: "From about 10⁸ radii on: then the square of the distance has no digit left for the square of \
-        the radius.",
-    },
+    figure: figure!("digits"),
     handles: &[
         point!(AXIS, exponent),
         point!(SKIES[0], pixel),

@@ -20,20 +20,7 @@ parameters! {
 
 /// The figure, as a reader moves it.
 pub(crate) static LIVE: Live<Parameters> = Live {
-    figure: Figure {
-        name: "discriminant",
-        title: "The roots on the axis of t",
-        description: "A ray starts at Q and goes through a sphere with center C. Where it goes in and \
-            where it comes out a circle is drawn, t1 and t2. Below is an axis of t with the same two \
-            circles on it, both to the right of 0. To the left of 0 the axis is shaded: that is behind \
-            the eye. A dashed line l leads from the center to the nearest place of the ray.",
-        caption: "Each root is a place on the line and a number on the axis. A place behind the eye has \
-            a negative *t*. The line passes the center at the distance *l*.",
-        question: "Where does the first root go when the eye enters the sphere? Drag **Q** into it, and \
-        out at the other side.",
-        solution: "It gets smaller, is 0 on the surface, and negative inside: then it is behind the eye. On the \
-        other side the second root does the same, and both are negative.",
-    },
+    figure: figure!("discriminant"),
     handles: &[
         point!(PLANE, q),
         point!(PLANE, d from q),

@@ -14,19 +14,7 @@ parameters! {
 
 /// The figure, as a reader moves it.
 pub(crate) static LIVE: Live<Parameters> = Live {
-    figure: Figure {
-        name: "face_normal",
-        title: "Normals that point outward, and normals against the ray",
-        description: "Two spheres, each met by the same ray from inside. At the left the normal points \
-            out of the sphere, and the ray runs along with it. At the right the normal points against the \
-            ray, into the sphere, and front_face is false.",
-        caption: "Left: the normal always points outward, and the sign of **d**·**n** says from which side the \
-            ray came. Right, and in our code: it always points against the ray, and front_face keeps the side.",
-        question: "When does the normal at the right turn round? Drag the origin of the ray out of \
-        the sphere, and then to where the ray only grazes it.",
-        solution: "When the ray comes from inside: then the outward normal and the ray point the same way. A graze \
-        counts as inside, since its product is 0, not less than 0.",
-    },
+    figure: figure!("face_normal"),
     handles: &[point!(PLANES[0], origin), point!(PLANES[1], origin)],
     actions: &[
         ("From inside", |it| it.origin = xy(-0.55, -0.65)),

@@ -2,13 +2,15 @@
 //!
 //! A page shows a figure as a drawing that was made when the book was woven. A reader may move
 //! what is in it, and the same function draws it anew in the page, compiled to WebAssembly
-//! (package `page`). A figure's file has all that is known about it: its words, its parameters
-//! with their ranges, which of them can be grasped on the sheet, the drawing, and the sentence
-//! below.
+//! (package `page`). Two files have all that is known about a figure: `walk.md` its words, and
+//! `walk.rs` its parameters with their ranges, which of them can be grasped on the sheet, the
+//! drawing, and the sentence below.
 //!
-//! To make another figure: state its `parameters!`, make a [`Live`] of it, and name that in
-//! [`LESSON`](crate::LESSON). From then on `{{figure NAME}}` weaves it with its handles.
-//! `.ci/live` builds the module of the pages anew.
+//! To make another figure: write its words, state its `parameters!`, make a [`Live`] of it, and
+//! name that in [`LESSON`](crate::LESSON). From then on `{{figure NAME}}` weaves it with its
+//! handles. `.ci/live` builds the module of the pages anew.
+
+use std::sync::LazyLock;
 
 use glam::DVec2;
 
@@ -55,7 +57,7 @@ pub(crate) type Action<P> = (&'static str, fn(&mut P));
 #[derive(Debug)]
 pub(crate) struct Live<P: 'static> {
     /// The figure, as the page shows it.
-    pub(crate) figure: Figure,
+    pub(crate) figure: LazyLock<Figure>,
     /// The places at which the drawing can be grasped: of two in one place, the later one is.
     pub(crate) handles: &'static [Handle<P>],
     /// The buttons below the drawing.

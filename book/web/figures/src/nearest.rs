@@ -26,21 +26,7 @@ parameters! {
 
 /// The figure, as a reader moves it.
 pub(crate) static LIVE: Live<Parameters> = Live {
-    figure: Figure {
-        name: "nearest",
-        title: "The nearest hit wins",
-        description: "A ray passes through three spheres: first through sphere 2, then through sphere 1, \
-            last through sphere 3. Below, a bar for each sphere, in the order of the list, shows for \
-            which t it is asked. Sphere 1 is asked for all t above 0, and hit. The bar of sphere 2 \
-            ends at that hit, and sphere 2 is hit nearer. The bar of sphere 3 ends there, and nothing \
-            is hit. A last bar, as long, is closest_so_far.",
-        caption: "A list asks each sphere in turn. After a hit, the next sphere should be asked only for nearer \
-            places, so that a sphere behind the nearest hit so far cannot win.",
-        question: "Which sphere wins if you change the order of the list? And in which order are the fewest \
-            spheres hit?",
-        solution: "Always the nearest one. If the list begins with it, no other is hit: the rest is asked only \
-            for nearer places.",
-    },
+    figure: figure!("nearest"),
     handles: &[
         point!(PLANE, one),
         point!(PLANE, two),

@@ -17,19 +17,7 @@ parameters! {
 
 /// The figure, as a reader moves it.
 pub(crate) static LIVE: Live<Parameters> = Live {
-    figure: Figure {
-        name: "normal",
-        title: "The normal of a sphere",
-        description: "A ray comes from the left and hits a sphere with center C in a point P. A dashed \
-            radius leads from C to P. The normal n goes on in the same direction, out of the sphere, \
-            and is one unit long. It stands upright on a short line that touches the sphere in P.",
-        caption: "The outward normal is the way from the center to the point that was hit: **P** − **C**. \
-            That way is *r* long, so **n** = (**P** − **C**)/*r* has length 1.",
-        question: "Where must the ray hit so that **n** points straight back along it? And what does this \
-        chapter find if **Q** is inside the sphere?",
-        solution: "Where a ray hits that is aimed at the center: only such a ray lies on a radius. From inside, the \
-        nearer root is behind **Q**, so *t* is negative, and this chapter paints the sky.",
-    },
+    figure: figure!("normal"),
     handles: &[point!(PLANE, d from q), point!(PLANE, q)],
     actions: &[
         ("At the center", |it| {

@@ -12,19 +12,7 @@ parameters! {
 
 /// The figure, as a reader moves it.
 pub(crate) static LIVE: Live<Parameters> = Live {
-    figure: Figure {
-        name: "normal_colors",
-        title: "Normals and their colors",
-        description: "The sphere colored by its normals, in large pixels. At a point an arrow shows \
-            where the normal points, as far as the eye can see it from the front. Below are the normal, \
-            the color in numbers, and a square of that color.",
-        caption: "A color for each direction: red for *x*, green for *y*, blue for *z*, each from −1…1 to \
-            0…1. So red grows to the right, green grows upwards, and where the surface faces the eye \
-            there is most blue.",
-        question: "Where on the ball is red strongest? And where is green weakest? Guess, and drag the point there.",
-        solution: "Red at the right edge, where *x* is greatest; green at the lowest place that is seen, where *y* \
-        is least.",
-    },
+    figure: figure!("normal_colors"),
     handles: &[point!(viewport(), point)],
     actions: &[
         ("Near the top", |it| it.point = xy(0.0, 0.55)),

@@ -5,7 +5,7 @@ pub(crate) use common::rtweekend::*;
 pub(crate) use glam::DVec2;
 
 pub(crate) use crate::axis::{Axis, ticks};
-pub(crate) use crate::figure::Figure;
+pub(crate) use crate::figure::figure;
 pub(crate) use crate::live::{Answer, Handle, Live, Movable, point};
 pub(crate) use crate::number::{power_of_ten, printed, sign, spoken, three_digits, triple};
 pub(crate) use crate::parameters::{Number, parameters};

@@ -15,18 +15,7 @@ parameters! {
 
 /// The figure, as a reader moves it.
 pub(crate) static LIVE: Live<Parameters> = Live {
-    figure: Figure {
-        name: "ray",
-        title: "Points on a ray",
-        description: "A straight line rises to the right. It passes through a point Q, where t is 0. \
-            An arrow d leads from Q to the point where t is 1. Equal steps further on t is 2, where the \
-            point P is, and 3. On the other side of Q the line is dashed, and t is negative.",
-        caption: "**P**(*t*) = **Q** + *t* **d**. Each *t* is a place on the line: from one whole number to the next it \
-            is one arrow **d**. Behind **Q**, *t* is negative.",
-        question: "What is *t* if **d** is twice as long, and **P** stays? Drag the tip of **d**, then \
-        **P** back to where it was.",
-        solution: "*t* is halved: half as many arrows, each twice as long, lead to the same place.",
-    },
+    figure: figure!("ray"),
     handles: &[
         point!(PLANE, q),
         point!(PLANE, d from q),

@@ -19,21 +19,7 @@ parameters! {
 
 /// The figure, as a reader moves it: the height jumps, and a pixel has its ray.
 pub(crate) static LIVE: Live<Parameters> = Live {
-    figure: Figure {
-        name: "viewport_grid",
-        title: "The viewport and its grid of pixels",
-        description: "A rectangle of eight by four squares, each with a point in its center. V 0 is the \
-            upper left corner of the rectangle. The vector V u runs from there along the whole upper edge, \
-            V v along the whole left edge, downwards. The point in the first square is P 0,0. From \
-            there Δu leads to the point on its right, Δv to the point below. Another square is \
-            marked, with the point P 5,2 in its center.",
-        caption: "The pixels of a picture on its viewport. The first **P** is the \
-            center of a pixel: half a step right and half a step down from the corner. Rows are counted \
-            downwards, but *y* grows upwards, so Δ**v** points along −*y*.",
-        question: "At which widths does the picture gain a row? And at which does a ray go straight ahead?",
-        solution: "At 4, 6, 8, 9 and 11: wherever 9/16 of the width passes a whole number. A ray goes straight ahead \
-            if the numbers of columns and of rows are both odd, as at 7: then a pixel is in the middle.",
-    },
+    figure: figure!("viewport_grid"),
     handles: &[Handle {
         field: "pixel",
         at: |it| Grid::of(it).at(Grid::of(it).pixel),

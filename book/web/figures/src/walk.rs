@@ -16,20 +16,7 @@ parameters! {
 
 /// The figure, as a reader moves it.
 pub(crate) static LIVE: Live<Parameters> = Live {
-    figure: Figure {
-        name: "walk",
-        title: "The walk to the nearest point, and Pythagoras twice",
-        description: "A ray starts at Q and passes through a sphere with center C. A dashed line l leads from C \
-            to the point of the ray that is nearest to it, and meets the ray at a right angle. A radius r leads \
-            from C to where the ray goes in. Below the ray, two stretches are measured: h, from Q to the nearest \
-            point; and half of the chord, as long before that point as behind it.",
-        caption: "Walk *h* along the ray: there the center is nearest, *l* away. With *r* as the long side, \
-            Pythagoras gives half of the chord: so far back the ray goes in, and so far ahead it comes out.",
-        question: "How do *h*, *l* and half of the chord change if *C* moves up, and if *r* grows? Drag the center, \
-            the rim, and the end of the chord.",
-        solution: "Up: *l* grows, half of the chord shrinks, and *h* stays. A larger *r* changes neither *h* nor \
-            *l*, only the chord. When *l* is as large as *r*, no chord is left: the ray touches.",
-    },
+    figure: figure!("walk"),
     handles: &[
         point!(PLANE, c),
         Handle {

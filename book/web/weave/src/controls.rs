@@ -13,10 +13,12 @@ pub(crate) fn around(live: &dyn Movable) -> String {
     let Figure {
         name,
         title,
+        caption,
         question,
+        solution,
         ..
-    } = *live.figure();
-    let is_it = |it: &&dyn Movable| it.name() == name;
+    } = live.figure();
+    let is_it = |it: &&dyn Movable| it.name() == *name;
     let modules = [("lesson", LESSON), ("accuracy", ACCURACY)];
     let (module, place) = modules
         .into_iter()
@@ -37,10 +39,10 @@ pub(crate) fn around(live: &dyn Movable) -> String {
         title = escaped(title),
         question = html(asked),
         moved = html(moved),
-        solution = html(live.figure().solution),
+        solution = html(solution),
         handles = handles(live),
         sentence = html(&answer.sentence),
-        caption = html(live.figure().caption),
+        caption = html(caption),
         drawing = answer.drawing.finish(),
         inputs = inputs(live),
         buttons = buttons(live),
