@@ -61,7 +61,7 @@ fn answer(&Parameters { u, v }: &Parameters) -> Answer {
              **u**·**v** = {product_said}."
         )
     };
-    Answer::new(draw(u, v), sentence, vec![("product", product_said)])
+    Answer::new(draw(u, v), sentence, [("product", product_said)])
 }
 
 fn draw(u: Vec3, v: Vec3) -> Svg {

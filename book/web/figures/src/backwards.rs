@@ -59,7 +59,7 @@ fn answer(&Parameters { square }: &Parameters) -> Answer {
         None => "meets nothing, and the square gets the color of the sky",
     };
     let sentence = format!("The ray through square {square} {meets}.");
-    Answer::new(draw(square, &ray, hit), sentence, vec![])
+    Answer::new(draw(square, &ray, hit), sentence, [])
 }
 
 fn draw(square: f64, ray: &Ray, hit: Option<Point3>) -> Svg {

@@ -49,7 +49,7 @@ fn answer(&Parameters { side, row }: &Parameters) -> Answer {
     };
     let sentence = format!("Row {row}, at *y* = {height}: {meet}.");
     let drawing = draw(&View::new(side), &camera, row as u32, &rays);
-    Answer::new(drawing, sentence, vec![])
+    Answer::new(drawing, sentence, [])
 }
 
 /// The view of a reader who looks at the scene from outside.

@@ -45,7 +45,7 @@ fn answer(it: &Parameters) -> Answer {
         of_t(&found, case.ray.direction.length() / RADIUS),
     );
     let agree = format!("{agreeing} {digits}");
-    let says = vec![("distance", away), ("agree", agree)];
+    let says = [("distance", away), ("agree", agree)];
     Answer::new(draw(it, &found), sentence, says)
 }
 

@@ -71,8 +71,8 @@ fn answer(it: &Parameters) -> Answer {
         1 => format!("there is one root, {at}"),
         _ => format!("the roots are {at}"),
     };
-    let lines = red_sphere_lines(it.c, it.radius, &it.ray());
-    let says = [vec![("roots", in_words)], lines].concat();
+    let mut says = red_sphere_lines(it.c, it.radius, &it.ray());
+    says.insert("roots", in_words);
     Answer::new(draw(it, &roots), sentence(&roots), says)
 }
 

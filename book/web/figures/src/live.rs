@@ -10,6 +10,7 @@
 //! name that in [`LESSON`](crate::LESSON). From then on `{{figure NAME}}` weaves it with its
 //! handles. `.ci/live` builds the module of the pages anew.
 
+use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use glam::DVec2;
@@ -67,7 +68,7 @@ pub(crate) struct Live<P: 'static> {
 }
 
 /// Words by name: for sentences of the page, and for the lines of a listing.
-pub(crate) type Says = Vec<(&'static str, String)>;
+pub(crate) type Says = BTreeMap<&'static str, String>;
 
 /// A figure for certain parameters.
 #[derive(Clone, Debug)]
@@ -79,17 +80,17 @@ pub struct Answer {
     /// The place of each handle on the sheet.
     pub handles: Vec<DVec2>,
     /// Values, by name, that the page shows in its sentences and beside listings.
-    pub says: Says,
+    pub says: BTreeMap<&'static str, String>,
 }
 
 impl Answer {
     /// Makes an answer whose handles are where the figure says.
-    pub(crate) fn new(drawing: Svg, sentence: String, says: Says) -> Self {
+    pub(crate) fn new(drawing: Svg, sentence: String, says: impl Into<Says>) -> Self {
         Self {
             drawing,
             sentence,
             handles: Vec::new(),
-            says,
+            says: says.into(),
         }
     }
 }

@@ -116,8 +116,7 @@ fn answer(it: &Parameters) -> Answer {
         ),
         None => "No sphere is hit ahead of **Q**.".to_owned(),
     };
-    let says = vec![("held", held.join(", "))];
-    Answer::new(draw(it, &turns), sentence, says)
+    Answer::new(draw(it, &turns), sentence, [("held", held.join(", "))])
 }
 
 /// Writes the t of a hit, or the end of an interval, in few digits.

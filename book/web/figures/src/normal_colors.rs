@@ -59,11 +59,7 @@ fn answer(&Parameters { point }: &Parameters) -> Answer {
         }
         None => format!("The ray misses the ball, so there is no normal: {levels} are the sky."),
     };
-    Answer::new(
-        draw(point, color, normal),
-        sentence,
-        vec![("levels", levels)],
-    )
+    Answer::new(draw(point, color, normal), sentence, [("levels", levels)])
 }
 
 /// Draws the picture, the normal of a point, and below them the normal and the color in numbers.

@@ -66,7 +66,7 @@ fn answer(parameters: &Parameters) -> Answer {
              long. So **P** is {distance} {side} **Q**."
         )
     };
-    let says = vec![
+    let says = [
         ("t", t_said),
         ("length", length_said),
         ("distance", distance),

@@ -50,7 +50,7 @@ fn answer(it: &Parameters) -> Answer {
         "The ray of pixel ({i}, {j}) has the direction {direction}. A picture {width} wide has \
         {rows}: {because}."
     );
-    let says = vec![
+    let says = [
         ("width", width.to_string()),
         ("rows", rows),
         ("because", because),

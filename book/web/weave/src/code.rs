@@ -122,7 +122,7 @@ fn values(figure: &str, code: &str) -> Result<String, String> {
             it if it.ends_with(';') => it.strip_prefix("let ")?.split(' ').next()?,
             _ => return None,
         };
-        let (name, value) = says.iter().find(|(of, _)| *of == name)?;
+        let (name, value) = says.get_key_value(name)?;
         let value = controls::followed(figure, name, value);
         Some(match *name {
             "none" | "result" => value,

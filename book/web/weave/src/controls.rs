@@ -3,6 +3,8 @@
 //! Everything is on the page from the start, so nothing jumps when the script comes, and
 //! the style sheet hides what does nothing without it.
 
+use std::collections::BTreeMap;
+
 use figures::{ACCURACY, Figure, LESSON, Movable, Number, figures, html};
 
 use crate::ground::{escaped, named};
@@ -57,7 +59,7 @@ pub(crate) fn number(figure: &str, name: &str) -> Result<String, String> {
 }
 
 /// What the live figure of that name says at first.
-pub(crate) fn says(figure: &str) -> Result<Vec<(&'static str, String)>, String> {
+pub(crate) fn says(figure: &str) -> Result<BTreeMap<&'static str, String>, String> {
     let live = named("live figure", figure, figures(), |live| live.name())?;
     Ok(live.answer(&live.defaults()).says)
 }
