@@ -8,57 +8,11 @@ use std::process::Command;
 use insta::assert_snapshot;
 use slips::Chapter;
 
-use suite::command::{assert_success, cargo, run, text};
+use suite::command::{cargo, run, text};
 use suite::drawn::shown_in;
 use suite::left_out::left_out;
 use suite::mine::Mine;
-
-/// One wrong piece in a chapter.
-struct Mistake {
-    name: &'static str,
-    chapter: Chapter,
-    right: &'static str,
-    wrong: &'static str,
-}
-
-const MISTAKES: [Mistake; 6] = [
-    Mistake {
-        name: "one_minus_a",
-        chapter: Chapter::Gradient,
-        right: "(1.0 - a)",
-        wrong: "(1 - a)",
-    },
-    Mistake {
-        name: "dot_as_in_cpp",
-        chapter: Chapter::RedSphere,
-        right: "ray.direction.dot(ray.direction)",
-        wrong: "dot(ray.direction, ray.direction)",
-    },
-    Mistake {
-        name: "last_semicolon",
-        chapter: Chapter::RedSphere,
-        right: "discriminant >= 0.0",
-        wrong: "discriminant >= 0.0;",
-    },
-    Mistake {
-        name: "t_of_an_option",
-        chapter: Chapter::Normals,
-        right: "    if let Some(t) = hit_sphere(center, 0.5, ray)\n        && t > 0.0\n    {",
-        wrong: "    let t = hit_sphere(center, 0.5, ray);\n    if t > 0.0 {",
-    },
-    Mistake {
-        name: "import_forgotten",
-        chapter: Chapter::HittableList,
-        right: "use crate::hittable::{HitRecord, Hittable};\n\n/// All points",
-        wrong: "\n/// All points",
-    },
-    Mistake {
-        name: "closure_without_move",
-        chapter: Chapter::HittableList,
-        right: "move |ray|",
-        wrong: "|ray|",
-    },
-];
+use suite::typing::{Typing, typings};
 
 #[test]
 #[ignore = "builds chapters with mistakes in them"]
@@ -72,28 +26,24 @@ fn the_pages_show_what_the_compiler_says() {
         return;
     }
     let mine = Mine::empty();
-    for mistake in &MISTAKES {
-        mistake.make(&mine);
-        let said = page_of(&first_error(&mine, mistake.chapter.name()));
-        shown_in("compiler").bind(|| assert_snapshot!(mistake.name, said));
+    for mistake in typings(include_str!("compiler.txt")) {
+        let (name, chapter) = mistake.title.split_once(" in ").expect("a chapter");
+        make(&mine, Chapter::find(chapter).expect("a chapter"), &mistake);
+        let said = page_of(&first_error(&mine, chapter));
+        shown_in("compiler").bind(|| assert_snapshot!(name, said));
     }
 }
 
-impl Mistake {
-    /// Types the chapter with the mistake in it.
-    fn make(&self, mine: &Mine) {
-        let folder = mine.path().join(self.chapter.name());
-        if !folder.exists() {
-            assert_success(&run(&mut mine.start(self.chapter.name(), &[])));
-        }
-        let files = self.chapter.files();
-        let with_it = files.iter().filter(|(_, text)| text.contains(self.right));
-        assert_eq!(with_it.count(), 1, "files with {}", self.right);
-        for (name, text) in files {
-            let typed = text.replacen(self.right, self.wrong, 1);
-            fs::write(folder.join(name), typed).expect("it is saved");
-        }
+/// Types the chapter with the mistake in it.
+fn make(mine: &Mine, chapter: Chapter, mistake: &Typing) {
+    let folder = mine.path().join(chapter.name());
+    if !folder.exists() {
+        mine.make(chapter.name(), &[]);
     }
+    for (name, text) in chapter.files() {
+        fs::write(folder.join(name), text).expect("it is saved");
+    }
+    mine.make_changes(chapter.name(), mistake);
 }
 
 /// What cargo prints of the first error in the crate of that chapter.

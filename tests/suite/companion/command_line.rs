@@ -2,9 +2,10 @@
 
 use std::fs;
 
+use check::reading;
 use insta::assert_snapshot;
 use slips::Chapter;
-use suite::command::{picture_in, rtrace_alone, woven};
+use suite::command::{assert_success, program, run, text};
 use suite::desk::Desk;
 use suite::drawn::p3;
 
@@ -68,7 +69,9 @@ fn the_companion_explains_itself_when_asked_and_when_misunderstood() {
 #[test]
 #[ignore = "builds the weaver, and weaves the book"]
 fn rtrace_alone_draws_every_picture_twice_and_then_weaves_the_book() {
-    let report = rtrace_alone();
+    let output = run(&mut program("rtrace", &[]));
+    assert_success(&output);
+    let report = text(&output.stdout);
     let folder = suite::workspace().join("target/pictures");
     for chapter in Chapter::ALL {
         let expected = chapter.picture(chapter.book_width());
@@ -77,9 +80,10 @@ fn rtrace_alone_draws_every_picture_twice_and_then_weaves_the_book() {
         assert!(lines.any(|line| line.contains(chapter.name()) && line.contains(&size)));
         let file = folder.join(chapter.name());
         assert!(fs::read(file.with_extension("ppm")).expect("it") == p3(&expected));
-        assert!(picture_in(&file.with_extension("png")) == expected);
+        let png = fs::read(file.with_extension("png")).expect("it");
+        assert!(reading::read(&png).expect("a picture").picture() == expected);
     }
     let [pictures, book] = ["The pictures are in", "The book is in"].map(|it| report.find(it));
     assert!(pictures < book, "{report}");
-    assert!(woven().join("index.html").is_file());
+    assert!(suite::workspace().join("target/book/index.html").is_file());
 }

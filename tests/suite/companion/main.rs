@@ -1,6 +1,5 @@
 //! The companion: what does each command do with good input and bad?
 
-mod accepted;
 mod anywhere;
 #[cfg(unix)]
 mod broken_off;
@@ -9,7 +8,7 @@ mod command_line;
 mod commands;
 mod files;
 mod hit_command;
-mod laws_command;
+mod languages;
 mod needs_command;
 mod start;
 #[cfg(unix)]

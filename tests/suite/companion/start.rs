@@ -8,6 +8,7 @@ use slips::Chapter;
 use suite::command::{assert_success, cargo, names_in, run, text};
 use suite::desk::Desk;
 use suite::mine::Mine;
+use suite::typing::typings;
 use suite::workspace;
 use tempfile::TempDir;
 
@@ -31,7 +32,7 @@ fn every_chapter_can_be_typed_and_begins_with_the_one_before() {
                 type_the_files_in_order(&mine);
             } else {
                 start_and_type(&mine, chapter, prelude);
-                go_through_the_steps(&mine, chapter);
+                go_through_the_steps(&mine, chapter.name());
             }
             let said = mine.watch_once(chapter.name());
             assert!(said.contains("to the last bit."), "{chapter:?}:\n{said}");
@@ -47,19 +48,17 @@ fn every_chapter_can_be_typed_and_begins_with_the_one_before() {
 
 /// Each step but the last, as its page says it: what is typed for it in the place of what is
 /// there in the end.
-fn go_through_the_steps(mine: &Mine, chapter: Chapter) {
-    let name = chapter.name();
-    let of_chapter = STEPS.iter().filter(|step| step.0 == chapter);
-    for (_, number, full, typed) in of_chapter {
-        let (file, source) = mine.source_with(name, full);
-        fs::write(&file, source.replace(full, typed)).expect("the step is saved");
-        let said = mine.watch_once(name);
-        let right = [
-            format!("Step {number} of"),
-            format!("This is what step {number} of"),
-        ];
+fn go_through_the_steps(mine: &Mine, chapter: &str) {
+    for step in typings(include_str!("programs/steps.txt")) {
+        let Some(number) = step.title.strip_prefix(&format!("{chapter} ")) else {
+            continue;
+        };
+        let (file, source) = mine.source_with(chapter, &step.changes[0].old);
+        mine.make_changes(chapter, &step);
+        let said = mine.watch_once(chapter);
+        let right = ["Step", "This is what step"].map(|it| format!("{it} {number} of"));
         let is_right = right.iter().any(|right| said.contains(right));
-        assert!(is_right, "{typed} is right for step {number}:\n{said}");
+        assert!(is_right, "{step:?}:\n{said}");
         fs::write(&file, source).expect("the chapter is saved");
     }
 }
@@ -83,57 +82,6 @@ fn type_the_files_in_order(mine: &Mine) {
     assert!(said.contains("Step 1 of 2 is right."), "{said}");
     mine.add_the_ground();
 }
-
-/// The chapter, the step, what is there in the end, and what is typed for the step.
-const STEPS: &[(Chapter, usize, &str, &str)] = &[
-    (Chapter::Gradient, 1, GRADIENT, "Color::new(1.0, 1.0, 1.0)"),
-    (
-        Chapter::Gradient,
-        2,
-        GRADIENT,
-        "Color::new(ray.direction.x, ray.direction.y, 0.0)",
-    ),
-    (
-        Chapter::Gradient,
-        3,
-        GRADIENT,
-        "let unit = ray.direction.normalize();
-    let a = 0.5 * (unit.y + 1.0);
-    a * Color::new(1.0, 1.0, 1.0)",
-    ),
-    (Chapter::RedSphere, 1, DISCRIMINANT, "    false\n"),
-    (
-        Chapter::Normals,
-        1,
-        NORMAL,
-        "return Color::new(1.0, 0.0, 0.0);",
-    ),
-    (Chapter::Normals, 2, NORMAL, "return Color::new(t, t, t);"),
-    (
-        Chapter::Normals,
-        2,
-        NORMAL,
-        "return t * Vec3::new(1.0, 1.0, 1.0);",
-    ),
-];
-
-const GRADIENT: &str = "let white = Color::new(1.0, 1.0, 1.0);
-    let blue = Color::new(0.5, 0.7, 1.0);
-
-    let unit_direction = ray.direction.normalize();
-    let a = 0.5 * (unit_direction.y + 1.0);
-    (1.0 - a) * white + a * blue";
-
-const DISCRIMINANT: &str = "    let oc = center - ray.origin;
-    let a = ray.direction.dot(ray.direction);
-    let b = -2.0 * ray.direction.dot(oc);
-    let c = oc.dot(oc) - radius * radius;
-    let discriminant = b * b - 4.0 * a * c;
-    discriminant >= 0.0
-";
-
-const NORMAL: &str = "let normal = (ray.at(t) - center).normalize();
-        return 0.5 * (normal + Vec3::ONE);";
 
 #[test]
 fn a_crate_is_made_once_and_nothing_that_was_typed_is_written_over() {
@@ -245,16 +193,19 @@ fn in_the_workspace_a_watched_program_adds_to_the_list_of_the_crates() {
 
 /// A report ends with a test to paste, which compiles there and fails.
 fn paste_the_tests_of_reports(mine: &Mine, prelude: &[&str]) {
-    let of_prelude = ("gradient", "+ self.z * other.z", "");
-    let of_prelude = (!prelude.is_empty()).then_some(of_prelude);
-    for (chapter, right, wrong) in MISTAKES.iter().copied().chain(of_prelude) {
-        let (mistyped, right_source) = mine.source_with(chapter, right);
-        mine.edit(chapter, right, wrong);
+    for mistake in typings(include_str!("programs/mistakes.txt")) {
+        let chapter = &*mistake.title;
+        // Of chapter 1 only a prelude is under laws.
+        if chapter == "gradient" && prelude.is_empty() {
+            continue;
+        }
+        let (mistyped, right_source) = mine.source_with(chapter, &mistake.changes[0].old);
+        mine.make_changes(chapter, &mistake);
         let said = test_the_laws(mine, chapter, &[]);
         let pasted = said
             .split_once("#[test]\n")
             .and_then(|(_, it)| it.split_once("\n}\n"));
-        let (pasted, _) = pasted.unwrap_or_else(|| panic!("{chapter}, {wrong}: {said}"));
+        let (pasted, _) = pasted.unwrap_or_else(|| panic!("{mistake:?}: {said}"));
         let law = mine.path().join(chapter).join("tests/laws.rs");
         let source = fs::read_to_string(&law).expect("the test");
         fs::write(&law, format!("{source}\n#[test]\n{pasted}\n}}\n")).expect("it is pasted");
@@ -278,21 +229,6 @@ fn test_the_laws(mine: &Mine, chapter: &str, words: &[&str]) -> String {
     text(&output.stdout) + &text(&output.stderr)
 }
 
-/// One in each kind of function that is put under laws: the line, and what is typed for it.
-const MISTAKES: &[(&str, &str, &str)] = &[
-    ("red_sphere", "4.0 * a * c", "a * c"),
-    ("normals", "(2.0 * a)", "a"),
-    ("normals", "&& t > 0.0", "&& t > -9.0"),
-    ("hittable_list", "(h + sqrtd) / a", "(h - sqrtd) / a"),
-    ("hittable_list", "point: ray.at(t)", "point: ray.at(1.0)"),
-    (
-        "hittable_list",
-        "closest_so_far = record.t",
-        "closest_so_far = t_max",
-    ),
-    ("hittable_list", "0.0, f64::INFINITY", "0.0, 100.0"),
-];
-
 /// Cargo puts the settings of all folders above together.
 #[test]
 #[ignore = "builds the companion again, if the settings differ"]
@@ -313,69 +249,9 @@ fn in_a_crate_inside_the_workspace_cargo_rtrace_is_the_same() {
 fn start_and_type(mine: &Mine, chapter: Chapter, prelude: &[&str]) {
     mine.make(chapter.name(), prelude);
     if chapter == Chapter::Gradient && !prelude.is_empty() {
-        for (function, body) in PRELUDE {
-            mine.edit(
-                chapter.name(),
-                &format!("{function} {{\n        todo!()"),
-                &format!("{function} {{\n        {body}"),
-            );
+        for typing in typings(include_str!("programs/own_prelude.txt")) {
+            mine.make_changes(chapter.name(), &typing);
         }
-        mine.edit(
-            chapter.name(),
-            RENDER_TODO,
-            &RENDER_TODO.replace("todo!()", RENDER),
-        );
     }
     mine.type_all(chapter);
 }
-
-/// What is typed of the prelude, but for the loop over all pixels.
-const PRELUDE: [(&str, &str); 9] = [
-    (
-        "fn dot(self, other: Self) -> f64",
-        "self.x * other.x + self.y * other.y + self.z * other.z",
-    ),
-    ("fn length_squared(self) -> f64", "self.dot(self)"),
-    ("fn length(self) -> f64", "self.length_squared().sqrt()"),
-    ("fn normalize(self) -> Self", "(1.0 / self.length()) * self"),
-    (
-        "fn add(self, other: Self) -> Self",
-        "Self::new(self.x + other.x, self.y + other.y, self.z + other.z)",
-    ),
-    ("fn sub(self, other: Self) -> Self", "self + -other"),
-    ("fn neg(self) -> Self", "-1.0 * self"),
-    (
-        "fn mul(self, v: Vec3) -> Vec3",
-        "Vec3::new(self * v.x, self * v.y, self * v.z)",
-    ),
-    (
-        "fn at(&self, t: f64) -> Point3",
-        "self.origin + t * self.direction",
-    ),
-];
-
-const RENDER_TODO: &str = "ray_color: impl Fn(&Ray) -> Color) -> Picture {
-    todo!()";
-
-const RENDER: &str = "use crate::vec3::Vec3;
-
-    let height = ((f64::from(width) / (16.0 / 9.0)) as u32).max(1);
-    let viewport = 2.0 * (f64::from(width) / f64::from(height));
-    let (u, v) = (Vec3::new(viewport, 0.0, 0.0), Vec3::new(0.0, -2.0, 0.0));
-    let delta_u = (1.0 / f64::from(width)) * u;
-    let delta_v = (1.0 / f64::from(height)) * v;
-    let eye = Vec3::new(0.0, 0.0, 0.0);
-    let corner = eye - Vec3::new(0.0, 0.0, 1.0) - 0.5 * u - 0.5 * v;
-    let first = corner + 0.5 * (delta_u + delta_v);
-    let mut text = format!(\"P3\\n{width} {height}\\n255\\n\");
-    for j in 0..height {
-        for i in 0..width {
-            let pixel = first + f64::from(i) * delta_u + f64::from(j) * delta_v;
-            let color = ray_color(&Ray::new(eye, pixel - eye));
-            for component in [color.x, color.y, color.z] {
-                text += &format!(\"{} \", (255.999 * component) as u8);
-            }
-            text.push('\\n');
-        }
-    }
-    text";

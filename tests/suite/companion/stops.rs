@@ -22,85 +22,22 @@ sh -c 'trap \"\" INT TERM HUP; sleep 600; sleep 600' &
 yes >/dev/null &
 ";
 
-/// How a program is run, and how it is stopped, if it does not stop by itself.
-const STOPS: [(&str, &str, Stop); 13] = [
-    (
-        "its time is over",
-        "rtrace check normals --timeout 0.3 -- sh waits.sh",
-        Stop::Itself,
-    ),
-    (
-        "it ends",
-        "rtrace check normals -- sh draws.sh",
-        Stop::Itself,
-    ),
-    (
-        "it prints too much",
-        "rtrace check normals -- sh floods.sh",
-        Stop::Itself,
-    ),
-    (
-        "it is judged once",
-        "rtrace watch normals --once --timeout 0.3 -- sh waits.sh",
-        Stop::Itself,
-    ),
-    (
-        "it does not answer",
-        "rtrace laws normals --timeout 0.1 -- sh waits.sh",
-        Stop::Itself,
-    ),
-    (
-        "Ctrl-C",
-        "rtrace check normals -- sh waits.sh",
-        Stop::Signal(Signal::INT),
-    ),
-    (
-        "SIGTERM",
-        "rtrace watch normals -- sh waits.sh",
-        Stop::Signal(Signal::TERM),
-    ),
-    (
-        "SIGTERM in a dialogue",
-        "rtrace laws normals -- sh waits.sh",
-        Stop::Signal(Signal::TERM),
-    ),
-    (
-        "SIGHUP",
-        "rtrace check normals -- sh waits.sh",
-        Stop::Signal(Signal::HUP),
-    ),
-    (
-        "SIGKILL",
-        "rtrace watch normals -- sh waits.sh",
-        Stop::Signal(Signal::KILL),
-    ),
-    (
-        "a newer save",
-        "rtrace watch normals -- sh waits.sh",
-        Stop::Saves,
-    ),
-    (
-        "nobody reads",
-        "rtrace watch normals -- sh draws.sh",
-        Stop::Closed,
-    ),
-    (
-        "the terminal is closed",
-        "rtrace watch normals -- sh waits.sh",
-        Stop::Terminal,
-    ),
-];
-
-#[derive(Clone, Copy)]
-enum Stop {
-    Itself,
-    Signal(Signal),
-    /// Three saves, and a signal.
-    Saves,
-    /// The pipe is closed that it prints into.
-    Closed,
-    Terminal,
-}
+/// How a program is stopped, if it does not stop by itself, and how it is run.
+const STOPS: &str = "\
+its time is over         | itself   | check normals --timeout 0.3 -- sh waits.sh
+it ends                  | itself   | check normals -- sh draws.sh
+it prints too much       | itself   | check normals -- sh floods.sh
+it is judged once        | itself   | watch normals --once --timeout 0.3 -- sh waits.sh
+it does not answer       | itself   | laws normals --timeout 0.1 -- sh waits.sh
+Ctrl-C                   | INT      | check normals -- sh waits.sh
+SIGTERM                  | TERM     | watch normals -- sh waits.sh
+SIGTERM in a dialogue    | TERM     | laws normals -- sh waits.sh
+SIGHUP                   | HUP      | check normals -- sh waits.sh
+SIGKILL                  | KILL     | watch normals -- sh waits.sh
+a newer save             | saves    | watch normals -- sh waits.sh
+nobody reads             | closed   | watch normals -- sh draws.sh
+the terminal is closed   | terminal | watch normals -- sh waits.sh
+";
 
 #[test]
 fn nothing_runs_on_and_nothing_is_left() {
@@ -108,15 +45,22 @@ fn nothing_runs_on_and_nothing_is_left() {
         return suite::left_out::left_out("only Linux shows what runs by its environment");
     }
     let left: String = thread::scope(|scope| {
-        let stops = STOPS.map(|stop| scope.spawn(move || left_behind(stop)));
-        let left = stops.map(|it| it.join().expect("it is stopped"));
-        left.into_iter().collect()
+        let stop = |row| scope.spawn(move || left_behind(row));
+        let stops: Vec<_> = STOPS.lines().map(stop).collect();
+        let left = stops
+            .into_iter()
+            .map(|it| it.join().expect("it is stopped"));
+        left.collect()
     });
     assert!(left.is_empty(), "{left}");
 }
 
 /// What is left behind of one stop, in words.
-fn left_behind((name, line, stop): (&str, &str, Stop)) -> String {
+fn left_behind(row: &str) -> String {
+    let cells: Vec<&str> = row.split('|').map(str::trim).collect();
+    let [name, how, line] = cells[..] else {
+        panic!("{row} has other cells");
+    };
     let desk = Desk::default();
     desk.write("tmp/", "");
     desk.write("n.ppm", p3(&normals::picture(64)));
@@ -128,11 +72,11 @@ fn left_behind((name, line, stop): (&str, &str, Stop)) -> String {
     ] {
         desk.write(file, format!("{TREE}touch started\n{then}\n"));
     }
-    let mut command = desk.command(line);
+    let mut command = desk.command(&format!("rtrace {line}"));
     command.env("TMPDIR", desk.path("tmp"));
     // Ours, all of them: the environment says whose they are.
     command.env("STOPPED_BY", desk.path(""));
-    stopped(&desk, &mut command, stop);
+    stopped(&desk, &mut command, how);
     let patience = Instant::now() + Duration::from_secs(5);
     let mut running = marked(&desk);
     while !running.is_empty() && Instant::now() < patience {
@@ -150,9 +94,9 @@ fn left_behind((name, line, stop): (&str, &str, Stop)) -> String {
 }
 
 /// Runs the command until it is stopped, once its program has started.
-fn stopped(desk: &Desk, command: &mut Command, stop: Stop) {
+fn stopped(desk: &Desk, command: &mut Command, how: &str) {
     command.stdin(Stdio::null()).stderr(Stdio::null());
-    if let Stop::Terminal = stop {
+    if how == "terminal" {
         let (controller, end) = terminal::open();
         let mut child = command.stdout(end).spawn().expect("it starts");
         command.stdout(Stdio::null());
@@ -165,18 +109,23 @@ fn stopped(desk: &Desk, command: &mut Command, stop: Stop) {
     wait_for(|| desk.path("started").exists());
     thread::sleep(Duration::from_millis(100));
     let pid = Pid::from_child(&child);
-    match stop {
-        Stop::Itself | Stop::Terminal => {}
-        Stop::Signal(signal) => kill_process(pid, signal).expect("it runs"),
-        Stop::Saves => {
+    let send = |signal| kill_process(pid, signal).expect("it runs");
+    match how {
+        "itself" => {}
+        "closed" => drop(child.stdout.take()),
+        "saves" => {
             for n in 0..3 {
                 fs::remove_file(desk.path("started")).expect("it is there");
                 desk.write("new.py", "#".repeat(n + 1));
                 wait_for(|| desk.path("started").exists());
             }
-            kill_process(pid, Signal::TERM).expect("it runs");
+            send(Signal::TERM);
         }
-        Stop::Closed => drop(child.stdout.take()),
+        "INT" => send(Signal::INT),
+        "TERM" => send(Signal::TERM),
+        "HUP" => send(Signal::HUP),
+        "KILL" => send(Signal::KILL),
+        how => panic!("nothing is stopped by {how}"),
     }
     ended(&mut child);
 }

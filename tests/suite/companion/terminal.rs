@@ -13,7 +13,7 @@ use rustix::fs::{Mode, OFlags};
 use rustix::io::{FdFlags, fcntl_setfd};
 use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
 use rustix::termios::{Winsize, tcsetwinsize};
-use suite::command::{assert_success, path_of, program, program_with, text};
+use suite::command::{assert_success, path_of, program, text};
 
 /// A terminal of 80 columns and 24 lines: what it shows can be read from the first end,
 /// and a program writes to the second.
@@ -94,7 +94,7 @@ pub(crate) fn hears_signals(program: PathBuf) -> Command {
 
 #[test]
 fn at_a_terminal_a_chapter_says_where_to_send_the_picture() {
-    let (output, screen) = run_in_terminal(&mut program("normals"));
+    let (output, screen) = run_in_terminal(&mut program("normals", &[]));
     assert_eq!(output.status.code(), Some(2));
     assert_eq!(screen, "", "no number reaches the terminal");
     let said = text(&output.stderr);
@@ -137,7 +137,7 @@ fn a_large_picture_is_reduced_to_fit_the_terminal() {
 #[test]
 fn nothing_is_colored_where_colors_are_not_wanted() {
     let wrong = || {
-        let mut check = program_with("rtrace", &["check", "normals", "--"]);
+        let mut check = program("rtrace", &["check", "normals", "--"]);
         check.arg(path_of("gradient")).args(["--width", "16", "-"]);
         check
     };
@@ -157,7 +157,7 @@ fn nothing_is_colored_where_colors_are_not_wanted() {
 }
 
 fn show(chapter: &str) -> Command {
-    program_with("rtrace", &["show", chapter])
+    program("rtrace", &["show", chapter])
 }
 
 /// Runs `command` to its end. Returns what it did, and what appeared on its terminal.

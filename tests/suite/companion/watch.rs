@@ -14,6 +14,7 @@ use suite::desk::Desk;
 use suite::drawn::shown_in;
 use suite::left_out::left_out;
 use suite::mine::Mine;
+use suite::typing::typings;
 
 /// Chapter 3 in a terminal, as the introduction shows it.
 #[test]
@@ -28,39 +29,27 @@ fn chapter_3_is_typed_step_by_step_with_three_mistakes() {
     let mut watch = Watched::start(&mine.rtrace(&["watch", "normals"]));
     watch.see("Not written yet");
 
-    mine.edit("normals", RAY_COLOR_TODO, RED_DISC);
+    let mut typed = typings(include_str!("programs/chapter_3.txt")).into_iter();
+    let mut type_next = || mine.make_changes("normals", &typed.next().expect("the next"));
+    type_next();
     watch.see("src/lib.rs:");
-    // The first mistake: a bracket too few. The compiler says so itself.
-    let bracket_lost = FULL.replace("(2.0 * a)", "(2.0 * a");
-    mine.edit(
-        "normals",
-        HIT_SPHERE_TODO,
-        &HIT_SPHERE_TODO.replace("todo!()", &bracket_lost),
-    );
+    type_next();
     let screen = watch.see("It does not compile");
     assert!(plain(&screen).contains("src/lib.rs"), "{screen}");
-    mine.edit("normals", "(2.0 * a", "(2.0 * a)");
+    type_next();
     keep("step", &watch.see("Step 1 of 3 is right."));
-
-    mine.edit("normals", RED_BODY, GRAY_BODY);
+    type_next();
     keep("gray", &watch.see("Step 2 of 3 is right."));
-
-    // The second: the normal points inwards.
-    mine.edit(
-        "normals",
-        GRAY_BODY,
-        &NORMAL_BODY.replace("ray.at(t) - center", "center - ray.at(t)"),
-    );
+    type_next();
     keep("wrong", &watch.see("Wrong:"));
-    mine.edit("normals", "center - ray.at(t)", "ray.at(t) - center");
+    type_next();
     watch.see("The laws hold.");
-
-    // The third: the sign of b.
-    mine.edit("normals", "let b = -2.0", "let b = 2.0");
+    type_next();
     let screen = plain(&watch.see("Wrong:"));
     assert!(screen.contains("should be  let b = -2.0"), "{screen}");
-    mine.edit("normals", "let b = 2.0", "let b = -2.0");
+    type_next();
     keep("right", &watch.see("The laws hold."));
+    assert!(typed.next().is_none());
 
     for screen in watch.screens() {
         let lines: Vec<usize> = plain(&screen)
@@ -95,7 +84,7 @@ fn a_program_in_any_language_is_watched_with_its_folder() {
         return left_out("there is no Python here to watch a program of");
     }
     let here = Desk::default();
-    here.write("gradient.py", GRADIENT_PY);
+    here.write("gradient.py", include_str!("programs/gradient.py"));
     let line = "rtrace watch gradient --timeout 60 -- python3 gradient.py";
     let mut watch = Watched::start(&here.command(line));
     watch.see("Right: all 64 × 36 pixels");
@@ -282,58 +271,3 @@ fn plain(screen: &str) -> String {
         text + &piece[end.map_or(0, |end| end + 1)..]
     })
 }
-
-const RAY_COLOR_TODO: &str = "pub fn ray_color(ray: &Ray) -> Color {
-    todo!()";
-
-const RED_DISC: &str = "pub fn ray_color(ray: &Ray) -> Color {
-    let center = Point3::new(0.0, 0.0, -1.0);
-    if let Some(t) = hit_sphere(center, 0.5, ray)
-        && t > 0.0
-    {
-        return Color::new(1.0, 0.0, 0.0);
-    }
-    sky(ray)";
-
-const RED_BODY: &str = "    {
-        return Color::new(1.0, 0.0, 0.0);";
-
-const GRAY_BODY: &str = "    {
-        return t * Vec3::ONE;";
-
-const NORMAL_BODY: &str = "    {
-        let normal = (ray.at(t) - center).normalize();
-        return 0.5 * (normal + Vec3::ONE);";
-
-const FULL: &str = "let oc = center - ray.origin;
-    let a = ray.direction.dot(ray.direction);
-    let b = -2.0 * ray.direction.dot(oc);
-    let c = oc.dot(oc) - radius * radius;
-    let discriminant = b * b - 4.0 * a * c;
-    if discriminant < 0.0 {
-        return None;
-    }
-    Some((-b - discriminant.sqrt()) / (2.0 * a))";
-
-const HIT_SPHERE_TODO: &str = "-> Option<f64> {
-    todo!()";
-
-/// Chapter 1, as somebody types it who likes Python.
-const GRADIENT_PY: &str = r#"import math
-
-width, height = 64, 36
-viewport = 2.0 * (width / height)
-du, dv = viewport * (1.0 / width), -2.0 * (1.0 / height)
-x0 = -0.5 * viewport + 0.5 * du
-y0 = 0.5 * 2.0 + 0.5 * dv
-print("P3", width, height, 255)
-for j in range(height):
-    for i in range(width):
-        x, y, z = x0 + i * du, y0 + j * dv, -1.0
-        y = y * (1.0 / math.sqrt(x * x + y * y + z * z))
-        a = 0.5 * (y + 1.0)
-        red = (1 - a) * 1 + a * 0.5
-        green = (1 - a) * 1 + a * 0.7
-        blue = (1 - a) * 1 + a * 1
-        print(int(255.999 * red), int(255.999 * green), int(255.999 * blue))
-"#;

@@ -5,148 +5,69 @@ use std::fmt::Write;
 
 use common::rtweekend::*;
 use hittable_list::{Hittable, Sphere};
-use laws::Case;
+use laws::{Case, WithInterval};
 use speed_vs_accuracy::find;
 
-const NAN: f64 = f64::NAN;
-const INF: f64 = f64::INFINITY;
+/// Each row in the words of the page, and what it changes in the ball of chapter 3 and its ray
+/// straight ahead, whose roots are ½ and 1½: the origin `o`, the direction `d`, the center `c`, the
+/// radius `r`, and the ends `from` and `to` of the range. All
+/// changes of one row are answered alike.
+const ROWS: &str = "\
+straight ahead, for comparison |
+$r = 0$, the line through the center | r 0
+$r = 0$, a line beside it | r 0, o.y 1
+$r = 0$, from the center | r 0, c.z 0
+$r$ is subnormal, 2⁻¹⁰⁶⁰ | r 8.095e-320
+$r = -½$ | r -0.5
+$r$ is NaN | r NaN
+$r = ∞$ | r inf
+the direction is 0 | d.z 0
+the direction is subnormal, 2⁻¹⁰⁶⁰ long | d.z -8.095e-320
+the direction is 10⁻¹⁷⁰ long | d.z -1e-170
+the direction is 10²⁰⁰ long | d.z -1e200
+from the surface, outwards; $t_{min} = -0$, too | c.z 0, r 1, o.x 1, d.x 1, d.z 0 | c.z 0, r 1, o.x 1, d.x 1, d.z 0, from -0
+from the surface, inwards | c.z 0, r 1, o.x 1, d.x -1, d.z 0
+from the center | c.z 0, r 1
+from inside | c.z 0, r 1, o.z 0.5
+away from the sphere | d.z 1
+a tangent | c.z 0, r 1, o.x 1, o.z 2
+a tangent from its point of contact | c.z 0, r 1, o.x 1
+$t_{min}$ is the nearer root | from 0.5
+$t_{max}$ is the nearer root | to 0.5
+$t_{max}$ is between the roots | to 1
+$t_{max}$ is before the wall, from inside | c.z 0, r 1, o.z 0.5, to 1
+$t_{min} = -∞$, the sphere is behind | d.z 1, from -inf
+no number is between the ends, but the root is | c.z -2, r 0.9999999999999999, from 1, to 1.0000000000000002
+an end is NaN, or $t_{min} > t_{max}$ | from NaN | to NaN | from 1, to 0
+origin, direction or center is not finite | o.x NaN | o.z inf | d.x NaN | d.z -inf | c.x NaN | c.z -inf
+$h^2$ overflows, $a$ and $c$ do not | c.z -1e100, r 5e99, d.z -1e100
+$h^2$ overflows, from inside, $t_{min} = -1$ | c.z 0, r 1, o.x 0.25, d.x -1e160, d.z 0, from -1
+$c$ overflows | c.z -1e160, r 5e159
+$c$ underflows | c.z -1e-170, r 5e-171
+";
 
-/// What is asked in a row: the ball of chapter 3 and its ray straight ahead, whose roots are ½
-/// and 1½, but for what the row changes.
-struct Asked {
-    case: Case,
-    t_min: f64,
-    t_max: f64,
+/// What a row asks.
+fn asked(changes: &str) -> WithInterval {
+    let mut case = Case::new(Vec3::NEG_Z, 0.5, Ray::new(Point3::ZERO, Vec3::NEG_Z));
+    let [mut t_min, mut t_max] = [0.0, f64::INFINITY];
+    for change in changes.split(", ").filter(|it| !it.is_empty()) {
+        let (what, number) = change.split_once(' ').expect("a number");
+        *match what {
+            "o.x" => &mut case.ray.origin.x,
+            "o.y" => &mut case.ray.origin.y,
+            "o.z" => &mut case.ray.origin.z,
+            "d.x" => &mut case.ray.direction.x,
+            "d.z" => &mut case.ray.direction.z,
+            "c.x" => &mut case.center.x,
+            "c.z" => &mut case.center.z,
+            "r" => &mut case.radius,
+            "from" => &mut t_min,
+            "to" => &mut t_max,
+            what => panic!("nothing is called {what}"),
+        } = number.parse().expect("a number");
+    }
+    WithInterval { case, t_min, t_max }
 }
-
-impl Asked {
-    /// The question of the first row, changed.
-    fn but_for(change: fn(&mut Self)) -> Self {
-        let case = Case::new(Vec3::NEG_Z, 0.5, Ray::new(Point3::ZERO, Vec3::NEG_Z));
-        let (t_min, t_max) = (0.0, INF);
-        let mut asked = Self { case, t_min, t_max };
-        change(&mut asked);
-        asked
-    }
-
-    /// The ball of radius 1 around 0, by a ray from there in that direction.
-    fn unit_ball(&mut self, from: [f64; 3], direction: [f64; 3]) {
-        let ray = Ray::new(from.into(), direction.into());
-        self.case = Case::new(Point3::ZERO, 1.0, ray);
-    }
-
-    /// A sphere straight ahead, twice its radius away.
-    fn ahead(&mut self, away: f64) {
-        (self.case.center.z, self.case.radius) = (-away, away / 2.0);
-    }
-}
-
-type Row = (&'static str, fn(&mut Asked));
-
-/// Each row in the words of the page, and a change that it tells of. All changes of one row are
-/// answered alike.
-const ROWS: &[Row] = &[
-    ("straight ahead, for comparison", |_| {}),
-    ("$r = 0$, the line through the center", |it| {
-        it.case.radius = 0.0;
-    }),
-    ("$r = 0$, a line beside it", |it| {
-        it.case.radius = 0.0;
-        it.case.ray.origin.y = 1.0;
-    }),
-    ("$r = 0$, from the center", |it| {
-        (it.case.radius, it.case.center.z) = (0.0, 0.0);
-    }),
-    ("$r$ is subnormal, 2⁻¹⁰⁶⁰", |it| {
-        it.case.radius = 8.095e-320;
-    }),
-    ("$r = -½$", |it| it.case.radius = -0.5),
-    ("$r$ is NaN", |it| it.case.radius = NAN),
-    ("$r = ∞$", |it| it.case.radius = INF),
-    ("the direction is 0", |it| {
-        it.case.ray.direction = Vec3::ZERO;
-    }),
-    ("the direction is subnormal, 2⁻¹⁰⁶⁰ long", |it| {
-        it.case.ray.direction.z = -8.095e-320;
-    }),
-    ("the direction is 10⁻¹⁷⁰ long", |it| {
-        it.case.ray.direction.z = -1e-170;
-    }),
-    ("the direction is 10²⁰⁰ long", |it| {
-        it.case.ray.direction.z = -1e200;
-    }),
-    ("from the surface, outwards; $t_{min} = -0$, too", |it| {
-        it.unit_ball([1.0, 0.0, 0.0], [1.0, 0.0, 0.0]);
-    }),
-    ("from the surface, outwards; $t_{min} = -0$, too", |it| {
-        it.unit_ball([1.0, 0.0, 0.0], [1.0, 0.0, 0.0]);
-        it.t_min = -0.0;
-    }),
-    ("from the surface, inwards", |it| {
-        it.unit_ball([1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]);
-    }),
-    ("from the center", |it| {
-        it.unit_ball([0.0; 3], [0.0, 0.0, -1.0]);
-    }),
-    ("from inside", |it| {
-        it.unit_ball([0.0, 0.0, 0.5], [0.0, 0.0, -1.0]);
-    }),
-    ("away from the sphere", |it| it.case.ray.direction.z = 1.0),
-    ("a tangent", |it| {
-        it.unit_ball([1.0, 0.0, 2.0], [0.0, 0.0, -1.0]);
-    }),
-    ("a tangent from its point of contact", |it| {
-        it.unit_ball([1.0, 0.0, 0.0], [0.0, 0.0, -1.0]);
-    }),
-    ("$t_{min}$ is the nearer root", |it| it.t_min = 0.5),
-    ("$t_{max}$ is the nearer root", |it| it.t_max = 0.5),
-    ("$t_{max}$ is between the roots", |it| it.t_max = 1.0),
-    ("$t_{max}$ is before the wall, from inside", |it| {
-        it.unit_ball([0.0, 0.0, 0.5], [0.0, 0.0, -1.0]);
-        it.t_max = 1.0;
-    }),
-    ("$t_{min} = -∞$, the sphere is behind", |it| {
-        it.case.ray.direction.z = 1.0;
-        it.t_min = -INF;
-    }),
-    ("no number is between the ends, but the root is", |it| {
-        (it.case.center.z, it.case.radius) = (-2.0, 1.0_f64.next_down());
-        (it.t_min, it.t_max) = (1.0, 1.0_f64.next_up());
-    }),
-    ("an end is NaN, or $t_{min} > t_{max}$", |it| it.t_min = NAN),
-    ("an end is NaN, or $t_{min} > t_{max}$", |it| it.t_max = NAN),
-    ("an end is NaN, or $t_{min} > t_{max}$", |it| {
-        (it.t_min, it.t_max) = (1.0, 0.0);
-    }),
-    ("origin, direction or center is not finite", |it| {
-        it.case.ray.origin.x = NAN
-    }),
-    ("origin, direction or center is not finite", |it| {
-        it.case.ray.origin.z = INF
-    }),
-    ("origin, direction or center is not finite", |it| {
-        it.case.ray.direction.x = NAN
-    }),
-    ("origin, direction or center is not finite", |it| {
-        it.case.ray.direction.z = -INF;
-    }),
-    ("origin, direction or center is not finite", |it| {
-        it.case.center.x = NAN
-    }),
-    ("origin, direction or center is not finite", |it| {
-        it.case.center.z = -INF
-    }),
-    ("$h^2$ overflows, $a$ and $c$ do not", |it| {
-        it.ahead(1e100);
-        it.case.ray.direction.z = -1e100;
-    }),
-    ("$h^2$ overflows, from inside, $t_{min} = -1$", |it| {
-        it.unit_ball([0.25, 0.0, 0.0], [-1e160, 0.0, 0.0]);
-        it.t_min = -1.0;
-    }),
-    ("$c$ overflows", |it| it.ahead(1e160)),
-    ("$c$ underflows", |it| it.ahead(1e-170)),
-];
 
 #[test]
 fn each_cell_of_the_table_on_the_page_is_what_the_function_answers() {
@@ -156,18 +77,14 @@ fn each_cell_of_the_table_on_the_page_is_what_the_function_answers() {
     let head = lines.next().expect("the page has the table");
     let columns: Vec<Vec<&str>> = cells(head).skip(1).map(names).collect();
     let mut expected = String::new();
-    let rows = || ROWS.chunk_by(|(one, _), (other, _)| one == other);
-    for row in rows() {
-        let name = row[0].0;
-        let asked: Vec<Asked> = row
-            .iter()
-            .map(|(_, change)| Asked::but_for(*change))
-            .collect();
+    for row in ROWS.lines() {
+        let mut row = row.split('|').map(str::trim);
+        let name = row.next().expect("a name");
+        let all_asked: Vec<WithInterval> = row.map(asked).collect();
         let _ = write!(expected, "| {name} |");
         for column in &columns {
-            let mut answers = asked
-                .iter()
-                .flat_map(|it| column.iter().map(move |function| answer(function, it)));
+            let answers = |asked| column.iter().map(move |function| answer(function, asked));
+            let mut answers = all_asked.iter().flat_map(answers);
             let first = answers.next().expect("a column has a name");
             assert!(
                 answers.all(|other| other == first),
@@ -179,7 +96,7 @@ fn each_cell_of_the_table_on_the_page_is_what_the_function_answers() {
     }
     let found: String = lines
         .skip(1)
-        .take(rows().count())
+        .take(ROWS.lines().count())
         .map(|line| format!("{line}\n"))
         .collect();
     assert!(found == expected, "the table should be\n{expected}");
@@ -195,8 +112,8 @@ fn names(head: &str) -> Vec<&str> {
 }
 
 /// `t`, or what else is answered.
-fn answer(function: &str, asked: &Asked) -> String {
-    let Asked { case, t_min, t_max } = *asked;
+fn answer(function: &str, asked: &WithInterval) -> String {
+    let WithInterval { case, t_min, t_max } = *asked;
     let Case {
         center,
         radius,
