@@ -7,7 +7,7 @@ use check::scene::Scene;
 use check::sources::Sources;
 use check::verdict::{Check, check_knowing};
 use common::rtweekend::*;
-use slips::{Chapter, Edit, Edition, Letters};
+use slips::{Chapter, Edit, Edition, Letters, Program};
 
 const PROGRAM: &str = "\
 upper_left = camera_center - Vec3(0, 0, focal_length) - viewport_u / 2 - viewport_v / 2
@@ -68,10 +68,11 @@ fn a_readers_line_is_named_if_the_chapter_with_it_draws_the_readers_picture() {
 
 #[test]
 fn a_readers_line_of_the_camera_is_named() {
+    let right = Program::right(Chapter::HalfBSphere);
     let mut camera = Camera::new(100);
     camera.pixel00 -= 0.1 * (camera.pixel_delta_u + camera.pixel_delta_v);
     let picture = Picture::paint(camera.image_width, camera.image_height, move |i, j| {
-        half_b_sphere::ray_color(&camera.ray(i, j))
+        right.ray_color(&camera.ray(i, j))
     });
     is_named_alone(
         &png::encode(&picture),
@@ -168,7 +169,7 @@ fn a_right_program_gets_no_remark() {
     let chosen = "h = int(image_width / aspect)\nimage_height = 1 if h < 1 else h\n";
     for text in [later, at_once, chosen] {
         let known = in_python(&(text.to_owned() + PROGRAM));
-        let picture = png::encode(&half_b_sphere::picture(100));
+        let picture = png::encode(&Chapter::HalfBSphere.picture(100));
         let check = check_knowing(&scene(Chapter::HalfBSphere), &picture, 0, &known);
         assert!(matches!(check, Check::Right(_)), "{text}");
     }

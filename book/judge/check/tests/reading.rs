@@ -3,10 +3,11 @@
 use check::png;
 use check::reading::{Cause, Reading, read};
 use common::rtweekend::*;
+use slips::Chapter;
 
 #[test]
 fn text_bytes_and_png_of_a_picture_are_read_as_the_same_picture() {
-    let picture = hittable_list::picture(40);
+    let picture = Chapter::HittableList.picture(40);
     let expected = Reading::of(&picture);
     assert_eq!(read(&p3(&picture)), Ok(expected.clone()));
     assert_eq!(read(&p6(&picture)), Ok(expected.clone()));
@@ -53,7 +54,7 @@ fn a_comment_behind_a_number_ends_it() {
 
 #[test]
 fn bytes_that_were_taken_for_text_are_told_from_a_file_cut_off() {
-    let picture = build_test::picture(256);
+    let picture = Chapter::BuildTest.picture(256);
     let bytes = p6(&picture);
     let header = bytes.len() - picture.rgb().len();
     let with_crlf = |bytes: &[u8]| {
@@ -171,7 +172,7 @@ fn text_that_a_shell_has_put_into_another_encoding_is_read() {
 #[test]
 fn every_other_cause_has_its_name() {
     let long_text = b"P3\n2 2\n255\n1 1 1\n1 1 1\n1 1 1\n1 1 1\n";
-    let swollen_png: Vec<u8> = png::encode(&gradient::picture(16))
+    let swollen_png: Vec<u8> = png::encode(&Chapter::Gradient.picture(16))
         .into_iter()
         .flat_map(|byte| {
             if byte == b'\n' {
@@ -254,7 +255,7 @@ fn every_other_cause_has_its_name() {
 
 #[test]
 fn a_png_that_ends_too_early_or_is_broken_is_refused() {
-    let png = png::encode(&hittable_list::picture(40));
+    let png = png::encode(&Chapter::HittableList.picture(40));
     for length in [8, 20, 33, 40, png.len() / 2, png.len() - 13] {
         assert_eq!(
             cause(&png[..length]),
@@ -270,7 +271,7 @@ fn a_png_that_ends_too_early_or_is_broken_is_refused() {
 
 #[test]
 fn a_png_that_promises_too_much_is_refused_before_memory_is_taken() {
-    let mut png = png::encode(&gradient::picture(16));
+    let mut png = png::encode(&Chapter::Gradient.picture(16));
     // Width and height, and the sum over the header that vouches for them.
     png[16..24].copy_from_slice(&[0x7f, 0xff, 0xff, 0xff, 0x7f, 0xff, 0xff, 0xff]);
     let sum = crc(&png[12..29]);

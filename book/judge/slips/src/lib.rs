@@ -12,7 +12,7 @@
 //! let chapter = Chapter::find("half_b_sphere").unwrap();
 //! let slip = slips::find("minus-h").unwrap();
 //! // The sign slip loses the sphere, and only the sky is left:
-//! assert_eq!(slip.program(chapter).run(64).picture(), gradient::picture(64));
+//! assert_eq!(slip.program(chapter).run(64).picture(), Chapter::Gradient.picture(64));
 //!
 //! // Behind the camera it finds a sphere where nothing should be:
 //! let probe = slips::find_probe("behind").unwrap();
