@@ -76,18 +76,7 @@ fn assert_lawful(chapter: Chapter, attempt: impl Fn(&Trial) -> Outcome) {
 
 /// Every later chapter stands on these small functions, and every picture on the camera.
 pub(crate) fn rays_are_lawful(trial: &Trial) -> Outcome {
-    trial.prelude(&Prelude {
-        mul: &|t, v| t * v,
-        add: &|u, v| u + v,
-        neg: &|v| -v,
-        sub: &|u, v| u - v,
-        dot: &|u, v| u.dot(v),
-        length_squared: &|v| v.length_squared(),
-        length: &|v| v.length(),
-        normalize: &|v| v.normalize(),
-        ray: &|origin, direction| Ray::new(origin, direction),
-        at: &|ray, t| ray.at(t),
-    })?;
+    trial.prelude(&Prelude::right())?;
     trial.pixel_ray(&|pixel: &Pixel| Camera::new(pixel.width).ray(pixel.i, pixel.j))
 }
 

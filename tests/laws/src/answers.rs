@@ -18,15 +18,15 @@ use crate::verdict::{Broken, Complaint, Outcome, Report};
 /// The environment variable that names the file.
 pub const ANSWERS: &str = "LAWS_ANSWERS";
 
-/// What functions answered.
+/// Questions that functions were asked, with their answers.
 #[derive(Clone, Debug, Default)]
 pub struct Answers {
-    /// Questions and answers, in their order.
+    /// Each question with its answer, in the order in which they were asked.
     pub given: Vec<(Question, Vec<f64>)>,
 }
 
 impl Answers {
-    /// Asks a program.
+    /// Asks a program all `questions`.
     pub fn of(program: &dyn Functions, questions: Vec<Question>) -> Self {
         let questions = questions.into_iter();
         let answered = questions.map(|question| {
@@ -53,12 +53,12 @@ impl Answers {
     }
 }
 
-/// What a file of answers tells.
+/// The content of a file of answers.
 #[derive(Debug, Default)]
 pub struct Told {
     /// All answers.
     pub answers: Answers,
-    /// What came of each function, by its name.
+    /// The verdict on each function, by its name.
     pub outcomes: Vec<(String, Outcome)>,
 }
 
@@ -67,27 +67,25 @@ impl Told {
     pub fn read(text: &str) -> Self {
         let mut told = Self::default();
         for line in text.lines() {
-            let Ok(line) = line.parse::<JsonValue>() else {
+            let Ok(JsonValue::Object(line)) = line.parse() else {
                 break;
             };
-            if let Some(given) = answer(&line) {
-                told.answers.given.push(given);
-            } else if let Some((of, mut outcome)) = verdict(&line) {
-                if let Err(Complaint::Broken(report)) = &mut outcome {
-                    let before = told.answers.given.iter().cloned();
-                    report.answers.given.splice(0..0, before);
-                }
-                told.outcomes.push((of, outcome));
+            if let Some(of) = text_of(&line, "of") {
+                let outcome = outcome(&line, &told.answers);
+                told.outcomes.extend(outcome.map(|outcome| (of, outcome)));
+            } else {
+                told.answers.given.extend(answer(&line));
             }
         }
         told
     }
 }
 
-/// What is written to the file.
+/// A line of the file. The smallest case that breaks a law is the last answer before the
+/// verdict.
 pub(crate) enum Line<'a> {
     Answer(&'a Question, &'a [f64]),
-    /// What came of the function of that name.
+    /// The verdict on the function of that name.
     Verdict(&'static str, &'a Outcome),
 }
 
@@ -97,113 +95,92 @@ impl Line<'_> {
     /// # Panics
     /// If that can't be written.
     pub(crate) fn keep(&self, file: &Path) {
-        let line = self.text() + "\n";
+        let line = self.as_json() + "\n";
         let opened = OpenOptions::new().create(true).append(true).open(file);
         opened
             .and_then(|mut opened| opened.write_all(line.as_bytes()))
             .unwrap_or_else(|cause| panic!("{}: {cause}", file.display()));
     }
 
-    fn text(&self) -> String {
-        let mut fields = match self {
-            Self::Answer(question, answer) => asked(question, answer).to_vec(),
-            Self::Verdict(of, outcome) => {
-                let mut fields = vec![("of", JsonValue::from((*of).to_owned()))];
-                match outcome {
-                    Ok(()) => {}
-                    Err(Complaint::NotWritten(place)) => {
-                        fields.push(("not_written", place.clone().into()));
-                    }
-                    Err(Complaint::Broken(report)) => fields.extend(broken(report)),
-                }
-                fields
-            }
+    fn as_json(&self) -> String {
+        let text = |it: &str| JsonValue::from(it.to_owned());
+        let numbers = |all: &[f64]| {
+            let all = all.iter().map(|number| text(&format!("{number:?}")));
+            JsonValue::from(all.collect::<Vec<_>>())
         };
-        let fields = fields.drain(..).map(|(name, it)| (name.to_owned(), it));
+        let mut fields = match self {
+            Self::Answer(question, answer) => vec![
+                ("kind", text(question.kind())),
+                ("question", numbers(&question.numbers())),
+                ("answer", numbers(answer)),
+            ],
+            Self::Verdict(of, _) => vec![("of", text(of))],
+        };
+        match self {
+            Self::Answer(..) | Self::Verdict(_, Ok(())) => {}
+            Self::Verdict(_, Err(Complaint::NotWritten(place))) => {
+                fields.push(("not_written", text(place)));
+            }
+            Self::Verdict(_, Err(Complaint::Broken(report))) => {
+                let Report { broken, test, .. } = &**report;
+                let parts = [
+                    &broken.law,
+                    &*broken.found,
+                    &broken.allowed,
+                    &broken.read,
+                    test,
+                ];
+                fields.extend(PARTS.into_iter().zip(parts.map(text)));
+            }
+        }
+        let fields = fields.into_iter().map(|(name, it)| (name.to_owned(), it));
         let object = JsonValue::Object(fields.collect());
         object.stringify().expect("no text here is a number")
     }
 }
 
-fn asked(question: &Question, answer: &[f64]) -> [(&'static str, JsonValue); 3] {
-    let numbers =
-        |all: &[f64]| -> Vec<JsonValue> { all.iter().map(|it| format!("{it:?}").into()).collect() };
-    [
-        ("kind", question.kind().to_owned().into()),
-        ("question", numbers(&question.numbers()).into()),
-        ("answer", numbers(answer).into()),
-    ]
+/// The parts of a report.
+const PARTS: [&str; 5] = ["law", "found", "allowed", "read", "test"];
+
+type Fields = HashMap<String, JsonValue>;
+
+fn text_of(line: &Fields, name: &str) -> Option<String> {
+    line.get(name)?.get::<String>().cloned()
 }
 
-fn broken(report: &Report) -> Vec<(&'static str, JsonValue)> {
-    let Broken {
-        law,
-        found,
-        allowed,
-        read,
-    } = report.broken.clone();
-    let mut fields = vec![
-        ("law", law.into_owned().into()),
-        ("found", found.into()),
-        ("allowed", allowed.into()),
-        ("read", read.into_owned().into()),
-        ("test", report.test.clone().into()),
-    ];
-    let smallest = report.answers.given.last();
-    fields.extend(
-        smallest
-            .iter()
-            .flat_map(|(question, answer)| asked(question, answer)),
-    );
-    fields
-}
-
-fn field<'a>(line: &'a JsonValue, name: &str) -> Option<&'a JsonValue> {
-    line.get::<HashMap<String, JsonValue>>()?.get(name)
-}
-
-fn text(line: &JsonValue, name: &str) -> Option<String> {
-    field(line, name)?.get::<String>().cloned()
-}
-
-fn numbers(line: &JsonValue, name: &str) -> Option<Vec<f64>> {
-    let numbers: &Vec<JsonValue> = field(line, name)?.get()?;
-    let number = |it: &JsonValue| it.get::<String>()?.parse().ok();
-    numbers.iter().map(number).collect()
-}
-
-fn question(line: &JsonValue) -> Option<(Question, Vec<f64>)> {
-    let question = Question::read(&text(line, "kind")?, &numbers(line, "question")?)?;
-    Some((question, numbers(line, "answer")?))
-}
-
-/// Reads an answer, if the line is about no verdict.
-fn answer(line: &JsonValue) -> Option<(Question, Vec<f64>)> {
-    text(line, "of").is_none().then(|| question(line)).flatten()
-}
-
-fn verdict(line: &JsonValue) -> Option<(String, Outcome)> {
-    let of = text(line, "of")?;
-    if let Some(place) = text(line, "not_written") {
-        return Some((of, Err(Complaint::NotWritten(place))));
-    }
-    let Some(law) = text(line, "law") else {
-        return Some((of, Ok(())));
+fn answer(line: &Fields) -> Option<(Question, Vec<f64>)> {
+    let numbers = |name: &str| -> Option<Vec<f64>> {
+        let numbers: &Vec<JsonValue> = line.get(name)?.get()?;
+        let number = |it: &JsonValue| it.get::<String>()?.parse().ok();
+        numbers.iter().map(number).collect()
     };
+    let question = Question::read(&text_of(line, "kind")?, &numbers("question")?)?;
+    Some((question, numbers("answer")?))
+}
+
+/// Reads a verdict. What was answered before it is what it rests on.
+fn outcome(line: &Fields, before: &Answers) -> Option<Outcome> {
+    if let Some(place) = text_of(line, "not_written") {
+        return Some(Err(Complaint::NotWritten(place)));
+    }
+    if !line.contains_key("law") {
+        return Some(Ok(()));
+    }
+    let parts: Vec<String> = PARTS.iter().filter_map(|it| text_of(line, it)).collect();
+    let [law, found, allowed, read, test] = parts.try_into().ok()?;
+    let (law, read) = (law.into(), read.into());
     let report = Report {
         broken: Broken {
-            law: law.into(),
-            found: text(line, "found")?,
-            allowed: text(line, "allowed")?,
-            read: text(line, "read")?.into(),
+            law,
+            found,
+            allowed,
+            read,
         },
-        answers: Answers {
-            given: question(line).into_iter().collect(),
-        },
+        answers: before.clone(),
         same_as: Vec::new(),
-        test: text(line, "test")?,
+        test,
     };
-    Some((of, Err(Complaint::Broken(Box::new(report)))))
+    Some(Err(Complaint::Broken(Box::new(report))))
 }
 
 #[cfg(test)]
@@ -235,30 +212,22 @@ mod tests {
         let Err(Complaint::Broken(report)) = outcome else {
             panic!("t is not finite");
         };
-        let told = Told::read(&text);
-        let [
-            (ray_color, Ok(())),
-            (hit_sphere, Err(Complaint::Broken(read))),
-        ] = &told.outcomes[..]
-        else {
-            panic!("{:?}", told.outcomes);
+        let Told {
+            mut answers,
+            outcomes,
+        } = Told::read(&text);
+        let [(sky, Ok(())), (hit, Err(Complaint::Broken(read)))] = &outcomes[..] else {
+            panic!("{outcomes:?}");
         };
-        assert_eq!((&**ray_color, &**hit_sphere), ("ray_color", "hit_sphere"));
+        assert_eq!([&**sky, hit], ["ray_color", "hit_sphere"]);
         assert_eq!((&read.broken, &read.test), (&report.broken, &report.test));
-        // The smallest case stands behind all that was answered.
-        let all = told.answers.given.iter().chain(read.answers.given.last());
         // A NaN has many bits.
-        let said = |(question, answer): &(Question, Vec<f64>)| {
-            format!("{} {:?} {answer:?}", question.kind(), question.numbers())
-        };
-        let read: Vec<_> = read.answers.given.iter().map(said).collect();
-        assert_eq!(all.map(said).collect::<Vec<_>>(), read);
-        let given = report.answers.given.iter().map(said);
-        assert!(
-            given.eq(read[read.len() - report.answers.given.len()..]
-                .iter()
-                .cloned())
-        );
+        let said = |answers: &Answers| format!("{:?}", answers.given);
+        assert_eq!(said(&read.answers), said(&answers));
+        let own = answers
+            .given
+            .split_off(answers.given.len() - report.answers.given.len());
+        assert_eq!(format!("{own:?}"), said(&report.answers));
         // A program may end before it has written a line.
         let (whole, _) = text.split_at(text.len() / 2);
         let answers = Told::read(whole).answers.given;

@@ -16,7 +16,10 @@ pub struct Pixel {
     pub j: u32,
 }
 
-/// The ray of a pixel starts at the eye and meets the viewport in the pixel's center.
+/// Tests that the ray of a pixel starts at the eye and meets the viewport in the pixel's center.
+///
+/// # Errors
+/// If it does not, but for roundings.
 pub fn the_ray_of_a_pixel_goes_through_its_center(ray: &Ray, pixel: &Pixel) -> Verdict {
     let right = pixel.right_ray();
     if same(&of_ray(*ray), &of_ray(right)) {
@@ -31,8 +34,8 @@ pub fn the_ray_of_a_pixel_goes_through_its_center(ray: &Ray, pixel: &Pixel) -> V
 }
 
 impl Pixel {
-    /// The ray from the origin to the center of the pixel, in a viewport that is 2 high and as wide
-    /// as the picture has it.
+    /// Returns the ray from the origin to the center of the pixel, in a viewport that is 2 high and
+    /// as wide as the picture has it.
     pub fn right_ray(&self) -> Ray {
         let [width, i, j] = [self.width, self.i, self.j].map(f64::from);
         let height = f64::from(((width / (16.0 / 9.0)) as u32).max(1));
@@ -41,7 +44,7 @@ impl Pixel {
         Ray::new(Point3::ZERO, center)
     }
 
-    /// The body of a test that asks this.
+    /// Writes the body of a test that asks this.
     pub(crate) fn as_test(&self) -> String {
         let Self { width, i, j } = self;
         let center = vector(self.right_ray().direction);

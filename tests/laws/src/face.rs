@@ -7,21 +7,24 @@ use crate::verdict::{Broken, Verdict};
 
 pub use common::rtweekend::Vec3;
 
-/// What a record knows of the side on which it is hit.
+/// The side of a surface on which a ray meets it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Face {
     /// The normal, which should point against the ray.
     pub normal: Vec3,
-    /// Whether the ray came from outside.
+    /// True if the ray came from outside.
     pub front_face: bool,
 }
 
 /// A function from a ray and the outward normal to the face.
 pub type Facing<'a> = dyn Fn(&Ray, Vec3) -> Face + 'a;
 
-/// The normal is the outward one, or its opposite where that points along the ray.
+/// Tests that the normal is the outward one, or its opposite where that points along the ray.
 ///
 /// Makes no claim where the two are at a right angle but for roundings: either side will do.
+///
+/// # Errors
+/// If `set_face_normal` answers otherwise.
 pub fn the_normal_is_turned_against_the_ray(
     set_face_normal: &Facing,
     direction: Vec3,

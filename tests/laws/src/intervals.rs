@@ -9,10 +9,13 @@ use crate::oracle::Exact;
 use crate::question::{RangeSolver, WithInterval};
 use crate::verdict::{Broken, Verdict};
 
-/// A `t` that is returned lies between the ends. So it is never NaN.
+/// Tests that a returned `t` lies between the ends; so it is never NaN.
 ///
-/// Says nothing where an end is NaN, or the case is out of scale: what lies between is
+/// Makes no claim where an end is NaN, or the case is out of scale: whether `t` lies between is
 /// then a matter of how the comparison is written, and the book writes it the other way.
+///
+/// # Errors
+/// If it lies outside.
 pub fn no_t_outside_the_interval_is_returned(solve: &RangeSolver, asked: &WithInterval) -> Verdict {
     let WithInterval { case, t_min, t_max } = *asked;
     let is_silent = !case.is_well_scaled() || t_min.is_nan() || t_max.is_nan();
@@ -29,9 +32,11 @@ pub fn no_t_outside_the_interval_is_returned(solve: &RangeSolver, asked: &WithIn
     }
 }
 
-/// The root that is returned is the nearest in the interval, and it is found
-/// if there is one. Makes no claim where rounding could move a root across an end of
-/// the interval, or decide between hit and miss.
+/// Tests that the nearest root in the interval is returned if there is one. Makes no claim where
+/// rounding could move a root across an end of the interval, or decide between hit and miss.
+///
+/// # Errors
+/// If another `t`, or none, is returned.
 pub fn the_nearest_root_in_the_interval_is_returned(
     solve: &RangeSolver,
     asked: &WithInterval,

@@ -24,8 +24,11 @@ pub struct World {
 /// Searches a world for the nearest `t` in its range.
 pub type Search<'a> = dyn Fn(&World) -> Option<f64> + 'a;
 
-/// The answer of a list is the least of its spheres' own answers, in whatever order they
+/// Tests that the answer of a list is the least of its spheres' own answers, in whatever order they
 /// are added. The spheres are asked themselves: a list of one may be wrong, too.
+///
+/// # Errors
+/// If `search` answers otherwise.
 pub fn the_nearest_of_all_members_is_returned(
     record: &Recorder,
     search: &Search,
@@ -51,7 +54,7 @@ pub fn the_nearest_of_all_members_is_returned(
 }
 
 impl World {
-    /// The body of a test that asks this.
+    /// Writes the body of a test that asks this.
     pub(crate) fn as_test(&self) -> String {
         let sphere = |&(center, radius): &_| format!("({}, {radius:?})", vector(center));
         let spheres: Vec<String> = self.spheres.iter().map(sphere).collect();
@@ -66,7 +69,7 @@ impl World {
         )
     }
 
-    /// Its numbers: the ray, the range, and then center and radius of each sphere.
+    /// Lists its numbers: the ray, the range, and then center and radius of each sphere.
     pub(crate) fn numbers(&self) -> Vec<f64> {
         let spheres = self.spheres.iter();
         let spheres = spheres.flat_map(|(center, radius)| [center.x, center.y, center.z, *radius]);
@@ -78,7 +81,7 @@ impl World {
             .collect()
     }
 
-    /// The world with these numbers.
+    /// Reads a world from its numbers; `None` if their count does not fit.
     pub(crate) fn read(numbers: &[f64]) -> Option<Self> {
         let (&[x, y, z, dx, dy, dz, t_min, t_max], spheres) = numbers.split_first_chunk()?;
         let (spheres, []) = spheres.as_chunks() else {

@@ -60,14 +60,17 @@ pub const NEARER_ROOT: [Law; 7] = [
     a_scene_in_another_unit_and_a_mirror_has_the_same_digits,
 ];
 
-/// Whether all of them hold for a case.
+/// Tests all laws on one case, in their order.
+///
+/// # Errors
+/// The first law that the answer of `solve` breaks.
 pub fn obeys_every_law(solve: &Solver, case: &Case) -> Verdict {
     NEARER_ROOT.iter().try_for_each(|law| law(solve, case))
 }
 
-/// What a nearer root is asked, law by law. What whole numbers show can be checked by hand, so
-/// they come first; and what ordinary cases show comes before what only rounding or an overflow
-/// does.
+/// Lists the cases and laws for a nearer root. Cases of whole numbers come first, since they can be
+/// checked by hand, and ordinary cases before those where only rounding or an overflow shows a
+/// mistake.
 pub(crate) fn exam<'a>(solve: &'a Solver<'a>) -> Exam<'a, Case> {
     let law = |law: Law| Box::new(move |case: &Case| law(solve, case)) as _;
     Exam {
@@ -86,14 +89,14 @@ pub(crate) fn exam<'a>(solve: &'a Solver<'a>) -> Exam<'a, Case> {
     }
 }
 
-/// The body of a test that asks a function that only decides.
+/// Writes the body of a test that asks a function that only decides.
 pub(crate) fn decision_as_test(case: &Case) -> String {
     let is_hit = Exact::of(case).nearer_root().is_some();
     format!("{case}\nassert_eq!(hit_sphere(center, radius, &ray), {is_hit});")
 }
 
-/// A decision as a solver that finds the exact root wherever it says that there is one, and
-/// the point closest to the center where only rounding said so.
+/// Makes a solver of a function that only decides: where that finds a hit, the solver returns the
+/// exact root, or the `t` closest to the center if there is none.
 pub fn decision(
     decide: impl Fn(Point3, f64, &Ray) -> bool,
 ) -> impl Fn(Point3, f64, &Ray) -> Option<f64> {
@@ -142,7 +145,7 @@ fn the_line_hits_exactly_when_there_is_a_root(solve: &Solver, case: &Case) -> Ve
     })
 }
 
-/// What a solver returned, in any language.
+/// Writes the answer of a solver as a report has it.
 pub(crate) fn said(root: Option<f64>) -> String {
     root.map_or("a miss".to_owned(), |t| format!("t = {t:?}"))
 }
@@ -212,8 +215,8 @@ fn the_root_is_the_nearer_one_to_the_digits_that_remain(solve: &Solver, case: &C
     })
 }
 
-/// How far from the exact root (h ∓ √D)/a rounding may take `t`, where
-/// `margin` is D/(a·M).
+/// Returns how far from the exact root (h ∓ √D)/a rounding may take `t`, in lengths of the
+/// direction, where `margin` is D/(a·M).
 ///
 /// The error of D̂ changes √D by at most 24u·a·M/√D, that of h is 4u·√(aM), and
 /// the rounding of √D at most u·√(aM). Divided by a, that is
@@ -247,8 +250,8 @@ fn a_tangent_is_a_hit_and_its_root_is_exact(solve: &Solver, case: &Case) -> Verd
     })
 }
 
-/// The root of a case of small integers with D = 0 and a root that is an
-/// integer too; `None` for any other case.
+/// Returns the root of a case of small integers with D = 0 and a root that is an integer too;
+/// `None` for any other case.
 fn exact_tangent(case: &Case) -> Option<f64> {
     let is_small_integer = |number: &f64| number.fract() == 0.0 && number.abs() < 4096.0;
     let exact = Exact::of(case);

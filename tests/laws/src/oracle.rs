@@ -49,7 +49,7 @@ pub struct Root<'a> {
 }
 
 impl Exact {
-    /// `case` with numbers that are never rounded.
+    /// Looks at `case` with numbers that are never rounded.
     ///
     /// # Panics
     /// If a number is not finite: then there is no exact answer.
@@ -57,7 +57,7 @@ impl Exact {
         Self::of_finite(case).expect("strategies make finite cases, and laws ask for no others")
     }
 
-    /// The same, or `None` if a number is infinite or NaN.
+    /// Looks at `case` with numbers that are never rounded; `None` if one is infinite or NaN.
     pub fn of_finite(case: &Case) -> Option<Self> {
         let [cx, cy, cz, r, qx, qy, qz, dx, dy, dz] = case.numbers();
         let (lengths, unit_of_length) = integers([cx, cy, cz, qx, qy, qz, r])?;
@@ -80,7 +80,7 @@ impl Exact {
         })
     }
 
-    /// D against zero: `Less` if the line misses, `Equal` if it is a tangent,
+    /// Compares D with zero: `Less` if the line misses, `Equal` if it is a tangent,
     /// `Greater` if it passes through.
     ///
     /// A direction of zero makes no line: D is then zero, and there is no root.
@@ -88,7 +88,7 @@ impl Exact {
         self.discriminant.cmp(&IBig::ZERO)
     }
 
-    /// D / (a·M) with M = oc·oc + r², rounded to nearest: how far the line is
+    /// Returns D / (a·M) with M = oc·oc + r², rounded to nearest: how far the line is
     /// from being a tangent, on the scale that rounding errors have.
     ///
     /// From −1 to 1, and 0 if a·M is. What rounds to 0 still has its sign in
@@ -97,7 +97,7 @@ impl Exact {
         ratio(&self.discriminant, &(&self.a * &self.extent))
     }
 
-    /// c / M with M = oc·oc + r², rounded to nearest: how far the origin is
+    /// Returns c / M with M = oc·oc + r², rounded to nearest: how far the origin is
     /// from the surface, on the scale that rounding errors have.
     ///
     /// From −1 to 1, and 0 if M is. Negative if the ray starts inside the sphere.
@@ -105,7 +105,7 @@ impl Exact {
         ratio(&self.c, &self.extent)
     }
 
-    /// The lesser of the roots, which may be negative: behind the origin.
+    /// Returns the lesser of the roots, which may be negative: behind the origin.
     ///
     /// A tangent has one root, as the nearer and as the farther. There is none
     /// if the line misses or the direction is zero.
@@ -113,13 +113,12 @@ impl Exact {
         self.root(true)
     }
 
-    /// The greater of the roots; otherwise as [`Exact::nearer_root`].
+    /// Returns the greater of the roots; otherwise as [`Exact::nearer_root`].
     pub fn farther_root(&self) -> Option<Root<'_>> {
         self.root(false)
     }
 
-    /// The nearer root if it lies in the interval, else the farther one if that
-    /// does.
+    /// Returns the nearer root if it lies in the interval, else the farther one if that does.
     ///
     /// The ends are left out, and may be infinite. It is the root itself that
     /// must lie between them: it may round to an end. If an end is NaN, nothing
@@ -138,7 +137,7 @@ impl Exact {
 }
 
 impl Root<'_> {
-    /// The `f64` nearest to the root, ties to even.
+    /// Returns the `f64` nearest to the root, ties to even.
     ///
     /// A root too small for an `f64` becomes a zero and one too large an
     /// infinity, with the sign of the root. The root 0 itself is +0.
@@ -147,7 +146,7 @@ impl Root<'_> {
         round(&digits, exponent)
     }
 
-    /// How far `t` is from the root, in units of the last place that an `f64`
+    /// Returns how far `t` is from the root, in units of the last place that an `f64`
     /// near the root has; infinite if `t` is infinite or NaN.
     ///
     /// The unit is 2⁻¹⁰⁷⁴ at least; it goes on growing beyond the largest

@@ -31,10 +31,13 @@ pub struct Function {
     call: &'static str,
     /// How far rounding may take an answer, in relation to it.
     rounding: f64,
-    answer: fn(&Prelude, &Asked) -> Vec<f64>,
+    answer: Answering,
 }
 
-/// What a function of a prelude is asked.
+/// Asks the function in a prelude, and writes its answer as numbers.
+type Answering = fn(&Prelude, &Asked) -> Vec<f64>;
+
+/// A question to a function of a prelude: two vectors and a number.
 #[derive(Clone, Copy, Debug)]
 pub struct Asked {
     pub(crate) function: &'static Function,
@@ -43,7 +46,7 @@ pub struct Asked {
     pub(crate) t: f64,
 }
 
-/// A function of a prelude answers as small numbers say.
+/// Tests that a function of a prelude answers small numbers as one works them out by head.
 ///
 /// They are added and multiplied without rounding, so this holds to the bit, but for a
 /// unit vector. Tenths tell a product that is rounded before the sum from a fused
@@ -51,6 +54,9 @@ pub struct Asked {
 ///
 /// A swapped letter (`u.z * u.z`) draws the right picture in four chapters of five, because
 /// there every z is −1.
+///
+/// # Errors
+/// If it answers otherwise.
 pub fn small_numbers_are_worked_out_by_head(prelude: &Prelude, asked: &Asked) -> Verdict {
     let (found, right) = (asked.put_to(prelude), asked.right());
     if asked.same(&found, &right) {
@@ -66,12 +72,20 @@ pub fn small_numbers_are_worked_out_by_head(prelude: &Prelude, asked: &Asked) ->
 }
 
 impl Function {
-    /// What it is called.
+    const fn new(call: &'static str, rounding: f64, answer: Answering) -> Self {
+        Self {
+            call,
+            rounding,
+            answer,
+        }
+    }
+
+    /// Returns its name.
     pub(crate) fn name(&self) -> &'static str {
         self.call.split('(').next().expect("a call has a name")
     }
 
-    /// What is asked of it.
+    /// Makes questions to this function.
     pub(crate) fn questions(&'static self) -> impl Strategy<Value = Asked> {
         let tenths = (1..=9).prop_map(|k| f64::from(k) / 10.0);
         let number = prop_oneof![(-8..=8).prop_map(|k| 0.5 * f64::from(k)), tenths];
@@ -83,14 +97,14 @@ impl Function {
         })
     }
 
-    /// Questions that tell mistakes in it apart.
+    /// Lists questions that tell mistakes in it apart.
     pub(crate) fn telling(&'static self) -> Vec<Asked> {
         samples(&self.questions(), 20)
     }
 }
 
 impl Asked {
-    /// What the prelude answers.
+    /// Returns the answer of a prelude.
     pub(crate) fn put_to(&self, prelude: &Prelude) -> Vec<f64> {
         (self.function.answer)(prelude, self)
     }
@@ -99,7 +113,7 @@ impl Asked {
         self.put_to(&Prelude::right())
     }
 
-    /// What is given to the function, as Rust has it.
+    /// Writes the arguments in parentheses, as Rust has them.
     fn given(&self) -> String {
         let (_, given) = self.function.call.split_at(self.function.name().len());
         given
@@ -107,11 +121,29 @@ impl Asked {
             .replace('v', &vector(self.v))
             .replace('t', &code(&[self.t]))
     }
+
+    /// Writes the body of a test that asks this.
+    pub(crate) fn as_test(&self) -> String {
+        let found = format!("(prelude().{}){}", self.function.name(), self.given());
+        let right = code(&self.right());
+        if self.function.rounding > 0.0 {
+            format!("assert!(({found} - {right}).length() < 1e-9);")
+        } else {
+            format!("assert_eq!({found}, {right});")
+        }
+    }
+
+    /// Returns true if two answers are equal, to the bit if the function does not round.
+    pub(crate) fn same(&self, one: &[f64], other: &[f64]) -> bool {
+        let rounding = self.function.rounding;
+        let is_near = |(one, other): (&f64, &f64)| (one - other).abs() <= rounding * other.abs();
+        one.iter().zip(other).all(is_near)
+    }
 }
 
 impl Prelude<'_> {
-    /// The prelude that the chapters have.
-    fn right() -> Self {
+    /// Returns the prelude of `common`, which is right.
+    pub fn right() -> Self {
         Self {
             mul: &|t, v| t * v,
             add: &|u, v| u + v,
@@ -126,7 +158,7 @@ impl Prelude<'_> {
         }
     }
 
-    /// Does something with the prelude of a program.
+    /// Calls `act` with the prelude of a program, and returns what that returns.
     pub fn of<T>(program: &dyn Functions, act: impl FnOnce(&Prelude) -> T) -> T {
         act(&Prelude {
             dot: &|u, v| program.dot(u, v),
@@ -138,83 +170,29 @@ impl Prelude<'_> {
     }
 }
 
-impl Asked {
-    /// The body of a test that asks this.
-    pub(crate) fn as_test(&self) -> String {
-        let found = format!("(prelude().{}){}", self.function.name(), self.given());
-        let right = code(&self.right());
-        if self.function.rounding > 0.0 {
-            format!("assert!(({found} - {right}).length() < 1e-9);")
-        } else {
-            format!("assert_eq!({found}, {right});")
-        }
-    }
-
-    /// Whether two answers are the same: to the bit, if it doesn't round.
-    pub(crate) fn same(&self, one: &[f64], other: &[f64]) -> bool {
-        let rounding = self.function.rounding;
-        let is_near = |(one, other): (&f64, &f64)| (one - other).abs() <= rounding * other.abs();
-        one.iter().zip(other).all(is_near)
-    }
-}
-
-/// Later ones may be made of earlier ones.
+/// All functions of a prelude. Later ones may be made of earlier ones.
 pub static FUNCTIONS: [Function; 10] = [
-    Function {
-        call: "mul(t, v)",
-        rounding: 4.0 * U,
-        answer: |it, asked| (it.mul)(asked.t, asked.v).to_array().to_vec(),
-    },
-    Function {
-        call: "add(u, v)",
-        rounding: 0.0,
-        answer: |it, asked| (it.add)(asked.u, asked.v).to_array().to_vec(),
-    },
-    Function {
-        call: "neg(u)",
-        rounding: 0.0,
-        answer: |it, asked| (it.neg)(asked.u).to_array().to_vec(),
-    },
-    Function {
-        call: "sub(u, v)",
-        rounding: 0.0,
-        answer: |it, asked| (it.sub)(asked.u, asked.v).to_array().to_vec(),
-    },
-    Function {
-        call: "dot(u, v)",
-        rounding: 0.0,
-        answer: |it, asked| vec![(it.dot)(asked.u, asked.v)],
-    },
-    Function {
-        call: "length_squared(v)",
-        rounding: 0.0,
-        answer: |it, asked| vec![(it.length_squared)(asked.v)],
-    },
-    Function {
-        call: "length(v)",
-        rounding: 0.0,
-        answer: |it, asked| vec![(it.length)(asked.v)],
-    },
-    Function {
-        call: "normalize(v)",
-        rounding: 4.0 * U,
-        answer: |it, asked| (it.normalize)(asked.v).to_array().to_vec(),
-    },
-    Function {
-        call: "ray(u, v)",
-        rounding: 0.0,
-        answer: |it, asked| of_ray((it.ray)(asked.u, asked.v)),
-    },
-    Function {
-        call: "at(Ray::new(u, v), t)",
-        rounding: 0.0,
-        answer: |it, asked| {
-            (it.at)(Ray::new(asked.u, asked.v), asked.t)
-                .to_array()
-                .to_vec()
-        },
-    },
+    Function::new("mul(t, v)", 4.0 * U, |it, a| numbers((it.mul)(a.t, a.v))),
+    Function::new("add(u, v)", 0.0, |it, a| numbers((it.add)(a.u, a.v))),
+    Function::new("neg(u)", 0.0, |it, a| numbers((it.neg)(a.u))),
+    Function::new("sub(u, v)", 0.0, |it, a| numbers((it.sub)(a.u, a.v))),
+    Function::new("dot(u, v)", 0.0, |it, a| vec![(it.dot)(a.u, a.v)]),
+    Function::new("length_squared(v)", 0.0, |it, a| {
+        vec![(it.length_squared)(a.v)]
+    }),
+    Function::new("length(v)", 0.0, |it, a| vec![(it.length)(a.v)]),
+    Function::new("normalize(v)", 4.0 * U, |it, a| {
+        numbers((it.normalize)(a.v))
+    }),
+    Function::new("ray(u, v)", 0.0, |it, a| of_ray((it.ray)(a.u, a.v))),
+    Function::new("at(Ray::new(u, v), t)", 0.0, |it, a| {
+        numbers((it.at)(Ray::new(a.u, a.v), a.t))
+    }),
 ];
+
+fn numbers(v: Vec3) -> Vec<f64> {
+    v.to_array().to_vec()
+}
 
 #[cfg(test)]
 mod tests {

@@ -15,12 +15,12 @@ use crate::ray_color;
 use crate::record::Hit;
 use crate::strategies::{self, samples};
 
-/// What a function is asked.
+/// A question to one function of a program.
 #[derive(Clone, Debug)]
 pub enum Question {
     /// A function of the prelude, about small numbers.
     Prelude(Asked),
-    /// `hit_sphere` of chapter 2: whether the line meets the sphere.
+    /// `hit_sphere` of chapter 2: does the line meet the sphere?
     Decision(Case),
     /// `hit_sphere` of chapters 3 and 4: the nearer root.
     Root(Case),
@@ -61,8 +61,8 @@ pub trait Functions {
 const TELLING: u32 = 250;
 
 impl Question {
-    /// Lists questions about a prelude to which different mistakes give different answers, always the
-    /// same ones. So it is with those of the next functions.
+    /// Lists questions about a prelude to which different mistakes give different answers, always
+    /// the same ones. So it is with those of the next functions.
     pub fn of_prelude() -> Vec<Self> {
         let telling = FUNCTIONS.iter().flat_map(|function| function.telling());
         telling.map(Self::Prelude).collect()
@@ -88,7 +88,7 @@ impl Question {
         of(Self::RayColor, &ray_color::rays())
     }
 
-    /// Returns the answer of a program.
+    /// Returns the answer of a program as numbers: none for a miss.
     pub fn put_to(&self, program: &dyn Functions) -> Vec<f64> {
         match self {
             Self::Prelude(asked) => Prelude::of(program, |prelude| asked.put_to(prelude)),
@@ -178,8 +178,8 @@ pub fn telling<T: Debug>(strategy: &impl Strategy<Value = T>) -> Vec<T> {
     samples(strategy, TELLING)
 }
 
-/// Whether two answers are the same, but for a thousand times as much rounding as they
-/// take in ordinary questions.
+/// Returns true if two answers differ by no more than a thousand times the rounding of ordinary
+/// questions.
 pub fn same(one: &[f64], other: &[f64]) -> bool {
     let near = |(one, other): (&f64, &f64)| {
         let allowed = 1e-9 * (1.0 + one.abs() + other.abs());
@@ -189,12 +189,12 @@ pub fn same(one: &[f64], other: &[f64]) -> bool {
     one.len() == other.len() && one.iter().zip(other).all(near)
 }
 
-/// A decision in numbers: a hit is 0, and a miss is none.
+/// Writes a decision as numbers: a hit is 0, and a miss is none.
 pub(crate) fn decided(is_hit: bool) -> Vec<f64> {
     is_hit.then_some(0.0).into_iter().collect()
 }
 
-/// The numbers of a record. Which side of a tangent is hit is a matter of rounding.
+/// Writes a record as numbers: only `t` for a tangent, where rounding decides which side is hit.
 pub(crate) fn of_hit(asked: &WithInterval, hit: Option<Hit>) -> Vec<f64> {
     let Some(hit) = hit else {
         return Vec::new();
@@ -222,13 +222,13 @@ pub struct WithInterval {
 pub type RangeSolver<'a> = dyn Fn(Point3, f64, &Ray, f64, f64) -> Option<f64> + 'a;
 
 impl WithInterval {
-    /// A case about the whole line.
+    /// Makes a case about the whole line, from −∞ to ∞.
     pub fn on_the_line(case: Case) -> Self {
         let (t_min, t_max) = (f64::NEG_INFINITY, f64::INFINITY);
         Self { case, t_min, t_max }
     }
 
-    /// The answer of `solve` to this case.
+    /// Returns the answer of `solve` to this case.
     pub fn solve(&self, solve: &RangeSolver) -> Option<f64> {
         let Case {
             center,
@@ -247,12 +247,12 @@ impl fmt::Display for WithInterval {
     }
 }
 
-/// The numbers of a ray.
+/// Lists the numbers of a ray: origin, then direction.
 pub(crate) fn of_ray(ray: Ray) -> Vec<f64> {
     [ray.origin.to_array(), ray.direction.to_array()].concat()
 }
 
-/// A number, a vector or a ray as Rust has it.
+/// Writes one number, three of a vector, or six of a ray as an expression of Rust.
 pub(crate) fn code(numbers: &[f64]) -> String {
     match *numbers {
         [f64::INFINITY] => "f64::INFINITY".to_owned(),
@@ -266,7 +266,7 @@ pub(crate) fn code(numbers: &[f64]) -> String {
     }
 }
 
-/// A vector as Rust has it.
+/// Writes a vector as an expression of Rust.
 pub(crate) fn vector(v: Vec3) -> String {
     code(&v.to_array())
 }

@@ -12,14 +12,15 @@ use crate::question::{code, of_ray};
 use crate::record::normal_bound;
 use crate::verdict::{Broken, Verdict};
 
-/// What a `ray_color` draws.
+/// The scene that a `ray_color` draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scene {
     /// The sky of chapter 1.
     Sky,
     /// The disc of chapter 2: red where the line meets the ball, before the eye or behind.
     Disc,
-    /// The ball of chapters 3 and 4, in the colors of its normals, where the nearer root is positive.
+    /// The ball of chapters 3 and 4, in the colors of its normals, where the nearer root is
+    /// positive.
     Ball,
     /// The ball and the ground of chapter 5, in the colors of the normals against the ray.
     List,
@@ -31,8 +32,11 @@ struct Expected {
     bound: f64,
 }
 
-/// A ray has the color of what it meets in the scene, from wherever it starts. Makes no claim
-/// where rounding may decide about a hit.
+/// Tests that a ray has the color of what it meets in the scene, from wherever it starts. Makes no
+/// claim where rounding may decide about a hit.
+///
+/// # Errors
+/// If `color` is another one.
 pub fn a_ray_has_its_color_from_anywhere(scene: Scene, color: Color, ray: &Ray) -> Verdict {
     let Some(Expected {
         color: right,
@@ -72,7 +76,7 @@ impl Scene {
         )
     }
 
-    /// Center and radius of what there is to hit.
+    /// Lists center and radius of each sphere.
     fn spheres(self) -> &'static [(Point3, f64)] {
         const SPHERES: [(Point3, f64); 2] = [
             (Point3::new(0.0, 0.0, -1.0), 0.5),
@@ -128,15 +132,15 @@ impl Scene {
     }
 }
 
-/// The sky of chapter 1, written out.
+/// Returns the sky of chapter 1, written out.
 fn sky(ray: &Ray) -> Color {
     let a = 0.5 * (ray.direction.y / ray.direction.length() + 1.0);
     (1.0 - a) * Vec3::ONE + a * Vec3::new(0.5, 0.7, 1.0)
 }
 
-/// What a `ray_color` is asked. From in front of the sphere, from behind, beside and above it, from
-/// inside, and from far away, past it and at it, with directions so long that t is small, and so
-/// short that it is in the thousands.
+/// Makes the rays that a `ray_color` is asked: from in front of the sphere, from behind, beside and
+/// above it, from inside, and from far away, past it and at it, with directions so long that t is
+/// small, and so short that it is in the thousands.
 pub(crate) fn rays() -> impl Strategy<Value = Ray> {
     let v = Vec3::new;
     let from = vec![

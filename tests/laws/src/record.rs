@@ -14,7 +14,7 @@ use crate::strategies::{anywhere, integers, ordinary, ordinary_asked, with_inter
 use crate::trial::Exam;
 use crate::verdict::{Broken, Verdict};
 
-/// What there is to know about a hit.
+/// The record of a hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
     /// The ray parameter, in lengths of the ray's direction.
@@ -23,7 +23,7 @@ pub struct Hit {
     pub point: Point3,
     /// The normal, which should be a unit vector against the ray.
     pub normal: Vec3,
-    /// Whether the ray came from outside.
+    /// True if the ray came from outside.
     pub front_face: bool,
 }
 
@@ -33,9 +33,11 @@ pub type Recorder<'a> = dyn Fn(&WithInterval) -> Option<Hit> + 'a;
 /// Where `set_face_normal` is explained.
 pub(crate) const SET_FACE_NORMAL: &str = "chapter 5: `set_face_normal`";
 
-/// Every law for a record, in the order in which they teach most: its `t` first. On the
-/// whole line, that is the nearer root; but where a root is found and only the range is wrong,
-/// the range is told.
+/// Tests all laws for a record on one case, in the order in which they teach most: its `t` first,
+/// which on the whole line is the nearer root. Where only the range is wrong, that is told before.
+///
+/// # Errors
+/// The first law that the answer of `record` breaks.
 pub fn obeys_every_law(record: &Recorder, asked: &WithInterval) -> Verdict {
     let solve = |center, radius, ray: &Ray, t_min, t_max| {
         let case = Case::new(center, radius, *ray);
@@ -56,7 +58,7 @@ pub fn obeys_every_law(record: &Recorder, asked: &WithInterval) -> Verdict {
     the_front_face_is_where_the_ray_enters(&asked.case, &hit)
 }
 
-/// What a record is asked, in the order of what a nearer root is.
+/// Lists the cases and laws for a record, in the order of those for a nearer root.
 pub(crate) fn exam<'a>(record: &'a Recorder<'a>) -> Exam<'a, WithInterval> {
     let kinds = [integers().boxed(), ordinary().boxed(), anywhere().boxed()];
     Exam {
@@ -116,7 +118,7 @@ fn the_normal_is_the_radius_to_the_point_by_its_length(case: &Case, hit: &Hit) -
     })
 }
 
-/// How far from a unit vector rounding may take a normal.
+/// Returns how far from a unit vector rounding may take a normal.
 ///
 /// The error of t moves the point off the sphere by at most 43u·M/r², in radii:
 /// that of the root (see [`root_bound`](crate::nearer_root::root_bound)) times

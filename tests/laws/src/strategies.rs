@@ -21,8 +21,8 @@ use crate::list::World;
 use crate::oracle::Exact;
 use crate::question::WithInterval;
 
-/// The same cases in every run, so that a failure is never luck, unless `PROPTEST_RNG_SEED`
-/// says which. `PROPTEST_CASES` says how many.
+/// Returns the configuration of all tests here: each run makes equal cases, so that a failure is
+/// never luck, unless `PROPTEST_RNG_SEED` chooses others. `PROPTEST_CASES` says how many.
 ///
 /// They come by xorshift: cargo builds the code of others without optimization, and ChaCha,
 /// which proptest takes otherwise, is then three quarters of the time.
@@ -41,7 +41,10 @@ pub fn config() -> Config {
     }
 }
 
-/// The first values of a strategy, for what counts them.
+/// Draws the first `count` values of a strategy, without shrinking.
+///
+/// # Panics
+/// If the strategy filters out too many values; none here filters.
 pub fn samples<T: std::fmt::Debug>(strategy: &impl Strategy<Value = T>, count: u32) -> Vec<T> {
     let mut runner = TestRunner::new(config());
     let sample = |_| {

@@ -74,9 +74,9 @@ pub(crate) type Law<'a, Q> = Box<dyn Fn(&Q) -> Verdict + 'a>;
 /// Asks a function, and writes its answer as numbers.
 pub(crate) type Answering<'a, Q> = Box<dyn Fn(&Q) -> Vec<f64> + 'a>;
 
-/// What a function is asked, and the laws for it.
+/// The cases and the laws for one function.
 pub(crate) struct Exam<'a, Q> {
-    /// What the function is called.
+    /// The name of the function.
     pub(crate) of: &'static str,
     /// The cases, one kind after the other.
     pub(crate) kinds: Vec<BoxedStrategy<Q>>,
@@ -91,7 +91,10 @@ pub(crate) struct Exam<'a, Q> {
 }
 
 impl Trial {
-    /// A function that only decides whether the line meets the sphere, as in chapter 2.
+    /// Tries a function that only decides whether the line meets the sphere, as in chapter 2.
+    ///
+    /// # Errors
+    /// As every method here: the smallest case found that breaks a law, or a `todo!()`.
     pub fn decision(&self, decide: &dyn Fn(Point3, f64, &Ray) -> bool) -> Outcome {
         let solve = nearer_root::decision(decide);
         self.put(&Exam {
@@ -102,19 +105,28 @@ impl Trial {
         })
     }
 
-    /// A function that returns the nearer root, as in chapters 3 and 4.
+    /// Tries a function that returns the nearer root, as in chapters 3 and 4.
+    ///
+    /// # Errors
+    /// See [`Trial::decision`].
     pub fn nearer_root(&self, solve: &Solver) -> Outcome {
         self.put(&nearer_root::exam(solve))
     }
 
-    /// A function that returns the record of the nearest hit between `t_min` and `t_max`, as
+    /// Tries a function that returns the record of the nearest hit between `t_min` and `t_max`, as
     /// the sphere of chapter 5. On the whole line, its `t` is the nearer root.
+    ///
+    /// # Errors
+    /// See [`Trial::decision`].
     pub fn record(&self, record: &Recorder) -> Outcome {
         self.put(&record::exam(record))
     }
 
-    /// A list that is searched for the nearest hit of its spheres, whose own answers are the
+    /// Tries a list that is searched for the nearest hit of its spheres, whose own answers are the
     /// records.
+    ///
+    /// # Errors
+    /// See [`Trial::decision`].
     pub fn list(&self, record: &Recorder, search: &Search) -> Outcome {
         let mut outcome = self.outcome(&Exam {
             of: "list",
@@ -142,8 +154,11 @@ impl Trial {
         self.kept("list", outcome)
     }
 
-    /// The functions of a prelude, up to the first that is wrong: what follows may be built
-    /// on it. One that is not written yet is told if no other is wrong.
+    /// Tries the functions of a prelude, up to the first that is wrong: those that follow may be
+    /// built on it. One that is not written yet is told if no other is wrong.
+    ///
+    /// # Errors
+    /// See [`Trial::decision`].
     pub fn prelude(&self, prelude: &Prelude) -> Outcome {
         let mut outcome = Ok(());
         for function in &FUNCTIONS {
@@ -168,7 +183,10 @@ impl Trial {
         outcome
     }
 
-    /// The ray of a pixel.
+    /// Tries the function that returns the ray of a pixel.
+    ///
+    /// # Errors
+    /// See [`Trial::decision`].
     pub fn pixel_ray(&self, ray: &dyn Fn(&Pixel) -> Ray) -> Outcome {
         self.put(&Exam {
             of: "pixel_ray",
@@ -183,8 +201,11 @@ impl Trial {
         })
     }
 
-    /// The `ray_color` that draws the scene, about rays that its camera never casts. Says nothing
-    /// where the picture is wrong already.
+    /// Tries the `ray_color` of a scene on rays that its camera never casts. Makes no claim where
+    /// the picture is wrong already.
+    ///
+    /// # Errors
+    /// See [`Trial::decision`].
     pub fn ray_color(&self, scene: Scene, ray_color: &dyn Fn(&Ray) -> Color) -> Outcome {
         let law = |ray: &Ray| a_ray_has_its_color_from_anywhere(scene, ray_color(ray), ray);
         let exam = Exam {
@@ -203,7 +224,11 @@ impl Trial {
         }
     }
 
-    /// The function of a record that turns the normal, which can be asked before there is a sphere.
+    /// Tries the function of a record that turns the normal, which can be asked before there is a
+    /// sphere.
+    ///
+    /// # Errors
+    /// See [`Trial::decision`].
     pub fn set_face_normal(&self, set_face_normal: &Facing) -> Outcome {
         let law: Law<(Vec3, Vec3)> = Box::new(|&(direction, outward)| {
             the_normal_is_turned_against_the_ray(set_face_normal, direction, outward)
@@ -232,6 +257,11 @@ impl Trial {
         outcome
     }
 
+    fn keep_answer(&self, answers: &mut Answers, question: Question, answer: Vec<f64>) {
+        self.keep(&Line::Answer(&question, &answer));
+        answers.given.push((question, answer));
+    }
+
     fn keep(&self, line: &Line) {
         if let Some(file) = &self.answers {
             line.keep(file);
@@ -243,16 +273,14 @@ impl Trial {
         // What panics does so here, and not again and again while a case is made smaller.
         for asked in &exam.telling {
             let answer = written(|| (exam.answer)(asked))?;
-            let question = (exam.question)(asked.clone());
-            self.keep(&Line::Answer(&question, &answer));
-            answers.given.push((question, answer));
+            self.keep_answer(&mut answers, (exam.question)(asked.clone()), answer);
         }
         let smallest = |cases| exam.laws.iter().find_map(|law| self.smallest(cases, law));
         let Some((smallest, broken)) = exam.kinds.iter().find_map(smallest) else {
             return Ok(());
         };
         let (test, answer) = ((exam.test)(&smallest), (exam.answer)(&smallest));
-        answers.given.push(((exam.question)(smallest), answer));
+        self.keep_answer(&mut answers, (exam.question)(smallest), answer);
         Err(Complaint::Broken(Box::new(Report {
             broken,
             answers,
@@ -261,7 +289,7 @@ impl Trial {
         })))
     }
 
-    /// The smallest case that breaks the law, of those that proptest finds, and how.
+    /// Returns the smallest case that breaks the law, of those that proptest finds, and how.
     fn smallest<Q: Clone + Debug>(
         &self,
         cases: &BoxedStrategy<Q>,
@@ -287,7 +315,8 @@ thread_local! {
     static UNWRITTEN: Cell<Option<String>> = const { Cell::new(None) };
 }
 
-/// What `call` returns, or where it comes upon a `todo!()`, which then prints nothing.
+/// Returns the result of `call`, or the place of the `todo!()` that it comes upon, which then
+/// prints nothing.
 fn written<T>(call: impl FnOnce() -> T) -> Result<T, Complaint> {
     static HOOK: Once = Once::new();
     HOOK.call_once(|| {

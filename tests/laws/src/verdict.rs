@@ -7,8 +7,8 @@ use proptest::test_runner::TestCaseError;
 
 use crate::answers::Answers;
 
-/// Whether a law holds for a case. In a test by proptest, `?` makes what breaks it the reason of
-/// the failure.
+/// The result of one law on one case: `Ok` if it holds. In a test by proptest, `?` makes the broken
+/// law the reason of the failure.
 pub type Verdict = Result<(), Broken>;
 
 /// A law that a case breaks.
@@ -16,15 +16,15 @@ pub type Verdict = Result<(), Broken>;
 pub struct Broken {
     /// The sentence of the law.
     pub law: Cow<'static, str>,
-    /// What the function answered.
+    /// The answer of the function.
     pub found: String,
-    /// What the law allows in its place.
+    /// The answers that the law allows in its place.
     pub allowed: String,
-    /// Where that is explained.
+    /// The page or equation that explains it.
     pub read: Cow<'static, str>,
 }
 
-/// What comes of a function under all its laws: `Ok` if they hold.
+/// The result of all laws for one function: `Ok` if they hold.
 pub type Outcome = Result<(), Complaint>;
 
 /// Why a function is not right.
@@ -36,15 +36,15 @@ pub enum Complaint {
     NotWritten(String),
 }
 
-/// The smallest case that breaks a law, and what there is to say of it.
+/// The smallest case found that breaks a law.
 #[derive(Clone, Debug)]
 pub struct Report {
     /// How the case breaks the law.
     pub broken: Broken,
-    /// What the function answered, the smallest case last.
+    /// The answers of the function, that to the smallest case last.
     pub answers: Answers,
-    /// The known mistakes that give the same answers, a line each. What shows the report asks for
-    /// them: nothing here knows a mistake.
+    /// The known mistakes that give the same answers, a line each. Whoever shows the report fills
+    /// them in: this package knows no mistake.
     pub same_as: Vec<String>,
     /// The body of a test that asks about this case again, if there is one.
     pub test: String,
@@ -121,10 +121,10 @@ impl From<Broken> for TestCaseError {
     }
 }
 
-/// Panics with what there is to say, if a law is broken.
+/// Ends a test: panics with the text of an error.
 ///
 /// # Panics
-/// If it is an error.
+/// If `outcome` is an error.
 pub fn holds<E: fmt::Display>(outcome: Result<(), E>) {
     if let Err(complaint) = outcome {
         panic!("\n\n{complaint}\n");
