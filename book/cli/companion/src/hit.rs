@@ -47,10 +47,10 @@ pub(crate) fn hit(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     Ok(output::to_stdout(|out| out.write_all(text.as_bytes()))?)
 }
 
-/// An error of this many ulps is what a handful of rounded operations leaves.
+/// The error, in ulps, that a handful of rounded operations leaves.
 pub(crate) const ORDINARY: f64 = 4.0;
 
-/// The exact answer in one precision above `t_min`, and what its `methods` say.
+/// Writes the exact answer in one precision above `t_min`, and the answer of each of its `methods`.
 pub(crate) fn under_the_microscope(
     case: &Case,
     precision: Precision,
@@ -100,7 +100,7 @@ fn line(method: &Method, t: Option<f64>, root: Option<Root>) -> String {
     format!("  {:<22}{answer:<30}{verdict}\n", method.name)
 }
 
-/// An error in words.
+/// Writes an error in words.
 fn how_far_off(ulps: f64) -> String {
     match ulps {
         f64::INFINITY => "more than 1e308 ulps off".to_owned(),
@@ -109,7 +109,7 @@ fn how_far_off(ulps: f64) -> String {
     }
 }
 
-/// `t` in as few digits as lead back to it in the precision of `method`.
+/// Writes `t` in as few digits as lead back to it in the precision of `method`.
 fn shortest(method: &Method, t: f64) -> String {
     match method.solve {
         Solve::Double(_) => format!("{t:?}"),
@@ -117,7 +117,7 @@ fn shortest(method: &Method, t: f64) -> String {
     }
 }
 
-/// The `f64` nearest to the decimal number in `text`.
+/// Reads the `f64` nearest to the decimal number in `text`.
 fn finite(text: &str) -> Result<f64, String> {
     match text.trim().parse::<f64>() {
         Ok(number) if number.is_finite() => Ok(number),
@@ -125,7 +125,7 @@ fn finite(text: &str) -> Result<f64, String> {
     }
 }
 
-/// A finite number that is not negative.
+/// Reads a finite number that is not negative.
 fn radius(text: &str) -> Result<f64, String> {
     match finite(text)? {
         radius if radius >= 0.0 => Ok(radius),
@@ -133,7 +133,7 @@ fn radius(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Three numbers with commas between them.
+/// Reads three numbers with commas between them.
 fn vector(text: &str) -> Result<Vec3, String> {
     let numbers: Vec<f64> = text
         .split(',')

@@ -33,8 +33,8 @@ impl Companion for Here {
     type Probes = probes::Arguments;
 }
 
-/// What parses and runs a reader's text calls itself for each level of it. Of this much only
-/// what is used takes memory; where a program has less from its system, it takes this from us.
+/// How much stack the program has, in bytes: reading and running a reader's text recurse for each
+/// level of it. Only the part that is used takes memory.
 const STACK: usize = 1 << 26;
 
 fn main() -> ExitCode {

@@ -20,13 +20,13 @@ pub(crate) const TYPED: [Chapter; 5] = [
 /// The folder of a reader's crates, each of which is named after its chapter.
 pub(crate) struct Mine {
     folder: PathBuf,
-    /// What chooses it on a command line, if it was chosen.
+    /// The word that chooses it on a command line, if it was chosen.
     chosen: Option<String>,
 }
 
 impl Mine {
-    /// The chosen folder. Or else `mine`: of this workspace, for a reader who is in it, or else
-    /// of the nearest folder above that has one with a crate, or here.
+    /// Finds the chosen folder. Or else `mine`: of this workspace, for a reader who is in it, or
+    /// else of the nearest folder above that has one with a crate, or here.
     pub(crate) fn find(chosen: Option<&Path>) -> Self {
         let here = env::current_dir().unwrap_or_default();
         let workspace = workspace_around(&here);
@@ -45,24 +45,24 @@ impl Mine {
         }
     }
 
-    /// The folder itself, which may not exist yet.
+    /// Returns the folder itself, which may not exist yet.
     pub(crate) fn folder(&self) -> &Path {
         &self.folder
     }
 
-    /// Whether it is the usual folder of the workspace that the reader is in.
+    /// Returns true if it is the usual folder of the workspace that the reader is in.
     pub(crate) fn is_of_workspace(&self) -> bool {
         let workspace = env::current_dir().ok();
         let workspace = workspace.and_then(|here| workspace_around(&here));
         workspace.is_some_and(|it| self.folder == it.join("mine"))
     }
 
-    /// The command that makes the crate of `chapter` there.
+    /// Writes the command that makes the crate of `chapter` there.
     pub(crate) fn start(&self, chapter: Chapter) -> String {
         self.command("start", chapter, "--into")
     }
 
-    /// The command that judges it.
+    /// Writes the command that judges it.
     pub(crate) fn watch(&self, chapter: Chapter) -> String {
         self.command("watch", chapter, "--in")
     }
@@ -75,18 +75,18 @@ impl Mine {
         }
     }
 
-    /// Where the reader's crate of `chapter` is, or would be.
+    /// Returns the folder of the reader's crate of `chapter`, which may not exist yet.
     pub(crate) fn of(&self, chapter: Chapter) -> PathBuf {
         self.folder.join(chapter.name())
     }
 }
 
-/// The workspace, if this folder is in it.
+/// Returns the workspace, if this folder is in it.
 fn workspace_around(here: &Path) -> Option<&'static Path> {
     workspace::workspace().filter(|workspace| here.starts_with(workspace))
 }
 
-/// A word of a command line, in quotation marks where a shell wants them.
+/// Writes a word of a command line, in quotation marks where a shell wants them.
 pub(crate) fn word(word: impl AsRef<OsStr>) -> String {
     let word = names::spelled(word);
     let is_plain = |c: char| c.is_alphanumeric() || "-_./=".contains(c) || c == MAIN_SEPARATOR;

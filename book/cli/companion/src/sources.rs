@@ -9,13 +9,13 @@ use slips::{Chapter, Edition, Letters};
 
 use crate::short;
 
-/// The files of a crate that `start` made, beside those of the chapter.
+/// Reads the files of a crate that `start` made, beside those of the chapter.
 pub(crate) fn of_crate(folder: &Path, chapter: Chapter) -> Sources {
     Sources::of_chapter(files_in(&folder.join("src"), "src/"), chapter)
 }
 
-/// The files of a program of the reader's own, and their language: the one that its command
-/// names, or else those of the folder, unless it has several programs.
+/// Reads the files of a program of the reader's own, and finds their language: the one that its
+/// command names, or else those of the folder, unless it has several programs.
 pub(crate) fn of_program(words: &[OsString], folder: &Path) -> (Sources, Option<Letters>) {
     let named = words.iter().map(|word| folder.join(word));
     let named: Vec<_> = named.filter(|path| is_source(path)).collect();
@@ -31,8 +31,8 @@ pub(crate) fn of_program(words: &[OsString], folder: &Path) -> (Sources, Option<
     (Sources::new(files, Vec::new()), first.flatten())
 }
 
-/// The only source in a picture's folder, and its language, unless it was changed after the
-/// picture was drawn.
+/// Reads the only source in a picture's folder, and finds its language, unless it was changed after
+/// the picture was drawn.
 pub(crate) fn beside(picture: &Path) -> (Sources, Option<Letters>) {
     let changed = |path: &Path| fs::metadata(path).and_then(|it| it.modified()).ok();
     let folder = picture.parent().unwrap_or(Path::new(""));
@@ -53,7 +53,7 @@ pub(crate) fn beside(picture: &Path) -> (Sources, Option<Letters>) {
     }
 }
 
-/// Whether the file is a source in a language that is known here.
+/// Returns true if the file is a source in a language that is known here.
 pub(crate) fn is_source(path: &Path) -> bool {
     language(path).is_some()
 }
@@ -61,7 +61,7 @@ pub(crate) fn is_source(path: &Path) -> bool {
 /// No program of these chapters has more files.
 const MOST_FILES: usize = 40;
 
-/// The sources in the folder itself, by their names, with `before` before them.
+/// Reads the sources in the folder itself, by their names, with `before` before them.
 fn files_in(folder: &Path, before: &str) -> Vec<(String, String)> {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     let mut paths: Vec<_> = entries.map(|entry| entry.path()).collect();
@@ -76,7 +76,7 @@ fn file(path: &Path, before: &str) -> Option<(String, String)> {
     Some((format!("{before}{}", path.file_name()?.display()), text))
 }
 
-/// The language of a source file, in which a slip can be said if it has a name here; `None`
+/// Finds the language of a source file, in which a slip can be said if it has a name here; `None`
 /// for any other file.
 pub(crate) fn language(path: &Path) -> Option<Option<Letters>> {
     match path.extension()?.to_str()? {

@@ -2,20 +2,20 @@
 
 use textwrap::{Options, WordSplitter};
 
-/// How wide text should be, in characters: as the terminal, but no wider than is easy to
+/// Returns how wide text should be, in characters: as the terminal, but no wider than is easy to
 /// read.
 pub(crate) fn text_width() -> usize {
     let columns = terminal_size::terminal_size().map_or(80, |(width, _)| usize::from(width.0));
     columns.clamp(30, 96)
 }
 
-/// `text` in lines that are no wider than that, those after the first with this indent.
+/// Breaks `text` into lines that are no wider than that, those after the first with this indent.
 pub(crate) fn hanging(text: &str, indent: usize) -> String {
     filled(text, text_width(), "", &" ".repeat(indent))
 }
 
-/// `text` in lines of this width, but for a word that is longer, with `first` before the first
-/// of them, and `rest` before the others.
+/// Breaks `text` into lines of this width, but for a word that is longer, with `first` before the
+/// first of them, and `rest` before the others.
 pub(crate) fn filled(text: &str, width: usize, first: &str, rest: &str) -> String {
     let options = Options::new(width)
         .initial_indent(first)

@@ -13,7 +13,7 @@ pub enum Chapter {
     RedSphere,
     /// Where it is hit, and its normal there.
     Normals,
-    /// The same with half of b.
+    /// The ball by half of b, with fewer operations.
     HalfBSphere,
     /// The nearest of many.
     HittableList,
@@ -51,12 +51,12 @@ impl Chapter {
         pictures
     };
 
-    /// The chapter whose package has that name.
+    /// Finds the chapter whose package has that name.
     pub fn find(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|chapter| chapter.name() == name)
     }
 
-    /// The name of the package.
+    /// Returns the name of the package.
     pub fn name(self) -> &'static str {
         match self {
             Self::BuildTest => "build_test",
@@ -69,7 +69,7 @@ impl Chapter {
         }
     }
 
-    /// How wide the book shows the picture, or would, in pixels.
+    /// Returns the width of the picture in the book, in pixels.
     pub fn book_width(self) -> u32 {
         match self {
             Self::BuildTest => 256,
@@ -77,7 +77,7 @@ impl Chapter {
         }
     }
 
-    /// What there is to see in the picture, for a reader who can't see it.
+    /// Describes the picture to a reader who can't see it.
     pub const fn shows(self) -> &'static str {
         match self {
             Self::BuildTest => "Red grows to the right, green grows downwards",
@@ -93,7 +93,7 @@ impl Chapter {
         }
     }
 
-    /// How many spheres its scene has room for.
+    /// Returns how many spheres its scene has room for.
     pub fn room(self) -> Room {
         match self {
             Self::BuildTest | Self::Gradient => Room::None,
@@ -102,7 +102,8 @@ impl Chapter {
         }
     }
 
-    /// What a reader types: the sources by their names, as in a crate of their own.
+    /// Lists the sources that a reader types, each with its name in a crate of their own and its
+    /// text; none for [`Chapter::SpeedVsAccuracy`].
     pub fn files(self) -> &'static [(&'static str, &'static str)] {
         macro_rules! files {
             ($folder:literal: $($name:literal),*) => {

@@ -5,8 +5,8 @@ use std::env;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-/// `text`, which may be the name of a file, with those characters spelled out that
-/// a terminal obeys instead of showing them, or that turn the order of the others.
+/// Spells out, as `\u{1b}`, the characters of `text` that a terminal obeys instead of showing them,
+/// or that turn the order of the others.
 pub fn visible(text: &str) -> Cow<'_, str> {
     let obeyed = |c: char| c.is_control() || TURNS.contains(&c);
     if !text.contains(obeyed) {
@@ -28,12 +28,12 @@ const TURNS: [char; 14] = [
     '\u{202d}', '\u{202e}', '\u{2066}', '\u{2067}', '\u{2068}', '\u{2069}',
 ];
 
-/// The name of a file, or another word of a command line, as a message shows it.
+/// Returns the name of a file, or another word of a command line, as a message shows it.
 pub fn spelled(name: impl AsRef<OsStr>) -> String {
     visible(&name.as_ref().to_string_lossy()).into_owned()
 }
 
-/// `path` as seen from the folder that the reader is in, if it is below that.
+/// Returns `path` as a message shows it: as seen from the current folder, if it is below that.
 pub fn from_here(path: &Path) -> String {
     let here = env::current_dir().ok();
     let below = here.and_then(|here| path.strip_prefix(here).ok());
@@ -41,7 +41,7 @@ pub fn from_here(path: &Path) -> String {
     spelled(below.unwrap_or(path).components().collect::<PathBuf>())
 }
 
-/// The name by which the companion can be called again: `cargo rtrace` if cargo runs the
+/// Returns the name by which the companion can be called again: `cargo rtrace` if cargo runs the
 /// program that asks, in this workspace by an alias and elsewhere as a subcommand; else
 /// `rtrace`, which is installed then.
 pub fn companion() -> &'static str {

@@ -5,9 +5,9 @@ use std::env;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
-/// The workspace that the reader is in. Or else the one that cargo, or the place of this
-/// program, leads to. The one that it was built in is the last resort: an installed
-/// program knows no other.
+/// Finds the workspace that the reader is in, or else the one that cargo, or the place of this
+/// program, leads to. The one that it was built in is the last resort: an installed program knows
+/// no other. It is looked for once.
 pub fn workspace() -> Option<&'static Path> {
     static WORKSPACE: LazyLock<Option<PathBuf>> = LazyLock::new(|| {
         let starts = [
@@ -22,7 +22,7 @@ pub fn workspace() -> Option<&'static Path> {
     WORKSPACE.as_deref()
 }
 
-/// Whether the folder has what our pages and a reader's crates need.
+/// Returns true if the folder has the parts that our pages and a reader's crates need.
 fn is_one(folder: &Path) -> bool {
     ["common/Cargo.toml", "tests/laws/Cargo.toml", "book/notes"]
         .iter()

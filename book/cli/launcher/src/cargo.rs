@@ -15,19 +15,18 @@ pub struct Package {
     name: &'static str,
     /// The name of its program.
     program: &'static str,
-    /// What to say before it is built: what it is for, and about how long that takes on two
-    /// cores.
+    /// The line to show before it is built: its purpose, and about how long it takes on two cores.
     says: &'static str,
 }
 
-/// What judges, watches and measures.
+/// The companion, which judges, watches and measures.
 pub const COMPANION: Package = Package {
     name: "companion",
     program: "rtrace",
     says: "Building the companion, which judges, watches and measures: the first time, about a minute",
 };
 
-/// What weaves the book.
+/// The weaver of the book.
 pub const WEAVER: Package = Package {
     name: "weave",
     program: "weave",
@@ -35,7 +34,7 @@ pub const WEAVER: Package = Package {
 };
 
 impl Package {
-    /// Its program as the sources are now: cargo builds it, if need be.
+    /// Returns the command that runs its program. Cargo builds that before, if need be.
     ///
     /// # Errors
     /// If the workspace or cargo is missing, or it can't be built.
@@ -84,18 +83,18 @@ fn places(workspace: &Path) -> (PathBuf, PathBuf) {
     })
 }
 
-/// The program that builds crates.
+/// Returns the name of cargo: of the one that runs this program, if it does.
 pub fn cargo() -> OsString {
     env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
 }
 
-/// What came of a run of cargo.
+/// A run of cargo that has ended.
 pub struct Run {
-    /// How it ended.
+    /// Its exit status.
     pub status: ExitStatus,
-    /// What it printed.
+    /// Its standard output.
     pub printed: Vec<u8>,
-    /// What it said besides.
+    /// Its standard error.
     pub said: String,
 }
 
@@ -148,7 +147,8 @@ pub fn listen(errors: impl BufRead, mut heard: impl FnMut(&str, bool)) -> String
     said
 }
 
-/// Whether the line tells of work, but for that on a reader's own crate, which takes no time.
+/// Returns true if the line tells of work, but for that on a reader's own crate, which takes no
+/// time.
 fn is_work(line: &str) -> bool {
     const WORK: [&str; 3] = ["Compiling", "Downloading", "Updating"];
     !line.contains(" my_") && WORK.iter().any(|work| line.trim_start().starts_with(work))

@@ -69,7 +69,7 @@ impl OneOf {
     }
 }
 
-/// Whether it is `normals`, `3`, `chapters/3_normals/` or `mine/normals`.
+/// Returns true for `normals`, `3`, `chapters/3_normals/` or `mine/normals`.
 fn is_meant(typed: &OsStr, chapter: Chapter) -> bool {
     let (number, name) = (chapter as usize, chapter.name());
     let last = Path::new(typed).file_name().unwrap_or_default();
@@ -78,7 +78,8 @@ fn is_meant(typed: &OsStr, chapter: Chapter) -> bool {
         .contains(&last)
 }
 
-/// Takes the name of one of these things. Of those that have one name, the first one is meant.
+/// Makes a parser that takes the name of one of these things. Of those that share a name, the first
+/// is meant.
 pub fn named<T>(
     things: impl IntoIterator<Item = (&'static str, T)>,
 ) -> impl TypedValueParser<Value = T>

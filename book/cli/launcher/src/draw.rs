@@ -13,6 +13,9 @@ use crate::save::{Format, save};
 
 /// Draws every picture at the book's size, as PNG and as PPM, and says where
 /// it is, how large, and how long it took to trace.
+///
+/// # Errors
+/// If a file can't be written, or there is no workspace.
 pub fn all() -> Result<(), Box<dyn Error>> {
     let folder = folder()?;
     let mut report = format!("The pictures are in {}\n", from_here(&folder));
@@ -22,7 +25,10 @@ pub fn all() -> Result<(), Box<dyn Error>> {
     Ok(output::to_stdout(|out| out.write_all(report.as_bytes()))?)
 }
 
-/// Where the pictures go: `target/pictures` of this workspace.
+/// Makes the folder of the pictures: `target/pictures` of this workspace.
+///
+/// # Errors
+/// If it can't be made, or there is no workspace.
 pub fn folder() -> Result<PathBuf, Box<dyn Error>> {
     let folder = workspace()?.join("target").join("pictures");
     fs::create_dir_all(&folder).map_err(|cause| {
@@ -35,7 +41,10 @@ pub fn folder() -> Result<PathBuf, Box<dyn Error>> {
     Ok(folder)
 }
 
-/// The workspace, which has the sources of the book.
+/// Finds the workspace, which has the sources of the book.
+///
+/// # Errors
+/// If it is not there any more.
 pub fn workspace() -> Result<&'static Path, Box<dyn Error>> {
     course::workspace::workspace().ok_or_else(|| {
         "the workspace that this program was built from is not there any more\n\

@@ -70,13 +70,13 @@ fn remove(folder: &Path, name: &str) {
     }
 }
 
-/// Whether nothing is there, and no link on the way to it.
+/// Returns true if nothing is there, and no link on the way to it.
 fn is_missing(folder: &Path, name: &str) -> bool {
     let found = folder.join(name).symlink_metadata();
     found.is_err_and(|cause| cause.kind() == io::ErrorKind::NotFound) && has_no_link(folder, name)
 }
 
-/// Whether a file is there that is on the list, and no link on the way to it.
+/// Returns true if a file is there that is on the list, and no link on the way to it.
 fn is_ours(folder: &Path, name: &str, list: &List) -> bool {
     let path = folder.join(name);
     let is_file = path.symlink_metadata().is_ok_and(|it| it.is_file());
@@ -85,7 +85,7 @@ fn is_ours(folder: &Path, name: &str, list: &List) -> bool {
     is_file && has_no_link(folder, name) && is_listed()
 }
 
-/// Whether only folders are on the way to the file, or nothing yet.
+/// Returns true if only folders are on the way to the file, or nothing yet.
 fn has_no_link(folder: &Path, name: &str) -> bool {
     let mut above = Path::new(name).ancestors().skip(1);
     above.all(|above| {
@@ -94,13 +94,13 @@ fn has_no_link(folder: &Path, name: &str) -> bool {
     })
 }
 
-/// The file as the list has it.
+/// Writes the line of the list for a file.
 fn line(name: &str, bytes: &[u8]) -> String {
     format!("{:08x} {name:?}", crc32fast::hash(bytes))
 }
 
-/// The name on a line of the list, if it leads to a place in the folder: anybody may have written
-/// into the list.
+/// Returns the name on a line of the list, if it leads to a place in the folder: anybody may have
+/// written into the list.
 fn name(line: &str) -> Option<&str> {
     let (_, name) = line.split_once(' ')?;
     let name = name.trim_matches('"');
@@ -109,12 +109,18 @@ fn name(line: &str) -> Option<&str> {
     is_inside.then_some(name)
 }
 
-/// Refuses now a folder that [`fill`] would refuse in the end: until then much may be computed.
+/// Refuses at once a folder that [`fill`] would refuse after all files are computed.
+///
+/// # Errors
+/// If the folder holds something that is not of an earlier `kind`, or can't be read.
 pub fn refuse_strangers(folder: &Path, kind: &str) -> Result<(), Box<dyn Error>> {
     ours(folder, kind).map(drop)
 }
 
-/// All files below `folder`.
+/// Reads all files below `folder`.
+///
+/// # Errors
+/// If one can't be read.
 pub fn read(folder: &Path) -> io::Result<Files> {
     let mut files = Files::new();
     let mut folders = vec![String::new()];
@@ -139,8 +145,8 @@ const MOST_BYTES: u64 = 1 << 20;
 /// No file that is written here is longer.
 const LONGEST: u64 = 1 << 26;
 
-/// The list of what an earlier program wrote into `folder` as a `kind` of thing. A folder without
-/// it must be new, or hold nothing but what is hidden.
+/// Reads the list of files that an earlier program wrote into `folder` as a `kind` of thing. A
+/// folder without it must be new, or hold nothing but what is hidden.
 fn ours(folder: &Path, kind: &str) -> Result<List, Box<dyn Error>> {
     let list = folder.join(LIST);
     if let Ok(found) = list.symlink_metadata() {

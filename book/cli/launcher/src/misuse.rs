@@ -9,8 +9,8 @@ use std::process::{ExitCode, exit};
 use clap::Parser;
 use course::names;
 
-/// The command line, or the end of the program: with help, if that is asked for, or with what
-/// can't be understood.
+/// Parses the command line. Ends the program with help, if that is asked for, or with a complaint
+/// about a word that can't be understood.
 pub fn command_line<Cli: Parser>() -> Cli {
     Cli::try_parse().unwrap_or_else(|error| {
         if !error.use_stderr() {
@@ -22,8 +22,8 @@ pub fn command_line<Cli: Parser>() -> Cli {
     })
 }
 
-/// Says on standard error what went wrong. What the terminal would obey in it, from
-/// the name of a file perhaps, is spelled out.
+/// Writes to standard error. Characters that the terminal would obey, from the name of a file
+/// perhaps, are spelled out.
 pub fn complain(about: &str) {
     for line in about.lines() {
         // If even this can't be written, no more can be done.
@@ -43,18 +43,18 @@ impl fmt::Display for Misuse {
 
 impl Error for Misuse {}
 
-/// An error that says why a command line can't be followed.
+/// Makes an error that says why a command line can't be followed.
 pub fn misuse(what: &str) -> Box<dyn Error> {
     Misuse(what.to_owned()).into()
 }
 
-/// The exit code of a program that has done this, and on standard error why it is not 0.
+/// Returns the exit code of a program that has `done` its work, and complains of an error.
 pub fn exit_code(done: Result<(), Box<dyn Error>>) -> ExitCode {
     exit_code_of(done.map(|()| ExitCode::SUCCESS))
 }
 
-/// The same, where what was done has an exit code of its own: 2 is for a misuse, and 1 for
-/// what failed on the way.
+/// Returns the exit code of work that has one of its own, and complains of an error: 2 is for a
+/// misuse, and 1 for a failure on the way.
 pub fn exit_code_of(done: Result<ExitCode, Box<dyn Error>>) -> ExitCode {
     done.unwrap_or_else(|error| {
         complain(&format!("rtrace: {error}"));

@@ -7,7 +7,7 @@ use common::engine::output;
 use common::rtweekend::Picture;
 use png::{BitDepth, ColorType, Compression, Filter};
 
-/// What a picture file holds.
+/// The format of a picture file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
     /// Compressed, for viewers and pages.
@@ -17,7 +17,7 @@ pub enum Format {
 }
 
 impl Format {
-    /// The format that the name of a file asks for.
+    /// Returns the format that the name of a file asks for.
     pub fn of(path: &Path) -> Option<Self> {
         let extension = path.extension()?.to_ascii_lowercase();
         [Self::Png, Self::Ppm]
@@ -25,7 +25,7 @@ impl Format {
             .find(|format| extension == format.extension())
     }
 
-    /// How the name of a file ends.
+    /// Returns the end of a file's name, without the dot.
     pub fn extension(self) -> &'static str {
         match self {
             Self::Png => "png",

@@ -38,6 +38,10 @@ pub struct Arguments {
 }
 
 /// Draws the picture, then prints, saves, opens or shows it.
+///
+/// # Errors
+/// If the words don't fit together, if there is no terminal with colors to show it in, or if it
+/// can't be written or opened.
 pub fn show(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let Arguments {
         chapter,

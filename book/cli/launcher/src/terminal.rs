@@ -19,8 +19,8 @@ pub enum Palette {
 }
 
 impl Palette {
-    /// The colors of the terminal that shows standard output, if there is one, if it
-    /// has colors, and if the reader wants them.
+    /// Returns the colors of the terminal that shows standard output, if there is one, if it has
+    /// colors, and if the reader wants them.
     pub fn of_stdout() -> Option<Self> {
         let level = supports_color::on(Stream::Stdout)?;
         // A console of Windows reads escapes only if asked to, and then it has all colors.
@@ -55,6 +55,9 @@ impl Palette {
 ///
 /// The character is the upper half block: its own color is the upper pixel, its
 /// background the lower one.
+///
+/// # Errors
+/// If it can't be written to `out`.
 pub fn show(picture: &Picture, palette: Palette, out: &mut dyn Write) -> io::Result<()> {
     let (columns, terminal_lines) = terminal_size::terminal_size()
         .map_or((80, 24), |(width, height)| {
@@ -68,7 +71,7 @@ pub fn show(picture: &Picture, palette: Palette, out: &mut dyn Write) -> io::Res
     Ok(())
 }
 
-/// The lines that show `picture`, reduced to at most `columns` × `rows` pixels.
+/// Returns the lines that show `picture`, reduced to at most `columns` × `rows` pixels.
 pub fn lines(picture: &Picture, palette: Palette, columns: u32, rows: u32) -> Vec<String> {
     let pixels = reduced(picture, columns, rows);
     let line = |rows: &[Vec<[u8; 3]>]| {
@@ -85,8 +88,8 @@ pub fn lines(picture: &Picture, palette: Palette, columns: u32, rows: u32) -> Ve
     pixels.chunks(2).map(line).collect()
 }
 
-/// The rows of the picture at its own size if that fits into `columns` × `rows` pixels, else
-/// as large as fits, with its shape kept.
+/// Returns the rows of the picture at its own size if that fits into `columns` × `rows` pixels,
+/// else as large as fits, with its shape kept.
 fn reduced(picture: &Picture, columns: u32, rows: u32) -> Vec<Vec<[u8; 3]>> {
     let (width, height) = (picture.width(), picture.height());
     let scale = f64::min(
@@ -101,13 +104,13 @@ fn reduced(picture: &Picture, columns: u32, rows: u32) -> Vec<Vec<[u8; 3]>> {
     blocks(height, fit(height)).map(row).collect()
 }
 
-/// So many pixels, cut into `count` blocks that are as equal as can be.
+/// Cuts `pixels` into `count` blocks that are as equal as can be.
 fn blocks(pixels: u32, count: u32) -> impl Iterator<Item = Range<u32>> {
     let end = move |n: u32| (n * pixels).div_ceil(count);
     (0..count).map(move |n| end(n)..end(n + 1))
 }
 
-/// The mean color of a block of pixels.
+/// Returns the mean color of a block of pixels.
 fn average(picture: &Picture, columns: Range<u32>, rows: Range<u32>) -> [u8; 3] {
     let count = (columns.len() * rows.len()) as u32;
     let component = |n: u32| {

@@ -6,8 +6,8 @@ pub mod source;
 
 use slips::{Chapter, lawful};
 
-/// The files of the chapter with nothing in the functions that are to be typed, in the order in
-/// which they are typed: the same as those that the page lists.
+/// Lists the files of the chapter, as the page lists them, with `todo!()` in the functions that are
+/// to be typed: each with its name, in the order in which they are typed.
 pub fn files(chapter: Chapter, own: bool) -> Vec<(&'static str, String)> {
     let (of_lib, of_others) = if own {
         let modules = include_str!("../files/own/head.rs");
@@ -30,7 +30,7 @@ pub fn files(chapter: Chapter, own: bool) -> Vec<(&'static str, String)> {
     files
 }
 
-/// What a chapter takes from the prelude.
+/// The line by which a chapter uses the prelude.
 const PRELUDE: &str = "use common::rtweekend::*;\n";
 
 /// A step of chapter 5.
@@ -53,12 +53,12 @@ fn given(chapter: Chapter) -> &'static [&'static str] {
     }
 }
 
-/// The same for a reader who takes nothing over from the chapter before.
+/// Lists the [`files`] for a reader whose prelude is ours.
 pub fn plain(chapter: Chapter) -> Vec<(&'static str, String)> {
     files(chapter, false)
 }
 
-/// What becomes of a function that the reader wrote in the chapter before, near an item of the
+/// How a function that the reader wrote in the chapter before goes on, near an item of the
 /// skeleton.
 pub enum How {
     /// It takes the place of the item.
@@ -69,7 +69,8 @@ pub enum How {
     Shown,
 }
 
-/// The functions of the chapter before, each with some text of the item that it has to do with.
+/// Lists the functions of the chapter before that go on in this one, each with a text that stands
+/// in the item beside which it goes on.
 pub fn carried(chapter: Chapter) -> &'static [(&'static str, &'static str, How)] {
     match chapter {
         Chapter::RedSphere => &[("ray_color", "fn ray_color", How::As("sky"))],
@@ -112,7 +113,7 @@ pub const EDITOR: &str = r#"{
 }
 "#;
 
-/// What prints the picture.
+/// Writes `src/main.rs`, which prints the picture.
 pub fn main(chapter: Chapter, own: bool) -> String {
     let name = chapter.name();
     let body = if own {
@@ -125,7 +126,7 @@ pub fn main(chapter: Chapter, own: bool) -> String {
     format!("//! Prints the picture: `cargo run > {name}.ppm`\n\n{body}")
 }
 
-/// What cargo reads: where the workspace is, as seen from the crate, and a number that no
+/// Writes `Cargo.toml`, with the path of the workspace as seen from the crate, and a number that no
 /// other crate has.
 pub fn manifest(chapter: Chapter, own: bool, workspace: &str, number: u64) -> String {
     let name = chapter.name();
@@ -149,8 +150,8 @@ pub fn manifest(chapter: Chapter, own: bool, workspace: &str, number: u64) -> St
     )
 }
 
-/// The test that puts what the reader types under the laws; empty where no law can
-/// be broken.
+/// Writes `tests/laws.rs`, the test that puts the reader's functions under the laws; empty where no
+/// law can be broken.
 pub fn test(chapter: Chapter, own: bool) -> String {
     let test = match (chapter, own) {
         (Chapter::HittableList, false) => include_str!("../files/laws/hittable_list.rs"),

@@ -5,22 +5,22 @@ use std::ops::Range;
 use syn::spanned::Spanned;
 use syn::{Block, Ident, ImplItem, Item};
 
-/// Each item that has a name, and where it is, its documentation included.
+/// Lists the items that have a name, with their places in bytes, documentation included.
 ///
 /// # Errors
-/// The line that is not Rust, and why.
+/// The line that is not Rust, and the reason.
 pub fn items(source: &str) -> Result<Vec<(String, Range<usize>)>, String> {
     let file = syn::parse_file(source).map_err(|cause| said(&cause))?;
     let named = |item: &Item| Some((name(item, source)?, item.span().byte_range()));
     Ok(file.items.iter().filter_map(named).collect())
 }
 
-/// Says why a source can't be read, with the line.
+/// Writes why a source can't be read, with the line.
 pub fn said(cause: &syn::Error) -> String {
     format!("line {}: {cause}", cause.span().start().line)
 }
 
-/// What an item goes by: an impl block by its type, so that it stays with that.
+/// Returns the name of an item: that of an impl block is its type, so that it stays with that.
 fn name(item: &Item, source: &str) -> Option<String> {
     let written = |part: &dyn Spanned| source[part.span().byte_range()].to_owned();
     Some(match item {
@@ -39,8 +39,8 @@ fn name(item: &Item, source: &str) -> Option<String> {
     })
 }
 
-/// The source with `todo!()` in the functions that are not `given`, and the first sentence of
-/// each piece of documentation.
+/// Puts `todo!()` into the functions that are not `given`, and leaves the first sentence of each
+/// piece of documentation.
 pub(crate) fn to_type(source: &str, given: &[&str]) -> String {
     let file = syn::parse_file(source).expect("a chapter is Rust");
     let mut functions: Vec<(&Ident, &Block)> = Vec::new();

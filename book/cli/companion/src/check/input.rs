@@ -3,14 +3,14 @@
 use std::ffi::OsString;
 use std::fmt;
 use std::fs::File;
-use std::io::{self, Read};
+use std::io;
 use std::path::Path;
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
 use std::time::Duration;
 
 use check::names;
-use check::reading::{Cause, MOST_BYTES};
+use check::reading::Cause;
 
 use crate::misuse::complain;
 use crate::subprocess;
@@ -27,7 +27,7 @@ pub(crate) enum Source<'a> {
 }
 
 impl<'a> Source<'a> {
-    /// The file of that name, or standard input for `-`.
+    /// Makes the source of that name: a file, or standard input for `-`.
     pub(crate) fn of(path: &'a Path) -> Self {
         match path.to_str() {
             Some("-") => Self::Stdin,
@@ -35,15 +35,17 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// All bytes, as long as there are not too many; of a program, as long as it does
-    /// not take longer than `limit`.
+    /// Reads all bytes, or one more than a picture may have. A program may take `limit`.
+    ///
+    /// # Errors
+    /// If it can't be read, or the program does not start, fails, or takes longer.
     pub(crate) fn read(&self, limit: Duration) -> Result<Vec<u8>, Cause> {
         match self {
-            Self::File(path) => opened(path).and_then(limited).map_err(|cause| {
+            Self::File(path) => opened(path).and_then(subprocess::limited).map_err(|cause| {
                 let problem = format!("it can't be read: {cause}");
                 Cause::new("unreadable", problem, "Is this the name of your picture?")
             }),
-            Self::Stdin => limited(io::stdin().lock()).map_err(|cause| {
+            Self::Stdin => subprocess::limited(io::stdin().lock()).map_err(|cause| {
                 let problem = format!("standard input can't be read: {cause}");
                 Cause::new("unreadable", problem, "Name a file instead.")
             }),
@@ -80,12 +82,4 @@ fn opened(path: &Path) -> io::Result<File> {
     let file = File::open(path);
     drop(opened);
     file
-}
-
-/// Reads to the end, or one byte more than a picture may have, so that the
-/// reading of pictures can say so.
-fn limited(input: impl Read) -> io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    input.take(MOST_BYTES as u64 + 1).read_to_end(&mut bytes)?;
-    Ok(bytes)
 }

@@ -72,7 +72,10 @@ impl Dialogue {
         })
     }
 
-    /// What it answers to the line.
+    /// Asks a line, and returns the line that it answers.
+    ///
+    /// # Errors
+    /// If it does not answer as agreed.
     pub(super) fn ask(&mut self, line: &str) -> Result<String, Failure> {
         self.says_no_more(Duration::ZERO)?;
         if self.start.elapsed() > ALL * self.limit {
@@ -90,14 +93,20 @@ impl Dialogue {
         }
     }
 
-    /// Ends its input, and says whether it had said more than it was asked.
+    /// Ends its input.
+    ///
+    /// # Errors
+    /// If it then says more than it was asked.
     pub(super) fn end(&mut self) -> Result<(), Failure> {
         // Its input ends.
         self.program.input = None;
         self.says_no_more(FAREWELL)
     }
 
-    /// Whether it says nothing for so long.
+    /// Waits so long for it to say nothing.
+    ///
+    /// # Errors
+    /// The line that it says.
     pub(super) fn says_no_more(&self, time: Duration) -> Result<(), Failure> {
         let more = self.answers.recv_timeout(time);
         more.map_or(Ok(()), |more| Err(Failure::TooMuch(more)))
@@ -113,7 +122,7 @@ impl Dialogue {
         late.map_or(Failure::Silent, |_| Failure::Late)
     }
 
-    /// How it ended, if it does soon.
+    /// Returns its status, if it ends soon.
     fn status(&mut self) -> Option<ExitStatus> {
         const TICK: Duration = Duration::from_millis(2);
         let start = Instant::now();
@@ -134,7 +143,7 @@ impl Drop for Dialogue {
     }
 }
 
-/// The lines that are read. A program that goes on and on has to wait.
+/// Starts a thread that reads lines. A program that goes on and on has to wait.
 fn reader(output: ChildStdout) -> Receiver<String> {
     let (sender, answers) = mpsc::sync_channel(1);
     thread::spawn(move || {

@@ -81,8 +81,8 @@ pub(crate) fn needs(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     Ok(output::to_stdout(|out| out.write_all(said.as_bytes()))?)
 }
 
-/// What there is to say in each precision that has the numbers of the scene, `f64` first; and how
-/// many pixels of the right picture have shadow acne.
+/// Tries all methods in each precision that has the numbers of the scene, `f64` first. Counts the
+/// pixels of the right picture that have shadow acne, too.
 fn look_into(scene: &Scene) -> (Vec<Found>, usize) {
     let mut precisions = Precision::ALL.to_vec();
     precisions.retain(|precision| scene.fits(*precision));
@@ -99,7 +99,7 @@ fn look_into(scene: &Scene) -> (Vec<Found>, usize) {
     (found.collect(), drawn.with_acne)
 }
 
-/// Says how much is drawn, every two seconds.
+/// Makes a function that says how much is drawn, every two seconds.
 fn progress() -> impl Fn(usize, usize) + Sync {
     const SECONDS: u64 = 2;
     let (start, next) = (Instant::now(), AtomicU64::new(SECONDS));
@@ -115,7 +115,7 @@ fn progress() -> impl Fn(usize, usize) + Sync {
     }
 }
 
-/// The scene that the file at `path` describes, under the name of the file.
+/// Reads the scene that the file at `path` describes, under the name of the file.
 ///
 /// # Errors
 /// If it can't be read; or its first mistake, with line and column.

@@ -13,7 +13,7 @@ use crate::hit;
 use crate::wrap::hanging;
 use measure::needs::{Culprit, Found, Row, least_of_all};
 
-/// All that there is to say, the method to take first.
+/// Writes the whole answer, the method to take first.
 pub(super) fn text(scene: &Scene, found: &[Found], with_acne: usize) -> String {
     let camera = Camera::new(scene.width);
     let (width, height) = (camera.image_width, camera.image_height);
@@ -49,7 +49,7 @@ pub(super) fn text(scene: &Scene, found: &[Found], with_acne: usize) -> String {
 
 const FASTER: &str = "Fully optimized: cargo run --release --package companion -- needs SCENE";
 
-/// What the scene says or leaves out, and what counts as right.
+/// Tells the assumptions: the ranges of t, and what counts as right.
 fn assumed(scene: &Scene) -> String {
     let [eye, sun] = scene.t_min;
     let shadows = match scene.sun {
@@ -63,7 +63,7 @@ fn assumed(scene: &Scene) -> String {
     ))
 }
 
-/// One method and why, or what else helps.
+/// Names one method and why, or what else helps.
 fn advice(scene: &Scene, found: &[Found], with_acne: usize) -> String {
     if with_acne > 0 {
         let [_, t_min] = scene.t_min;
@@ -89,7 +89,7 @@ fn advice(scene: &Scene, found: &[Found], with_acne: usize) -> String {
     }
 }
 
-/// Where a range begins too late for the scene.
+/// Warns of a range that begins too late for the scene.
 fn warnings(scene: &Scene) -> String {
     let radii = scene.spheres.iter().map(|(_, radius)| *radius);
     let least = radii.fold(f64::INFINITY, f64::min);
@@ -111,7 +111,7 @@ fn warnings(scene: &Scene) -> String {
     late(eye, "things are seen only from t =") + &of_sun.unwrap_or_default()
 }
 
-/// Whether t is right, or as good as can be, where a pixel is wrong.
+/// Returns true if t is right, or as good as can be, where a pixel is wrong.
 fn needs_order(culprit: &Culprit) -> bool {
     !culprit.is_shadow && culprit.error <= hit::ORDINARY
 }
@@ -129,7 +129,7 @@ fn one_precision(found: &Found) -> String {
     text
 }
 
-/// The least that suffices, in a sentence or two.
+/// Names the least that suffices, in a sentence or two.
 fn verdict(found: &Found) -> String {
     let precision = found.precision.name();
     let name = |n: &usize| found.rows[*n].view.method.name;
@@ -150,7 +150,7 @@ fn verdict(found: &Found) -> String {
     text
 }
 
-/// The least for distances, and how far off the least for colors is.
+/// Names the least for distances, and tells how far off the least for colors is.
 fn distances(found: &Found) -> String {
     let precision = found.precision.name();
     let name = |n: usize| found.rows[n].view.method.name;
@@ -200,7 +200,7 @@ fn line(row: &Row, is_least: bool) -> String {
     )
 }
 
-/// Why `row` fails: its first wrong pixel under the microscope, beside the least that
+/// Shows why `row` fails: its first wrong pixel under the microscope, beside the least that
 /// suffices.
 fn why(row: &Row, least: Option<&Row>, culprit: &Culprit) -> String {
     let name = row.view.method.name;
@@ -238,7 +238,7 @@ fn why(row: &Row, least: Option<&Row>, culprit: &Culprit) -> String {
     text + &again(culprit)
 }
 
-/// What helps where no method for one sphere does.
+/// Tells what helps where no method for one sphere does.
 fn cure(culprit: &Culprit, precision: Precision) -> &'static str {
     match precision {
         _ if culprit.is_shadow => {
@@ -253,7 +253,7 @@ fn cure(culprit: &Culprit, precision: Precision) -> &'static str {
     }
 }
 
-/// The command that shows the same with all methods.
+/// Writes the command that shows the case with all methods.
 fn again(culprit: &Culprit) -> String {
     let vector = |v: Vec3| v.to_array().map(|number| format!("{number:?}")).join(",");
     let Culprit { case, t_min, .. } = culprit;

@@ -1,6 +1,6 @@
-//! Carrying over: what a reader wrote in one chapter goes on into the next.
+//! Carrying over: the functions that a reader wrote in one chapter go on into the next.
 //!
-//! What no skeleton knows, such as a function that the reader added, goes to the end.
+//! Items that no skeleton knows, such as a function that the reader added, go to the end.
 
 use std::fs;
 use std::ops::Range;
@@ -38,20 +38,20 @@ impl Written {
         }
     }
 
-    /// Whether vectors and rays are the reader's own.
+    /// Returns true if vectors and rays are the reader's own.
     pub(super) fn has_own_prelude(&self) -> bool {
         let prelude = Path::new("src/rtweekend.rs");
         self.files.iter().any(|name| name == prelude)
     }
 }
 
-/// The files of a chapter to be typed, and what to say about their origin.
+/// The files of a chapter to be typed, and a sentence about their origin.
 pub(super) struct Carried {
     pub(super) files: Vec<(&'static str, String)>,
     pub(super) said: String,
 }
 
-/// The chapter's skeletons with what was written before.
+/// Makes the chapter's skeletons with the functions that were written before.
 pub(super) fn into(chapter: Chapter, own: bool, written: Option<&Written>) -> Carried {
     let (items, said) = origin(written);
     let mut files = skeletons::files(chapter, own);
@@ -94,7 +94,7 @@ pub(super) fn into(chapter: Chapter, own: bool, written: Option<&Written>) -> Ca
     Carried { files, said }
 }
 
-/// Where the item of the skeleton is that has this text.
+/// Finds the place, in bytes, of the item of the skeleton that has this text.
 fn place(skeleton: &str, text: &str) -> Range<usize> {
     let items = source::items(skeleton).expect("a skeleton is Rust");
     let mut places = items.into_iter().map(|(_, place)| place);
@@ -102,7 +102,7 @@ fn place(skeleton: &str, text: &str) -> Range<usize> {
     places.find(has_it).expect("a skeleton has the item")
 }
 
-/// What is said of where the files came from, and the items of the chapter before.
+/// Returns the items of the chapter before, and a sentence about their origin.
 fn origin(written: Option<&Written>) -> (&[(String, String)], String) {
     let Some(Written { chapter, items, .. }) = written else {
         return (&[], String::new());
@@ -119,7 +119,7 @@ fn origin(written: Option<&Written>) -> (&[(String, String)], String) {
     }
 }
 
-/// The item as a comment, for the eyes.
+/// Writes the item as a comment.
 fn as_comment(text: &str) -> String {
     let is_doc = |line: &&str| line.trim_start().starts_with("///");
     let lines = text.lines().filter(|line| !is_doc(line));
@@ -127,7 +127,7 @@ fn as_comment(text: &str) -> String {
     format!("// What you wrote before:\n//\n{comment}\n")
 }
 
-/// Each item of the source that has a name, with its text.
+/// Lists the items of the source that have a name, with their texts.
 fn items_of(source: &str) -> Result<Vec<(String, String)>, String> {
     let items = source::items(source)?.into_iter();
     Ok(items
@@ -135,8 +135,8 @@ fn items_of(source: &str) -> Result<Vec<(String, String)>, String> {
         .collect())
 }
 
-/// The files below a folder of the crate, however deep, but for the chapter itself and
-/// what an editor or a system hides there. A link is left where it is.
+/// Lists the files below a folder of the crate, however deep, but for the chapter itself and hidden
+/// files. A link is left where it is.
 fn other_files(folder: &Path, below: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder.join(below)).into_iter().flatten();
     let mut files = Vec::new();

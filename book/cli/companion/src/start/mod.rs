@@ -75,7 +75,7 @@ struct New {
     copies: Vec<(PathBuf, PathBuf)>,
     /// The other files, by their names. One of the chapter takes the place of a copy.
     files: Vec<(&'static str, String)>,
-    /// What was carried over from the chapter before, or why nothing was.
+    /// A sentence about what was carried over from the chapter before, or why nothing was.
     carried: String,
 }
 
@@ -152,8 +152,8 @@ impl New {
         Ok(())
     }
 
-    /// Lets a file be read by nobody who can't read that of the chapter before; what is new there,
-    /// by nobody who can't read `src/lib.rs`.
+    /// Takes rights away from a file that the file of that name in the chapter before does not
+    /// give, or, if there is none, that `src/lib.rs` does not give.
     #[cfg(unix)]
     fn keep_private(&self, file: &File, name: &str) -> io::Result<()> {
         use std::os::unix::fs::PermissionsExt;
@@ -195,7 +195,7 @@ impl New {
     }
 }
 
-/// The files that the reader need not touch.
+/// Writes the files that the reader need not touch.
 fn given(
     chapter: Chapter,
     own: bool,

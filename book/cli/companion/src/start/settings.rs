@@ -6,7 +6,7 @@ use slips::{Chapter, steps};
 
 use crate::wrap::filled;
 
-/// Where the workspace is, as seen from a crate: one that lies in it moves with it.
+/// Returns the path of the workspace as seen from a crate: one that lies in it moves with it.
 pub(super) fn from_crate(folder: &Path, workspace: &Path) -> PathBuf {
     let real = |folder: &Path| folder.canonicalize().ok();
     let mine = folder.parent().and_then(real);
@@ -18,10 +18,10 @@ pub(super) fn from_crate(folder: &Path, workspace: &Path) -> PathBuf {
     })
 }
 
-/// All crates of readers, wherever they are, share what was built once, and in each of
-/// them `cargo rtrace` is what it is in the workspace. The alias is one text, as there, or
-/// cargo would not put the two together; so there is none where a path has a space in it.
-/// It is read wherever the reader is in the crate, and so its paths are absolute.
+/// Writes `.cargo/config.toml`: all crates of readers, wherever they are, share what was built
+/// once, and in each of them `cargo rtrace` is what it is in the workspace. The alias is one text,
+/// as there, or cargo would not put the two together; so there is none where a path has a space in
+/// it. It is read wherever the reader is in the crate, and so its paths are absolute.
 pub(super) fn config(from_crate: &Path, workspace: &Path) -> String {
     let shared = with_slashes(&from_crate.join("target/mine"));
     let target = format!("[build]\ntarget-dir = {shared:?}\n");
@@ -35,7 +35,7 @@ pub(super) fn config(from_crate: &Path, workspace: &Path) -> String {
     format!("{target}\n[alias]\nrtrace = {alias:?}\n")
 }
 
-/// The head of the chapter: its steps.
+/// Writes the head of the chapter: its steps.
 pub(super) fn about(chapter: Chapter) -> String {
     let number = chapter as usize;
     let mut about = format!(
@@ -49,7 +49,7 @@ pub(super) fn about(chapter: Chapter) -> String {
     about + "\n"
 }
 
-/// The path as cargo reads it on every system: a crate may be built on two of them.
+/// Writes the path as cargo reads it on every system: a crate may be built on two of them.
 pub(super) fn with_slashes(path: &Path) -> String {
     path.display().to_string().replace(MAIN_SEPARATOR, "/")
 }

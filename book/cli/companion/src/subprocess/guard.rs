@@ -14,13 +14,13 @@ use std::sync::{LazyLock, Mutex, PoisonError};
 
 use super::tree;
 
-/// What marks a reader's program and all that it starts, in their environments.
+/// The environment variable that marks a reader's program and all that it starts.
 pub(crate) const MARK: &str = "RTRACE_STARTED_BY";
 
-/// What tells a process that it is the guard, of programs with that mark.
+/// The environment variable that makes a process the guard of programs with that mark.
 const GUARDS: &str = "RTRACE_GUARDS";
 
-/// The mark, which no other run of this program has.
+/// Returns the mark of this run, which no other run of this program has.
 pub(crate) fn mark() -> &'static str {
     static MARKED: LazyLock<String> = LazyLock::new(|| {
         // The standard library asks the system for a random number to seed its hash tables.
@@ -30,7 +30,7 @@ pub(crate) fn mark() -> &'static str {
     &MARKED
 }
 
-/// What the guard reads.
+/// The pipe that the guard reads.
 static PIPE: Mutex<Option<ChildStdin>> = Mutex::new(None);
 
 /// Starts the guard, unless it is there.
@@ -70,7 +70,7 @@ fn tell(line: &str) {
     }
 }
 
-/// Guards until the first process is gone, if this one is to guard.
+/// Guards until the first process is gone, if this one is to guard. Returns true if it has.
 pub(crate) fn has_guarded() -> bool {
     let Ok(mark) = env::var(GUARDS) else {
         return false;

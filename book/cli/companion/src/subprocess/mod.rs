@@ -23,8 +23,7 @@ use crate::misuse::complain;
 
 pub(crate) use running::Running;
 
-/// All that the program prints, or one byte more than a picture may have, so that
-/// the reading of pictures can say so.
+/// Runs a program and returns all that it prints, [`limited`].
 ///
 /// # Errors
 /// If the program does not start, fails, or takes longer than `limit`.
@@ -50,7 +49,7 @@ pub(crate) fn output_of(words: &[OsString], limit: Duration) -> Result<Vec<u8>, 
     }
 }
 
-/// A reader's program with its arguments, and with the mark by which all that it starts is found.
+/// Makes the command of a reader's program, with the mark by which all that it starts is found.
 pub(crate) fn command(words: &[OsString]) -> Command {
     let mut command = Command::new(&words[0]);
     command.args(&words[1..]).env(guard::MARK, guard::mark());
@@ -75,8 +74,8 @@ const TICK: Duration = Duration::from_millis(5);
 /// How long the last that a program has printed may be on its way.
 const FAREWELL: Duration = Duration::from_secs(1);
 
-/// Runs the program, unless `is_old` says that this is no longer wanted. How it ended, and what
-/// `listen` makes of what it wrote to standard error.
+/// Runs the program until it ends, has to, or `is_old` says that it is no longer wanted. Returns
+/// how it ended, and what `listen` returned, which reads its standard error.
 ///
 /// # Errors
 /// If the program does not start.
@@ -137,22 +136,24 @@ fn finish(
     }
 }
 
-/// What a thread comes to, as soon as it has.
+/// Starts a thread, whose result can be received once.
 pub(crate) fn in_a_thread<T: Send + 'static>(
     work: impl FnOnce() -> T + Send + 'static,
 ) -> Receiver<T> {
     let (sender, result) = mpsc::channel();
-    // Who does not wait for it any more misses nothing.
+    // A receiver that is gone misses nothing.
     thread::spawn(move || drop(sender.send(work())));
     result
 }
 
-/// Reads to the end, or one byte more than a picture may have: then the program can't go on.
-fn limited(printed: impl Read) -> io::Result<Vec<u8>> {
+/// Reads to the end, or one byte more than a picture may have, so that the reading of pictures can
+/// say so; a program that prints more can't go on.
+///
+/// # Errors
+/// If it can't be read.
+pub(crate) fn limited(input: impl Read) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    printed
-        .take(MOST_BYTES as u64 + 1)
-        .read_to_end(&mut bytes)?;
+    input.take(MOST_BYTES as u64 + 1).read_to_end(&mut bytes)?;
     Ok(bytes)
 }
 

@@ -8,7 +8,7 @@ use super::{guard, tree};
 /// A program that ends when this is dropped, with all that it has started.
 pub(crate) struct Running {
     tree: tree::Tree,
-    /// Whether it has the mark of a reader's program.
+    /// True if it has the mark of a reader's program.
     is_marked: bool,
     /// Its input, output and errors, as far as they are piped.
     pub(crate) input: Option<ChildStdin>,
@@ -41,7 +41,10 @@ impl Running {
         tree::gives_way(self.tree.id());
     }
 
-    /// How it has ended, if it has.
+    /// Returns its status, if it has ended.
+    ///
+    /// # Errors
+    /// If the system does not tell.
     pub(crate) fn ended(&mut self) -> io::Result<Option<ExitStatus>> {
         self.tree.try_wait()
     }

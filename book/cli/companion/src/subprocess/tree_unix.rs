@@ -20,7 +20,7 @@ pub(super) fn grown(command: &mut Command) -> io::Result<Tree> {
     command.process_group(0).spawn()
 }
 
-/// Its input, output and errors, as far as they are piped.
+/// Takes its input, output and errors, as far as they are piped.
 pub(super) fn pipes(
     tree: &mut Tree,
 ) -> (Option<ChildStdin>, Option<ChildStdout>, Option<ChildStderr>) {
@@ -63,13 +63,13 @@ pub(super) fn swept(mark: &str) {
     }
 }
 
-/// All processes, where the system shows them as folders.
+/// Lists all processes, where the system shows them as folders.
 fn processes() -> impl Iterator<Item = Pid> {
     let entries = fs::read_dir("/proc").into_iter().flatten().flatten();
     entries.filter_map(|entry| pid(entry.file_name().to_str()?.parse().ok()?))
 }
 
-/// Whether the process began with that in its environment. One that has ended has none.
+/// Returns true if the process began with `mark` in its environment. One that has ended has none.
 fn has(process: Pid, mark: &[u8]) -> bool {
     let environment = fs::read(format!("/proc/{}/environ", process.as_raw_nonzero()));
     environment.is_ok_and(|it| it.split(|&byte| byte == 0).any(|it| it == mark))

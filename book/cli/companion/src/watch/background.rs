@@ -1,7 +1,7 @@
 //! A background build: while a reader types, cargo builds the laws at the lowest priority.
 //!
 //! It stops for each save, since cargo builds one thing at a time in a folder, and goes on from
-//! there. So nobody waits for the laws who has typed for some minutes.
+//! there. So a reader who has typed for some minutes does not wait for the laws.
 
 use std::io::BufReader;
 use std::path::Path;
@@ -20,7 +20,7 @@ const MEANWHILE: &str = "Meanwhile, the laws are built, which test your function
 #[derive(Default)]
 pub(super) struct Background {
     running: Option<Running>,
-    /// Whether all is built that can be.
+    /// True if all is built that can be.
     is_done: bool,
 }
 
@@ -47,7 +47,7 @@ impl Background {
         }
     }
 
-    /// Whether it has just ended by itself.
+    /// Returns true if it has ended by itself since the last look.
     pub(super) fn has_ended(&mut self) -> bool {
         let ended = |it: &mut Running| it.ended().ok().flatten().is_some();
         let has_ended = self.running.as_mut().is_some_and(ended);
@@ -61,7 +61,7 @@ impl Background {
         self.running = None;
     }
 
-    /// Whether all is built that can be.
+    /// Returns true if all is built that can be.
     pub(super) fn is_done(&self) -> bool {
         self.is_done
     }

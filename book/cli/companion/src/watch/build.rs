@@ -19,7 +19,7 @@ use crate::terminal::Palette;
 pub(super) struct Built {
     /// Prints the picture.
     pub(super) program: OsString,
-    /// What the compiler warned of in the reader's files, each in its first line.
+    /// The compiler's warnings of the reader's files, each in its first line.
     pub(super) warnings: Vec<String>,
 }
 
@@ -31,7 +31,7 @@ pub(super) struct Problem {
     pub(super) more: usize,
 }
 
-/// What is said before more is built than the crate: for chapter 1, and for those with laws.
+/// Lines to show before more is built than the crate: for chapter 1, and for those with laws.
 const PRELUDE: &str = "\nBuilding the prelude for all your crates: once, about a quarter of a minute. \
     The laws, from chapter 2 on, take a minute more, once";
 const LAWS: &str =
@@ -45,7 +45,10 @@ pub(super) enum Stop {
     NotBuilt(Problem),
 }
 
-/// Builds the crate in `folder`, unless `is_old` says that there is a newer one.
+/// Builds the crate in `folder`.
+///
+/// # Errors
+/// If it can't be built, or `is_old` says that there is a newer save.
 pub(super) fn build(folder: &Path, is_old: &mut dyn FnMut() -> bool) -> Result<Built, Stop> {
     let show = |errors| cargo::show(errors, PRELUDE);
     let messages = cargo_says(folder, &["build"], show, is_old)?;
@@ -57,35 +60,31 @@ pub(super) fn build(folder: &Path, is_old: &mut dyn FnMut() -> bool) -> Result<B
     })
 }
 
-/// Builds the test that puts under the laws what the crate computes, if it computes something.
+/// Builds the test that puts the functions of the crate under the laws, and returns its program.
+/// Unless it `waits`, it returns `None` as soon as cargo has more to build than the crate.
+///
+/// # Errors
+/// If the test can't be built, or `is_old` says that there is a newer save.
 pub(super) fn laws(
     folder: &Path,
+    waits: bool,
     is_old: &mut dyn FnMut() -> bool,
 ) -> Result<Option<OsString>, Stop> {
-    let show = |errors| cargo::show(errors, LAWS);
-    let messages = cargo_says(folder, &TEST, show, is_old)?;
-    Ok(executable(&messages, "test"))
-}
-
-/// The same if cargo has nothing else to build than the crate.
-pub(super) fn laws_at_once(
-    folder: &Path,
-    is_old: &mut dyn FnMut() -> bool,
-) -> Result<Option<OsString>, Stop> {
-    let (works, is_heard) = (Arc::new(AtomicBool::new(false)), AtomicBool::load);
+    let works = Arc::new(AtomicBool::new(false));
     let heard = Arc::clone(&works);
-    let listen = move |errors| cargo::listen(errors, |_, _| heard.store(true, Relaxed));
-    let mut ends = || is_heard(&works, Relaxed) || is_old();
-    match cargo_says(folder, &TEST, listen, &mut ends) {
-        Err(Stop::Old) if is_heard(&works, Relaxed) => Ok(None),
+    let listen = move |errors| match waits {
+        true => cargo::show(errors, LAWS),
+        false => cargo::listen(errors, |_, _| heard.store(true, Relaxed)),
+    };
+    let gives_up = || !waits && works.load(Relaxed);
+    let test = ["test", "--no-run", "--test", "laws"];
+    match cargo_says(folder, &test, listen, &mut || gives_up() || is_old()) {
+        Err(Stop::Old) if gives_up() => Ok(None),
         messages => Ok(executable(&messages?, "test")),
     }
 }
 
-/// What builds the test that asks the laws.
-const TEST: [&str; 4] = ["test", "--no-run", "--test", "laws"];
-
-/// The command that has cargo do this for the crate in `folder`.
+/// Makes the command that has cargo do `words` for the crate in `folder`.
 pub(super) fn command(folder: &Path, words: &[&str]) -> Command {
     let mut command = Command::new(cargo::cargo());
     command.args(words).current_dir(folder);
@@ -95,7 +94,7 @@ pub(super) fn command(folder: &Path, words: &[&str]) -> Command {
     command
 }
 
-/// What cargo says of this, if it succeeds; what it says besides, `listen` hears.
+/// Runs cargo and returns its messages, if it succeeds. `listen` reads its standard error.
 fn cargo_says(
     folder: &Path,
     words: &[&str],
@@ -126,7 +125,7 @@ fn cargo_says(
     }
 }
 
-/// The compiler's warnings, each with its file and line. A program and its test have some in common.
+/// Lists the compiler's warnings, each with its file and line, once.
 fn warnings(messages: &[Value]) -> Vec<String> {
     let messages = messages.iter().map(|it| &it["message"]);
     let warning = |message: &Value| {
@@ -144,7 +143,7 @@ fn warnings(messages: &[Value]) -> Vec<String> {
     warnings
 }
 
-/// The first error; what cargo itself says where the compiler has said nothing.
+/// Returns the first error, or the words of cargo itself where the compiler has said nothing.
 fn problem(messages: &[Value], said: &str) -> Problem {
     let errors: Vec<&str> = messages
         .iter()
@@ -154,7 +153,7 @@ fn problem(messages: &[Value], said: &str) -> Problem {
         .filter(|rendered| !rendered.contains("aborting due to"))
         .collect();
     // The compiler takes out of its messages what a terminal would obey; a script doesn't.
-    let said: Vec<_> = said.lines().map(names::visible).collect();
+    let said = said.lines().map(names::visible).collect::<Vec<_>>();
     let said = said.join("\n");
     Problem {
         first: errors.first().unwrap_or(&&*said).trim_end().to_owned(),
@@ -162,7 +161,7 @@ fn problem(messages: &[Value], said: &str) -> Problem {
     }
 }
 
-/// The program that was built of a target of this kind.
+/// Returns the program that was built of a target of this kind.
 fn executable(messages: &[Value], kind: &str) -> Option<OsString> {
     let of_kind = |message: &&Value| message["target"]["kind"][0] == kind;
     let program = |message: &Value| Some(message["executable"].as_str()?.into());

@@ -1,8 +1,7 @@
 //! Polling: looks a few times a second whether a file below a folder was saved.
 //!
-//! A file is another one if its length or its time has changed. What changes while the
-//! reader's program runs was written by that, unless it is a source, or is known to be saved
-//! by the reader.
+//! A file is another one if its length or its time has changed. Files that change while the
+//! reader's program runs are taken for its output, unless they are sources, or were edited before.
 
 use std::collections::{HashMap, HashSet};
 use std::fs;
@@ -18,7 +17,7 @@ pub(super) struct Changes {
     folder: PathBuf,
     /// The files as they were when the last run began, or when they were last waited for.
     judged: Files,
-    /// What has changed while no program ran.
+    /// The files that were edited while no program ran.
     typed: HashSet<PathBuf>,
     last_look: Instant,
 }
@@ -45,7 +44,7 @@ impl Changes {
         }
     }
 
-    /// Whether the reader has saved something since the program was started.
+    /// Returns true if the reader has saved something since the program was started.
     pub(super) fn has_a_save(&mut self) -> bool {
         if self.last_look.elapsed() < LOOK {
             return false;
@@ -80,14 +79,14 @@ impl Changes {
     }
 }
 
-/// What is not the same in both.
+/// Lists the files that differ, or are only in one of both.
 fn changed<'a>(old: &'a Files, new: &'a Files) -> impl Iterator<Item = &'a PathBuf> {
     let gone = old.keys().filter(|path| !new.contains_key(*path));
     let is_news = |(path, now): &(&PathBuf, &_)| old.get(*path) != Some(*now);
     gone.chain(new.iter().filter(is_news).map(|(path, _)| path))
 }
 
-/// The files as soon as nothing happens to them any more.
+/// Waits until nothing happens to the files any more, and returns them.
 fn settled(folder: &Path) -> Files {
     let mut files = files_in(folder);
     for _ in 0..PATIENCE {
@@ -101,8 +100,8 @@ fn settled(folder: &Path) -> Files {
     files
 }
 
-/// All files below the folder, but for what is hidden, what is built, and what is written
-/// here. A link may lead to all that there is: it is not followed.
+/// Lists all files below the folder, but for hidden ones, builds, and the list of done things. No
+/// link is followed: it may lead to anything.
 fn files_in(folder: &Path) -> Files {
     let mut files = Files::new();
     let mut folders = vec![folder.to_owned()];

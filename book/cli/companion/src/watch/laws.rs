@@ -13,19 +13,19 @@ use slips::{Chapter, Letters, lawful};
 use crate::short;
 use crate::subprocess::{self, End};
 
-/// What came of the test of a reader's crate.
+/// The result of the test of a reader's crate.
 pub(super) struct Asked {
-    /// What the functions answered.
+    /// The answers of the functions.
     pub(super) answers: Answers,
-    /// Whether the laws hold.
+    /// The first complaint, or that the laws hold.
     pub(super) outcome: Laws,
-    /// What was tested, and obeys the laws.
+    /// The functions that obey the laws.
     pub(super) obeyed: Vec<String>,
-    /// Where a test came upon something that is not written yet.
+    /// The places of each `todo!()` that a test came upon.
     pub(super) unwritten: Vec<String>,
 }
 
-/// Reads what the test has written into the file of its answers, which then goes.
+/// Reads the file of answers that the test has written, and removes it.
 fn answered(file: &Path) -> String {
     const MOST_BYTES: u64 = 1 << 26;
     let bytes = short::bytes(file, MOST_BYTES).unwrap_or_default();
@@ -75,7 +75,8 @@ pub(super) fn ask(test: &OsStr, chapter: Chapter, folder: &Path, limit: Duration
     }
 }
 
-/// What is told first: a broken law before what is not written, and the prelude before the rest.
+/// Returns the complaint to tell first: a broken law before a `todo!()`, and the prelude before the
+/// rest.
 fn worst(complaints: Vec<(String, Outcome)>) -> Option<(String, Outcome)> {
     complaints.into_iter().min_by_key(|(of, outcome)| {
         let is_broken = matches!(outcome, Err(Complaint::Broken(_)));
@@ -83,7 +84,7 @@ fn worst(complaints: Vec<(String, Outcome)>) -> Option<(String, Outcome)> {
     })
 }
 
-/// What a trial calls a prelude.
+/// The name of a prelude in a trial.
 const PRELUDE: &str = "prelude";
 
 fn of_first(of: &str, outcome: Outcome) -> Laws {

@@ -214,11 +214,7 @@ impl Subject {
         if !self.folder.join("tests/laws.rs").is_file() {
             return Ok(None);
         }
-        let test = if waits {
-            build::laws(&self.folder, is_old)?
-        } else {
-            build::laws_at_once(&self.folder, is_old)?
-        };
+        let test = build::laws(&self.folder, waits, is_old)?;
         self.misses_laws.set(test.is_none());
         Ok(test.map(|test| laws::ask(&test, self.scene.chapter, &self.folder, self.limit)))
     }

@@ -76,7 +76,7 @@ impl Mul<Vec3> for f64 {
     }
 }
 
-/// The same the other way round.
+/// A vector times a number.
 impl Mul<f64> for Vec3 {
     type Output = Self;
 
