@@ -1,4 +1,4 @@
-//! What a ray returns, and what becomes of it in a picture.
+//! The color of a ray, and the bytes that it becomes in a picture.
 
 use common::rtweekend::*;
 

@@ -1,4 +1,4 @@
-//! What the chapters promise beside their laws: copies that agree to the last bit,
+//! Promises of the chapters beside their laws: copies that agree to the last bit,
 //! answers to nonsense, and the small print of chapter 5.
 
 use common::rtweekend::*;
@@ -10,7 +10,7 @@ use proptest::prelude::*;
 proptest! {
     #![proptest_config(config())]
 
-    /// The same discriminant has the same sign, even where rounding decides. The sign of the
+    /// Equal discriminants have equal signs, even where rounding decides. The sign of the
     /// radius does not matter.
     #[test]
     fn chapter_2_hits_exactly_when_chapter_3_has_a_root(case in strategies::anywhere()) {
@@ -97,7 +97,7 @@ fn of_two_that_are_equally_near_the_first_is_hit() {
     assert_eq!((record.t, record.front_face), (0.5, true));
 }
 
-/// What the chapters say to input that is no ray or no sphere. None of it
+/// Answers of the chapters to input that is no ray or no sphere. None of it
 /// is checked for: a scene has no such things.
 #[test]
 fn nonsense_is_answered_without_a_panic() {

@@ -78,7 +78,7 @@ fn png(image: &RgbImage) -> Vec<u8> {
     file.into_inner()
 }
 
-/// What sets the picture apart from its snapshot, if there is one.
+/// Says what sets the picture apart from its snapshot, if there is one.
 fn difference(chapter: &str, drawn: &RgbImage) -> Option<String> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/notes/pictures");
     let right = image::open(format!("{folder}/{chapter}.snap.png")).ok()?;

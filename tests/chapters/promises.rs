@@ -1,5 +1,5 @@
-//! What the chapters and `common` promise beside pictures and laws. It stands on right
-//! chapters, so cargo runs it once the program `chapters` passes.
+//! Promises of the chapters and `common` beside pictures and laws. They stand on right
+//! chapters, so cargo tests them once the program `chapters` passes.
 
 mod camera;
 mod color;

@@ -55,14 +55,14 @@ impl Answers {
 
 /// The content of a file of answers.
 #[derive(Debug, Default)]
-pub struct Told {
+pub struct AnswerFile {
     /// All answers.
     pub answers: Answers,
     /// The verdict on each function, by its name.
     pub outcomes: Vec<(String, Outcome)>,
 }
 
-impl Told {
+impl AnswerFile {
     /// Reads as far as there are whole lines: a program may have ended before it wrote the rest.
     pub fn read(text: &str) -> Self {
         let mut told = Self::default();
@@ -212,10 +212,10 @@ mod tests {
         let Err(Complaint::Broken(report)) = outcome else {
             panic!("t is not finite");
         };
-        let Told {
+        let AnswerFile {
             mut answers,
             outcomes,
-        } = Told::read(&text);
+        } = AnswerFile::read(&text);
         let [(sky, Ok(())), (hit, Err(Complaint::Broken(read)))] = &outcomes[..] else {
             panic!("{outcomes:?}");
         };
@@ -230,7 +230,7 @@ mod tests {
         assert_eq!(format!("{own:?}"), said(&report.answers));
         // A program may end before it has written a line.
         let (whole, _) = text.split_at(text.len() / 2);
-        let answers = Told::read(whole).answers.given;
+        let answers = AnswerFile::read(whole).answers.given;
         assert_eq!(answers.len(), whole.lines().count() - 2);
     }
 

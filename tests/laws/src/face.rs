@@ -3,7 +3,7 @@
 use common::rtweekend::*;
 
 use crate::record::SET_FACE_NORMAL;
-use crate::verdict::{Broken, Verdict};
+use crate::verdict::{Broken, LawResult};
 
 pub use common::rtweekend::Vec3;
 
@@ -29,18 +29,16 @@ pub fn the_normal_is_turned_against_the_ray(
     set_face_normal: &Facing,
     direction: Vec3,
     outward: Vec3,
-) -> Verdict {
+) -> LawResult {
     let ray = Ray::new(Point3::ZERO, direction);
     let along = direction.dot(outward);
     let front_face = along < 0.0;
     let normal = if front_face { outward } else { -outward };
     let (found, expected) = (set_face_normal(&ray, outward), Face { normal, front_face });
-    if found == expected || along.abs() < 1e-9 {
-        return Ok(());
-    }
+    let is_right = found == expected || along.abs() < 1e-9;
     let said =
         |Face { normal, front_face }| format!("normal = {normal}, front_face = {front_face}");
-    Err(Broken {
+    Broken::unless(is_right, || Broken {
         law: "the normal is turned against the ray, and front_face says whether it came from \
               outside"
             .into(),

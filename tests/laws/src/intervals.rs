@@ -7,7 +7,7 @@
 use crate::nearer_root::{BAND, root_bound, said};
 use crate::oracle::Exact;
 use crate::question::{RangeSolver, WithInterval};
-use crate::verdict::{Broken, Verdict};
+use crate::verdict::{Broken, LawResult};
 
 /// Tests that a returned `t` lies between the ends; so it is never NaN.
 ///
@@ -16,7 +16,10 @@ use crate::verdict::{Broken, Verdict};
 ///
 /// # Errors
 /// If it lies outside.
-pub fn no_t_outside_the_interval_is_returned(solve: &RangeSolver, asked: &WithInterval) -> Verdict {
+pub fn no_t_outside_the_interval_is_returned(
+    solve: &RangeSolver,
+    asked: &WithInterval,
+) -> LawResult {
     let WithInterval { case, t_min, t_max } = *asked;
     let is_silent = !case.is_well_scaled() || t_min.is_nan() || t_max.is_nan();
     let found = asked.solve(solve);
@@ -40,7 +43,7 @@ pub fn no_t_outside_the_interval_is_returned(solve: &RangeSolver, asked: &WithIn
 pub fn the_nearest_root_in_the_interval_is_returned(
     solve: &RangeSolver,
     asked: &WithInterval,
-) -> Verdict {
+) -> LawResult {
     let WithInterval { case, t_min, t_max } = *asked;
     let exact = Exact::of(&case);
     let margin = exact.discriminant_margin();
@@ -60,11 +63,8 @@ pub fn the_nearest_root_in_the_interval_is_returned(
         (Some(t), Some(root)) => (t - root).abs() <= bound,
         (found, expected) => found.is_none() && expected.is_none(),
     };
-    if is_right {
-        return Ok(());
-    }
     let rounding = expected.map_or(String::new(), |_| format!(" ± {bound:.1e}"));
-    Err(Broken {
+    Broken::unless(is_right, || Broken {
         law: "the nearest root in the open interval (t_min, t_max) is returned".into(),
         found: said(found),
         allowed: format!("{}{rounding}, in ({t_min:?}, {t_max:?})", said(expected)),

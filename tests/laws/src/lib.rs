@@ -2,8 +2,8 @@
 //! computes one.
 //!
 //! A law is a plain function: it takes a function under test and a case, and says whether the law
-//! holds, or else what was found and what is allowed. [`strategies`] make the cases and [`oracle`] knows
-//! their exact answers, so a law is tested as any property is:
+//! holds, or else what was found and what is allowed. [`strategies`] make the cases and [`oracle`]
+//! knows their exact answers, so a law is tested as any property is:
 //!
 //! ```
 //! use laws::{config, nearer_root, strategies};
@@ -51,4 +51,4 @@ pub use ray_color::Scene;
 pub use speed_vs_accuracy::Case;
 pub use strategies::config;
 pub use trial::Trial;
-pub use verdict::{Broken, Complaint, Outcome, Report, Verdict, holds};
+pub use verdict::{Broken, Complaint, LawResult, Outcome, Report, holds};

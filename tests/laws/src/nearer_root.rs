@@ -31,13 +31,13 @@ use crate::oracle::Exact;
 use crate::question::{Question, telling};
 use crate::strategies::{anywhere, integers, ordinary};
 use crate::trial::Exam;
-use crate::verdict::{Broken, Verdict};
+use crate::verdict::{Broken, LawResult};
 
 /// A function of the kind of `hit_sphere`: center, radius and ray to nearer root.
 pub type Solver<'a> = dyn Fn(Point3, f64, &Ray) -> Option<f64> + 'a;
 
 /// A law for a nearer root.
-pub type Law = fn(&Solver, &Case) -> Verdict;
+pub type Law = fn(&Solver, &Case) -> LawResult;
 
 /// Half the distance from 1 to the next `f64`: the largest relative error of
 /// one rounded operation.
@@ -64,7 +64,7 @@ pub const NEARER_ROOT: [Law; 7] = [
 ///
 /// # Errors
 /// The first law that the answer of `solve` breaks.
-pub fn obeys_every_law(solve: &Solver, case: &Case) -> Verdict {
+pub fn obeys_every_law(solve: &Solver, case: &Case) -> LawResult {
     NEARER_ROOT.iter().try_for_each(|law| law(solve, case))
 }
 
@@ -110,12 +110,9 @@ pub fn decision(
 
 /// Where nothing overflows, `t` is never NaN: no comparison with it holds, and so it passes tests
 /// that are written the other way round.
-fn t_is_a_number(solve: &Solver, case: &Case) -> Verdict {
+fn t_is_a_number(solve: &Solver, case: &Case) -> LawResult {
     let is_nan = case.solve(solve).is_some_and(f64::is_nan);
-    if !is_nan || !case.is_well_scaled() {
-        return Ok(());
-    }
-    Err(Broken {
+    Broken::unless(!is_nan || !case.is_well_scaled(), || Broken {
         law: "t is a number".into(),
         found: "t = NaN".into(),
         allowed: "a number, or a miss".into(),
@@ -125,7 +122,7 @@ fn t_is_a_number(solve: &Solver, case: &Case) -> Verdict {
 
 /// Outside the band where rounding may decide, a root is returned exactly where there is
 /// one. Two-sided: a solver that always or never hits breaks it.
-fn the_line_hits_exactly_when_there_is_a_root(solve: &Solver, case: &Case) -> Verdict {
+fn the_line_hits_exactly_when_there_is_a_root(solve: &Solver, case: &Case) -> LawResult {
     let exact = Exact::of(case);
     let margin = exact.discriminant_margin();
     let is_silent = !case.is_well_scaled() || margin.abs() <= BAND;
@@ -154,65 +151,68 @@ pub(crate) fn said(root: Option<f64>) -> String {
 /// in the center, and for one inside at a right angle to oc.
 ///
 /// Only what is no root at all breaks it. By how much t is off is the matter of others.
-fn where_h_is_zero_no_root_is_lost(solve: &Solver, case: &Case) -> Verdict {
+fn where_h_is_zero_no_root_is_lost(solve: &Solver, case: &Case) -> LawResult {
     let is_inside = Exact::of(case).origin_margin() < 0.0;
     let is_silent = !case.is_well_scaled() || case.h() != 0.0 || !is_inside;
     let found = case.solve(solve);
-    if is_silent || found.is_some_and(|t| t.is_finite() && t != 0.0) {
-        return Ok(());
-    }
-    Err(Broken {
-        law: "where h is 0, no root is lost".into(),
-        found: said(found),
-        allowed: "−√D/a, which is behind the ray".into(),
-        read: "equation (12) of the notes, with both signs".into(),
-    })
+    Broken::unless(
+        is_silent || found.is_some_and(|t| t.is_finite() && t != 0.0),
+        || Broken {
+            law: "where h is 0, no root is lost".into(),
+            found: said(found),
+            allowed: "−√D/a, which is behind the ray".into(),
+            read: "equation (12) of the notes, with both signs".into(),
+        },
+    )
 }
 
-/// |P(t) − C| is r, up to rounding. This law needs no oracle: it puts the root
-/// back into the equation.
+/// Tests that |P(t) − C| is r, up to rounding. This law needs no oracle: it puts the root back into
+/// the equation.
 ///
 /// The root is the exact root of an equation with slightly other coefficients:
 /// the error of D is one of 24u·M in c, those of h and a are 16u·M and 12u·M
 /// since |t| ≤ 2√(M/a), the last roundings of t another 24u·M. The check itself
 /// rounds by 13u·M. Together 89, of which this law makes 96.
-pub fn the_point_lies_on_the_sphere(solve: &Solver, case: &Case) -> Verdict {
+///
+/// # Errors
+/// If it is not.
+pub fn the_point_lies_on_the_sphere(solve: &Solver, case: &Case) -> LawResult {
     let Some(t) = case.solve(solve) else {
         return Ok(());
     };
     let from_center = t * case.ray.direction - (case.center - case.ray.origin);
     let (squared, r_squared) = (from_center.length_squared(), case.radius * case.radius);
     let bound = 96.0 * U * case.m();
-    if (squared - r_squared).abs() <= bound || !case.is_well_scaled() {
-        return Ok(());
-    }
-    Err(Broken {
-        law: "the point at t lies on the sphere".into(),
-        found: format!("|P(t) − C|² = {squared:?} at t = {t:?}"),
-        allowed: format!("r² = {r_squared:?} ± {bound:.1e}, for rounding"),
-        read: "equation (7) of the notes: it defines what a root is".into(),
-    })
+    Broken::unless(
+        (squared - r_squared).abs() <= bound || !case.is_well_scaled(),
+        || Broken {
+            law: "the point at t lies on the sphere".into(),
+            found: format!("|P(t) − C|² = {squared:?} at t = {t:?}"),
+            allowed: format!("r² = {r_squared:?} ± {bound:.1e}, for rounding"),
+            read: "equation (7) of the notes: it defines what a root is".into(),
+        },
+    )
 }
 
 /// `t` is the nearer root, up to the error that its coefficients bring.
 ///
 /// See [`root_bound`] for the bound. Where D is within twice the band, no digit
 /// of √D is certain, and then √(72u)·√(M/a) bounds what it may be.
-fn the_root_is_the_nearer_one_to_the_digits_that_remain(solve: &Solver, case: &Case) -> Verdict {
+fn the_root_is_the_nearer_one_to_the_digits_that_remain(solve: &Solver, case: &Case) -> LawResult {
     let exact = Exact::of(case);
     let (Some(t), Some(root)) = (case.solve(solve), exact.nearer_root()) else {
         return Ok(());
     };
     let bound = root_bound(case, exact.discriminant_margin());
-    if (t - root.rounded()).abs() <= bound || !case.is_well_scaled() {
-        return Ok(());
-    }
-    Err(Broken {
-        law: "t is the nearer root".into(),
-        found: format!("t = {t:?}"),
-        allowed: format!("{:?} ± {bound:.1e}", root.rounded()),
-        read: "chapter 3, and equation (12) of the notes: the nearer root takes −√".into(),
-    })
+    Broken::unless(
+        (t - root.rounded()).abs() <= bound || !case.is_well_scaled(),
+        || Broken {
+            law: "t is the nearer root".into(),
+            found: format!("t = {t:?}"),
+            allowed: format!("{:?} ± {bound:.1e}", root.rounded()),
+            read: "chapter 3, and equation (12) of the notes: the nearer root takes −√".into(),
+        },
+    )
 }
 
 /// Returns how far from the exact root (h ∓ √D)/a rounding may take `t`, in lengths of the
@@ -234,15 +234,12 @@ pub fn root_bound(case: &Case, margin: f64) -> f64 {
 
 /// A ray that touches the sphere hits it, and both roots are the same number. Says nothing
 /// unless every number is a small integer, so that no operation rounds.
-fn a_tangent_is_a_hit_and_its_root_is_exact(solve: &Solver, case: &Case) -> Verdict {
+fn a_tangent_is_a_hit_and_its_root_is_exact(solve: &Solver, case: &Case) -> LawResult {
     let Some(root) = exact_tangent(case) else {
         return Ok(());
     };
     let found = case.solve(solve);
-    if found == Some(root) {
-        return Ok(());
-    }
-    Err(Broken {
+    Broken::unless(found == Some(root), || Broken {
         law: "a tangent is a hit, and its root is exact where no operation rounds".into(),
         found: said(found),
         allowed: format!("a hit, at t = {root:?}"),
@@ -266,7 +263,7 @@ fn exact_tangent(case: &Case) -> Option<f64> {
 fn a_scene_in_another_unit_and_a_mirror_has_the_same_digits(
     solve: &Solver,
     case: &Case,
-) -> Verdict {
+) -> LawResult {
     let mirror = Vec3::new(-1.0, 1.0, 1.0);
     let seen = Case {
         center: 8.0 * mirror * case.center,
@@ -279,10 +276,7 @@ fn a_scene_in_another_unit_and_a_mirror_has_the_same_digits(
     let (found, expected) = (seen.solve(solve), case.solve(solve).map(|t| 128.0 * t));
     let is_silent = case.h() == 0.0 || !case.is_well_scaled() || !seen.is_well_scaled();
     // −0 and 0 are the same place on a ray, so == is what is meant here.
-    if found == expected || is_silent {
-        return Ok(());
-    }
-    Err(Broken {
+    Broken::unless(found == expected || is_silent, || Broken {
         law: "t scales with the scene, also in a mirror: lengths × 8 and directions ÷ 16 make it \
               t × 128"
             .into(),

@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use crate::nearer_root::U;
 use crate::question::{Functions, code, of_ray, vector};
 use crate::strategies::{ahead_if_zero, samples, whole_vector};
-use crate::verdict::{Broken, Verdict};
+use crate::verdict::{Broken, LawResult};
 
 /// Vectors and rays, as somebody computes them.
 #[allow(missing_docs)] // Each field is named after the function that it calls.
@@ -26,7 +26,7 @@ pub struct Prelude<'a> {
 
 /// One of the functions of a prelude, and what there is to say of it.
 #[derive(Debug)]
-pub struct Function {
+pub struct PreludeFunction {
     /// A call of it, with the vectors `u` and `v` and the number `t`.
     call: &'static str,
     /// How far rounding may take an answer, in relation to it.
@@ -35,12 +35,12 @@ pub struct Function {
 }
 
 /// Asks the function in a prelude, and writes its answer as numbers.
-type Answering = fn(&Prelude, &Asked) -> Vec<f64>;
+type Answering = fn(&Prelude, &PreludeQuestion) -> Vec<f64>;
 
 /// A question to a function of a prelude: two vectors and a number.
 #[derive(Clone, Copy, Debug)]
-pub struct Asked {
-    pub(crate) function: &'static Function,
+pub struct PreludeQuestion {
+    pub(crate) function: &'static PreludeFunction,
     pub(crate) u: Vec3,
     pub(crate) v: Vec3,
     pub(crate) t: f64,
@@ -57,13 +57,13 @@ pub struct Asked {
 ///
 /// # Errors
 /// If it answers otherwise.
-pub fn small_numbers_are_worked_out_by_head(prelude: &Prelude, asked: &Asked) -> Verdict {
+pub fn small_numbers_are_worked_out_by_head(
+    prelude: &Prelude,
+    asked: &PreludeQuestion,
+) -> LawResult {
     let (found, right) = (asked.put_to(prelude), asked.right());
-    if asked.same(&found, &right) {
-        return Ok(());
-    }
     let name = asked.function.name();
-    Err(Broken {
+    Broken::unless(asked.same(&found, &right), || Broken {
         law: "a function of the prelude gives what one works out by head".into(),
         found: format!("{name}{} is {}", asked.given(), code(&found)),
         allowed: code(&right),
@@ -71,7 +71,7 @@ pub fn small_numbers_are_worked_out_by_head(prelude: &Prelude, asked: &Asked) ->
     })
 }
 
-impl Function {
+impl PreludeFunction {
     const fn new(call: &'static str, rounding: f64, answer: Answering) -> Self {
         Self {
             call,
@@ -86,10 +86,10 @@ impl Function {
     }
 
     /// Makes questions to this function.
-    pub(crate) fn questions(&'static self) -> impl Strategy<Value = Asked> {
+    pub(crate) fn questions(&'static self) -> impl Strategy<Value = PreludeQuestion> {
         let tenths = (1..=9).prop_map(|k| f64::from(k) / 10.0);
         let number = prop_oneof![(-8..=8).prop_map(|k| 0.5 * f64::from(k)), tenths];
-        (whole_vector(9), whole_vector(9), number).prop_map(move |(u, v, t)| Asked {
+        (whole_vector(9), whole_vector(9), number).prop_map(move |(u, v, t)| PreludeQuestion {
             function: self,
             u,
             v: ahead_if_zero(v),
@@ -98,12 +98,12 @@ impl Function {
     }
 
     /// Lists questions that tell mistakes in it apart.
-    pub(crate) fn telling(&'static self) -> Vec<Asked> {
+    pub(crate) fn telling(&'static self) -> Vec<PreludeQuestion> {
         samples(&self.questions(), 20)
     }
 }
 
-impl Asked {
+impl PreludeQuestion {
     /// Returns the answer of a prelude.
     pub(crate) fn put_to(&self, prelude: &Prelude) -> Vec<f64> {
         (self.function.answer)(prelude, self)
@@ -171,21 +171,21 @@ impl Prelude<'_> {
 }
 
 /// All functions of a prelude. Later ones may be made of earlier ones.
-pub static FUNCTIONS: [Function; 10] = [
-    Function::new("mul(t, v)", 4.0 * U, |it, a| numbers((it.mul)(a.t, a.v))),
-    Function::new("add(u, v)", 0.0, |it, a| numbers((it.add)(a.u, a.v))),
-    Function::new("neg(u)", 0.0, |it, a| numbers((it.neg)(a.u))),
-    Function::new("sub(u, v)", 0.0, |it, a| numbers((it.sub)(a.u, a.v))),
-    Function::new("dot(u, v)", 0.0, |it, a| vec![(it.dot)(a.u, a.v)]),
-    Function::new("length_squared(v)", 0.0, |it, a| {
+pub static FUNCTIONS: [PreludeFunction; 10] = [
+    PreludeFunction::new("mul(t, v)", 4.0 * U, |it, a| numbers((it.mul)(a.t, a.v))),
+    PreludeFunction::new("add(u, v)", 0.0, |it, a| numbers((it.add)(a.u, a.v))),
+    PreludeFunction::new("neg(u)", 0.0, |it, a| numbers((it.neg)(a.u))),
+    PreludeFunction::new("sub(u, v)", 0.0, |it, a| numbers((it.sub)(a.u, a.v))),
+    PreludeFunction::new("dot(u, v)", 0.0, |it, a| vec![(it.dot)(a.u, a.v)]),
+    PreludeFunction::new("length_squared(v)", 0.0, |it, a| {
         vec![(it.length_squared)(a.v)]
     }),
-    Function::new("length(v)", 0.0, |it, a| vec![(it.length)(a.v)]),
-    Function::new("normalize(v)", 4.0 * U, |it, a| {
+    PreludeFunction::new("length(v)", 0.0, |it, a| vec![(it.length)(a.v)]),
+    PreludeFunction::new("normalize(v)", 4.0 * U, |it, a| {
         numbers((it.normalize)(a.v))
     }),
-    Function::new("ray(u, v)", 0.0, |it, a| of_ray((it.ray)(a.u, a.v))),
-    Function::new("at(Ray::new(u, v), t)", 0.0, |it, a| {
+    PreludeFunction::new("ray(u, v)", 0.0, |it, a| of_ray((it.ray)(a.u, a.v))),
+    PreludeFunction::new("at(Ray::new(u, v), t)", 0.0, |it, a| {
         numbers((it.at)(Ray::new(a.u, a.v), a.t))
     }),
 ];

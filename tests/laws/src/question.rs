@@ -10,7 +10,7 @@ use speed_vs_accuracy::Case;
 use crate::camera::Pixel;
 use crate::list::World;
 use crate::oracle::Exact;
-use crate::prelude::{Asked, FUNCTIONS, Prelude};
+use crate::prelude::{FUNCTIONS, Prelude, PreludeQuestion};
 use crate::ray_color;
 use crate::record::Hit;
 use crate::strategies::{self, samples};
@@ -19,7 +19,7 @@ use crate::strategies::{self, samples};
 #[derive(Clone, Debug)]
 pub enum Question {
     /// A function of the prelude, about small numbers.
-    Prelude(Asked),
+    Prelude(PreludeQuestion),
     /// `hit_sphere` of chapter 2: does the line meet the sphere?
     Decision(Case),
     /// `hit_sphere` of chapters 3 and 4: the nearer root.
@@ -125,7 +125,7 @@ impl Question {
     /// Lists the numbers of which it consists.
     pub fn numbers(&self) -> Vec<f64> {
         match self {
-            Self::Prelude(Asked { u, v, t, .. }) => {
+            Self::Prelude(PreludeQuestion { u, v, t, .. }) => {
                 [&u.to_array()[..], &v.to_array(), &[*t]].concat()
             }
             Self::Decision(case) | Self::Root(case) => case.numbers().to_vec(),
@@ -158,7 +158,7 @@ impl Question {
                 let [width, i, j] = numbers.map(|it| it as u32);
                 Self::PixelRay(Pixel { width, i, j })
             }
-            (name, &[x, y, z, vx, vy, vz, t]) => Self::Prelude(Asked {
+            (name, &[x, y, z, vx, vy, vz, t]) => Self::Prelude(PreludeQuestion {
                 function: FUNCTIONS.iter().find(|it| it.name() == name)?,
                 u: Vec3::new(x, y, z),
                 v: Vec3::new(vx, vy, vz),

@@ -10,7 +10,7 @@ use crate::nearer_root::{BAND, U};
 use crate::oracle::Exact;
 use crate::question::{code, of_ray};
 use crate::record::normal_bound;
-use crate::verdict::{Broken, Verdict};
+use crate::verdict::{Broken, LawResult};
 
 /// The scene that a `ray_color` draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,7 +37,7 @@ struct Expected {
 ///
 /// # Errors
 /// If `color` is another one.
-pub fn a_ray_has_its_color_from_anywhere(scene: Scene, color: Color, ray: &Ray) -> Verdict {
+pub fn a_ray_has_its_color_from_anywhere(scene: Scene, color: Color, ray: &Ray) -> LawResult {
     let Some(Expected {
         color: right,
         bound,
@@ -45,11 +45,9 @@ pub fn a_ray_has_its_color_from_anywhere(scene: Scene, color: Color, ray: &Ray) 
     else {
         return Ok(());
     };
-    if (color - right).abs().max_element() <= bound {
-        return Ok(());
-    }
+    let is_near = (color - right).abs().max_element() <= bound;
     let Ray { origin, direction } = ray;
-    Err(Broken {
+    Broken::unless(is_near, || Broken {
         law: "a ray has the color of what it meets, from wherever it starts".into(),
         found: format!("{color:.4} for the ray from {origin} along {direction}"),
         allowed: format!("{right:.4}"),

@@ -12,7 +12,7 @@ use crate::oracle::Exact;
 use crate::question::{Question, WithInterval, of_hit, telling};
 use crate::strategies::{anywhere, integers, ordinary, ordinary_asked, with_interval};
 use crate::trial::Exam;
-use crate::verdict::{Broken, Verdict};
+use crate::verdict::{Broken, LawResult};
 
 /// The record of a hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,7 +38,7 @@ pub(crate) const SET_FACE_NORMAL: &str = "chapter 5: `set_face_normal`";
 ///
 /// # Errors
 /// The first law that the answer of `record` breaks.
-pub fn obeys_every_law(record: &Recorder, asked: &WithInterval) -> Verdict {
+pub fn obeys_every_law(record: &Recorder, asked: &WithInterval) -> LawResult {
     let solve = |center, radius, ray: &Ray, t_min, t_max| {
         let case = Case::new(center, radius, *ray);
         record(&WithInterval { case, t_min, t_max }).map(|hit| hit.t)
@@ -80,19 +80,19 @@ pub(crate) fn exam<'a>(record: &'a Recorder<'a>) -> Exam<'a, WithInterval> {
 
 /// The point of a record is that of the ray at its t: two roundings of each letter, and
 /// two more if it was computed in another way.
-fn the_point_is_the_one_at_t(case: &Case, hit: &Hit) -> Verdict {
+fn the_point_is_the_one_at_t(case: &Case, hit: &Hit) -> LawResult {
     let Ray { origin, direction } = case.ray;
     let expected = origin + hit.t * direction;
     let bound = 4.0 * U * (origin.abs() + (hit.t * direction).abs()).max_element();
-    if (hit.point - expected).abs().max_element() <= bound || !case.is_well_scaled() {
-        return Ok(());
-    }
-    Err(Broken {
-        law: "the point of a hit is the one at its t".into(),
-        found: format!("{} at t = {}", hit.point, hit.t),
-        allowed: format!("{expected} ± {bound:.1e}"),
-        read: "chapter 5: anything that a ray can hit".into(),
-    })
+    Broken::unless(
+        (hit.point - expected).abs().max_element() <= bound || !case.is_well_scaled(),
+        || Broken {
+            law: "the point of a hit is the one at its t".into(),
+            found: format!("{} at t = {}", hit.point, hit.t),
+            allowed: format!("{expected} ± {bound:.1e}"),
+            read: "chapter 5: anything that a ray can hit".into(),
+        },
+    )
 }
 
 /// The normal of a hit is a unit vector from the center to the point at t, or the other
@@ -102,20 +102,20 @@ fn the_point_is_the_one_at_t(case: &Case, hit: &Hit) -> Verdict {
 /// normal: nothing is claimed for it here or below.
 ///
 /// See [`normal_bound`] for how far.
-fn the_normal_is_the_radius_to_the_point_by_its_length(case: &Case, hit: &Hit) -> Verdict {
+fn the_normal_is_the_radius_to_the_point_by_its_length(case: &Case, hit: &Hit) -> LawResult {
     let (r, bound) = (case.radius, normal_bound(case));
     let outward = (case.ray.at(hit.t) - case.center) / r;
     let is_near = |normal: Vec3| (normal - outward).length() <= bound;
     let is_silent = r == 0.0 || !case.is_well_scaled();
-    if is_near(hit.normal) || is_near(-hit.normal) || is_silent {
-        return Ok(());
-    }
-    Err(Broken {
-        law: "the normal of a hit is the radius to its point, and of length 1".into(),
-        found: format!("{}, of length {}", hit.normal, hit.normal.length()),
-        allowed: format!("{outward} ± {bound:.1e}, or the other way"),
-        read: "chapter 3: how long normals are, and why".into(),
-    })
+    Broken::unless(
+        is_near(hit.normal) || is_near(-hit.normal) || is_silent,
+        || Broken {
+            law: "the normal of a hit is the radius to its point, and of length 1".into(),
+            found: format!("{}, of length {}", hit.normal, hit.normal.length()),
+            allowed: format!("{outward} ± {bound:.1e}, or the other way"),
+            read: "chapter 3: how long normals are, and why".into(),
+        },
+    )
 }
 
 /// Returns how far from a unit vector rounding may take a normal.
@@ -132,12 +132,9 @@ pub(crate) fn normal_bound(case: &Case) -> f64 {
 
 /// The normal of a hit never points along the ray, on either side of the
 /// surface. Holds to the last bit: turning a vector turns its dot product.
-fn the_normal_points_against_the_ray(case: &Case, hit: &Hit) -> Verdict {
+fn the_normal_points_against_the_ray(case: &Case, hit: &Hit) -> LawResult {
     let along = case.ray.direction.dot(hit.normal);
-    if along <= 0.0 || case.radius == 0.0 {
-        return Ok(());
-    }
-    Err(Broken {
+    Broken::unless(along <= 0.0 || case.radius == 0.0, || Broken {
         law: "the normal of a hit points against the ray".into(),
         found: format!("d·n = {along:?}, with n = {}", hit.normal),
         allowed: "d·n ≤ 0".into(),
@@ -150,20 +147,20 @@ fn the_normal_points_against_the_ray(case: &Case, hit: &Hit) -> Verdict {
 ///
 /// Silent where half the chord inside the sphere, √D/|d|, is not longer than
 /// the errors of the point and of the dot product together.
-fn the_front_face_is_where_the_ray_enters(case: &Case, hit: &Hit) -> Verdict {
+fn the_front_face_is_where_the_ray_enters(case: &Case, hit: &Hit) -> LawResult {
     let front_face = hit.front_face;
     let enters = hit.t < case.h() / case.a();
     let margin = Exact::of(case).discriminant_margin().max(0.0).sqrt();
     let scale = case.m().sqrt();
     let coordinates = case.center.length() + case.ray.origin.length();
     let error = 4.0 * U * (coordinates + scale * (24.0 + 24.0 / margin));
-    if front_face == enters || margin * scale <= error || !case.is_well_scaled() {
-        return Ok(());
-    }
-    Err(Broken {
-        law: "a ray meets the front face where it enters the sphere".into(),
-        found: format!("front_face = {front_face}"),
-        allowed: format!("front_face = {enters}"),
-        read: SET_FACE_NORMAL.into(),
-    })
+    Broken::unless(
+        front_face == enters || margin * scale <= error || !case.is_well_scaled(),
+        || Broken {
+            law: "a ray meets the front face where it enters the sphere".into(),
+            found: format!("front_face = {front_face}"),
+            allowed: format!("front_face = {enters}"),
+            read: SET_FACE_NORMAL.into(),
+        },
+    )
 }

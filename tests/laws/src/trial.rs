@@ -19,12 +19,12 @@ use crate::camera::{Pixel, the_ray_of_a_pixel_goes_through_its_center};
 use crate::face::{Facing, the_normal_is_turned_against_the_ray};
 use crate::list::{Search, World, the_nearest_of_all_members_is_returned};
 use crate::nearer_root::{self, Solver};
-use crate::prelude::{Asked, FUNCTIONS, Prelude, small_numbers_are_worked_out_by_head};
+use crate::prelude::{FUNCTIONS, Prelude, PreludeQuestion, small_numbers_are_worked_out_by_head};
 use crate::question::{Question, decided, of_hit, of_ray, telling};
 use crate::ray_color::{self, Scene, a_ray_has_its_color_from_anywhere};
 use crate::record::{self, Recorder};
 use crate::strategies::{self, config};
-use crate::verdict::{Broken, Complaint, Outcome, Report, Verdict};
+use crate::verdict::{Broken, Complaint, LawResult, Outcome, Report};
 
 /// How the functions of a chapter are tried.
 ///
@@ -69,7 +69,7 @@ impl Default for Trial {
 }
 
 /// A law about what a function answers to the question.
-pub(crate) type Law<'a, Q> = Box<dyn Fn(&Q) -> Verdict + 'a>;
+pub(crate) type Law<'a, Q> = Box<dyn Fn(&Q) -> LawResult + 'a>;
 
 /// Asks a function, and writes its answer as numbers.
 pub(crate) type Answering<'a, Q> = Box<dyn Fn(&Q) -> Vec<f64> + 'a>;
@@ -168,10 +168,10 @@ impl Trial {
                 telling: function.telling(),
                 question: Question::Prelude,
                 answer: Box::new(|asked| asked.put_to(prelude)),
-                laws: vec![Box::new(|asked: &Asked| {
+                laws: vec![Box::new(|asked: &PreludeQuestion| {
                     small_numbers_are_worked_out_by_head(prelude, asked)
                 })],
-                test: &Asked::as_test,
+                test: &PreludeQuestion::as_test,
             });
             if matches!(one, Err(Complaint::Broken(_))) {
                 outcome = one;

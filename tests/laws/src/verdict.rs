@@ -9,7 +9,7 @@ use crate::answers::Answers;
 
 /// The result of one law on one case: `Ok` if it holds. In a test by proptest, `?` makes the broken
 /// law the reason of the failure.
-pub type Verdict = Result<(), Broken>;
+pub type LawResult = Result<(), Broken>;
 
 /// A law that a case breaks.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -51,6 +51,11 @@ pub struct Report {
 }
 
 impl Broken {
+    /// Returns the result of a law that holds if `is_right`.
+    pub(crate) fn unless(is_right: bool, broken: impl FnOnce() -> Self) -> LawResult {
+        if is_right { Ok(()) } else { Err(broken()) }
+    }
+
     /// Lists the parts by their labels, in the order in which they are read.
     fn rows(&self) -> [(&'static str, &str); 4] {
         [

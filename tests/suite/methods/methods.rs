@@ -10,7 +10,7 @@ use laws::nearer_root::{self, root_bound};
 use laws::oracle::Exact;
 use laws::question::RangeSolver;
 use laws::strategies::{self, samples};
-use laws::{Case, Verdict, WithInterval, config, intervals};
+use laws::{Case, LawResult, WithInterval, config, intervals};
 use proptest::prelude::*;
 use proptest::test_runner::{RngSeed, TestCaseError, TestCaseResult, TestRunner};
 use speed_vs_accuracy::{
@@ -56,7 +56,7 @@ mod every_method {
         }
     }
 
-    fn each_obeys(law: impl Fn(&RangeSolver) -> Verdict) -> TestCaseResult {
+    fn each_obeys(law: impl Fn(&RangeSolver) -> LawResult) -> TestCaseResult {
         for method in in_double_precision() {
             let solve = |center, radius, ray: &Ray, t_min, t_max| {
                 Case::new(center, radius, *ray).put_to(method, t_min, t_max)

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 use std::time::Duration;
 
-use ::laws::answers::{ANSWERS, Answers, Told};
+use ::laws::answers::{ANSWERS, AnswerFile, Answers};
 use ::laws::{Complaint, Outcome};
 use check::whole::Laws;
 use slips::{Chapter, Letters, lawful};
@@ -53,7 +53,7 @@ pub(super) fn ask(test: &OsStr, chapter: Chapter, folder: &Path, limit: Duration
         Ok(_) => return unknown(format!("the laws were not done within {limit:?}")),
         Err(cause) => return unknown(cause.to_string()),
     };
-    let Told { answers, outcomes } = Told::read(&answered(&file));
+    let AnswerFile { answers, outcomes } = AnswerFile::read(&answered(&file));
     let (obeyed, complaints): (Vec<_>, Vec<_>) = outcomes
         .into_iter()
         .partition(|(_, outcome)| outcome.is_ok());
