@@ -109,14 +109,14 @@ pub fn run(mut cargo: Command, first: &str) -> io::Result<Run> {
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()?;
-    let errors = BufReader::new(child.stderr.take().expect("it is piped"));
+    let errors = child.stderr.take();
     thread::scope(|scope| {
-        let said = scope.spawn(|| show(errors, first));
+        let said = scope.spawn(|| errors.map(|errors| show(BufReader::new(errors), first)));
         let output = child.wait_with_output()?;
         Ok(Run {
             status: output.status,
             printed: output.stdout,
-            said: said.join().expect("it only reads"),
+            said: said.join().ok().flatten().unwrap_or_default(),
         })
     })
 }

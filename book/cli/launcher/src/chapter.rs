@@ -89,8 +89,10 @@ where
     let mut things: Vec<(&str, T)> = things.into_iter().collect();
     things.dedup_by_key(|(name, _)| *name);
     let names: Vec<&str> = things.iter().map(|(name, _)| *name).collect();
-    PossibleValuesParser::new(names).map(move |typed| {
+    PossibleValuesParser::new(names).try_map(move |typed| {
         let found = things.iter().find(|(name, _)| typed == *name);
-        found.expect("only their names are accepted").1.clone()
+        found
+            .map(|(_, thing)| thing.clone())
+            .ok_or("it is none of these names")
     })
 }

@@ -49,7 +49,7 @@ pub fn fill(folder: &Path, kind: &str, files: &Files) -> Result<(), Box<dyn Erro
     }
     for (name, bytes) in files {
         let path = folder.join(name);
-        create(path.parent().expect("it is in the folder"))?;
+        create(path.parent().unwrap_or(folder))?;
         output::to_file(&path, |out| out.write_all(bytes))?;
     }
     // What could not be removed stays ours.
