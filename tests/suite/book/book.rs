@@ -86,8 +86,8 @@ fn every_slip_is_found_by_its_name_and_every_look_by_its_picture() {
     assert_eq!(page.all(".slip").len(), slips::sights().len());
 }
 
-/// What is typed into a page is never compiled: `rust,ignore` says that it need not be. The C++
-/// is that of the program that draws the same bytes.
+/// Code that is typed into a page is never compiled: `rust,ignore` says that it need not be. The
+/// C++ is that of the program that draws the same bytes.
 #[test]
 fn every_listing_comes_from_a_source() {
     let plain = |text: &str| -> String { text.split_whitespace().collect() };
@@ -255,7 +255,7 @@ impl Page {
         elements.filter_map(|element| element.attr(name)).collect()
     }
 
-    /// Whether an element has this id.
+    /// Returns true if an element has this id.
     fn has(&self, id: &str) -> bool {
         let mut elements = self.html.tree.values().filter_map(Node::as_element);
         elements.any(|element| element.id() == Some(id))
@@ -270,7 +270,7 @@ pub(crate) fn text_of(element: ElementRef) -> String {
     element.text().collect()
 }
 
-/// Whether the link names a protocol, or a computer.
+/// Returns true if the link names a protocol, or a computer.
 fn is_elsewhere(link: &str) -> bool {
     link.contains("://") || link.starts_with("//") || link.starts_with("mailto:")
 }

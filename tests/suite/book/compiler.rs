@@ -46,7 +46,7 @@ fn make(mine: &Mine, chapter: Chapter, mistake: &Typing) {
     mine.make_changes(chapter.name(), mistake);
 }
 
-/// What cargo prints of the first error in the crate of that chapter.
+/// Returns the first error that cargo prints in the crate of that chapter.
 fn first_error(mine: &Mine, chapter: &str) -> String {
     let mut cargo = cargo();
     cargo.args(["check", "--offline", "--quiet"]);

@@ -1,4 +1,4 @@
-//! What the notes or the book say that is not so, and what is so instead.
+//! Errata: sentences of the notes or the book that are not so, and the facts instead.
 //!
 //! The page `book/notes/errata.md` shows some of these tests beside its sentences.
 

@@ -55,7 +55,7 @@ fn a_live_figure_has_an_answer_to_everything() {
     }
 }
 
-/// What stands beside the last line of a listing is what the chapter itself answers.
+/// The value beside the last line of a listing is the chapter's own answer.
 #[test]
 fn the_values_beside_a_listing_end_with_the_chapters_own_answer() {
     let normal = |numbers: &[f64]| {

@@ -1,4 +1,4 @@
-//! What pages say of programs: the book's C++, of any edition, prints the same bytes as ours.
+//! Programs that pages tell of: the book's C++, of any edition, prints the same bytes as ours.
 
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};

@@ -1,4 +1,4 @@
-//! What the pages list can be typed: each listing into the file that it names, in the
+//! Listings can be typed: each into the file that it names, in the
 //! order of the pages, and the pictures come out.
 
 use std::fs::{self, OpenOptions};
@@ -48,7 +48,7 @@ fn what_the_pages_list_is_all_that_must_be_typed_to_get_their_pictures() {
     }
 }
 
-/// What a page lists, in its order: the file of each listing, and its text. The answers to
+/// Lists the listings of a page in its order: the file of each, and its text. The answers to
 /// exercises are tests of their chapter, and so are its stairs.
 fn listings_of(chapter: Chapter) -> Vec<(PathBuf, String)> {
     let pages = book::pages();
@@ -78,7 +78,7 @@ fn type_below(file: &Path, code: &str) {
     writeln!(file, "{code}").expect("the target folder takes it");
 }
 
-/// What a reader does not type: the engine, and what cargo reads.
+/// Returns true for a file that a reader does not type: the engine's, and cargo's.
 fn is_given(file: &Path) -> bool {
     file.starts_with("common/src/engine") || file.ends_with("Cargo.toml")
 }

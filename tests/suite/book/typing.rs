@@ -1,5 +1,5 @@
-//! What helps a reader who types in a page. That it is the same text that is judged there is
-//! in the room of the companion, and what browsers make of it in `tests/browser`.
+//! Help for a reader who types in a page. That the page judges as `watch` does is tested with the
+//! companion, and the page itself in `tests/browser`.
 
 use page::next::next;
 use page::typed::Text;

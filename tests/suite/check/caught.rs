@@ -37,11 +37,11 @@ fn a_slip_that_breaks_a_law_has_other_answers_than_a_right_program() {
     }
 }
 
-/// What happens to a slip in a chapter.
+/// A slip in a chapter, and how it is caught.
 pub(crate) struct Outcome {
     pub(crate) slip: &'static Slip,
     pub(crate) chapter: Chapter,
-    /// Whether the book's picture or a probe's shows it.
+    /// True if the book's picture or a probe's shows it.
     is_seen: bool,
     /// The first law that the slip breaks, and what is said about it.
     pub(crate) report: Option<Box<Report>>,
@@ -83,7 +83,7 @@ impl Outcome {
     }
 }
 
-/// What is said of the first law that the program breaks: on a few cases, enough to see a
+/// Reports the first law that the program breaks: on a few cases, enough to see a
 /// mistake, not to prove anything.
 pub(crate) fn first_report(program: &Program) -> Option<Box<Report>> {
     if program.chapter == Chapter::BuildTest {

@@ -14,29 +14,33 @@ use suite::command::{run, text};
 use suite::desk::Desk;
 use suite::left_out::left_out;
 
-/// What is there by its path: files with their bytes, and all else.
+/// Files by their paths, with their bytes, and all else without.
 type There = BTreeMap<PathBuf, Option<Vec<u8>>>;
 
 /// A command that writes.
 #[derive(Clone, Copy)]
 struct Writer {
     line: &'static str,
-    /// What it writes: a file or a folder.
+    /// The file or folder that it writes.
     target: &'static str,
-    /// Whether what is there now was there before, or is there after a whole run, all of it.
+    /// At how many places of each system call it is broken off at most, spread evenly.
+    places: usize,
+    /// Returns true if all that is there now was there before, or is there after a whole run.
     is_whole: fn(&There, &There, &There) -> bool,
 }
 
-const WRITERS: [Writer; 3] = [
+const WRITERS: [Writer; 4] = [
     Writer {
         line: "rtrace start red_sphere --into mine",
         target: "mine/red_sphere",
+        places: usize::MAX,
         // Each crate has a number of its own.
         is_whole: |before, now, after| now.keys().eq(before.keys()) || now.keys().eq(after.keys()),
     },
     Writer {
         line: "rtrace done --in list hello",
         target: "list",
+        places: usize::MAX,
         is_whole: |before, now, after| {
             let lines = |it: &There| {
                 it.values()
@@ -53,12 +57,20 @@ const WRITERS: [Writer; 3] = [
     Writer {
         line: "rtrace check normals n.ppm --report page",
         target: "page",
+        places: usize::MAX,
+        is_whole: each_is_whole,
+    },
+    // What `rtrace book` runs, with a book of one page; mdBook makes thousands of calls for it.
+    Writer {
+        line: "weave pages book",
+        target: "book",
+        places: 20,
         is_whole: each_is_whole,
     },
 ];
 
-/// Whether each file is the old one or the new one. On a picture that could not be read there is
-/// a whole page, and no pictures.
+/// Returns true if each file is the old one or the new one. On a picture that could not be read
+/// there is a whole page, and no pictures.
 fn each_is_whole(before: &There, now: &There, after: &There) -> bool {
     let is_known = |path: &PathBuf| {
         [before, after]
@@ -74,17 +86,21 @@ fn each_is_whole(before: &There, now: &There, after: &There) -> bool {
     paths.all(|path| is_known(path) || is_other && (is_page(path) || !now.contains_key(path)))
 }
 
+/// The system calls that may fail as on a full disk.
+const MAY_FAIL: &str = "openat read write statx mkdir rename unlink unlinkat rmdir fchmod chmod \
+    getdents64 copy_file_range close lseek ftruncate readlink fcntl";
+
 /// How a run is broken off.
 #[derive(Clone, Debug)]
 enum Break {
-    /// What is injected, as strace has it.
+    /// An injection, as strace has it.
     Injected(String),
     /// It is killed after that time.
     Killed(Duration),
 }
 
 #[test]
-#[ignore = "runs three commands some three thousand times"]
+#[ignore = "runs four commands some four thousand times"]
 fn what_is_broken_off_leaves_old_or_new_and_nothing_half() {
     let version = Command::new("strace").arg("-V").output();
     if !version.is_ok_and(|it| it.status.success()) {
@@ -98,7 +114,7 @@ fn what_is_broken_off_leaves_old_or_new_and_nothing_half() {
 }
 
 impl Writer {
-    /// What is wrong after which break, in lines.
+    /// Lists the breaks that leave something wrong, a line each.
     fn wrong(self) -> String {
         let desk = Desk::default();
         desk.write("precious", "mine");
@@ -117,6 +133,9 @@ impl Writer {
     fn turn(self, desk: &Desk, n: usize) {
         // A right picture is judged at once.
         desk.write_picture("n.ppm", &normals::picture([16, 17, 18][n % 3]));
+        desk.write("pages/book.toml", "[book]\nsrc = \".\"\n");
+        desk.write("pages/SUMMARY.md", "[One](one.md)\n");
+        desk.write("pages/one.md", format!("# Page {}\n", n % 3));
         if self.line.starts_with("rtrace start") {
             let _ = fs::remove_dir_all(desk.path(self.target));
         }
@@ -152,36 +171,13 @@ impl Writer {
 
     /// Each call is the last one, or fails if it can; and fifty kills at any time.
     fn breaks(self, calls: &BTreeMap<String, usize>, took: Duration) -> Vec<Break> {
-        const MAY_FAIL: [&str; 18] = [
-            "openat",
-            "read",
-            "write",
-            "statx",
-            "mkdir",
-            "rename",
-            "unlink",
-            "unlinkat",
-            "rmdir",
-            "fchmod",
-            "chmod",
-            "getdents64",
-            "copy_file_range",
-            "close",
-            "lseek",
-            "ftruncate",
-            "readlink",
-            "fcntl",
-        ];
         let mut breaks = Vec::new();
         for (name, count) in calls {
-            for n in 1..=*count {
-                breaks.push(Break::Injected(format!(
-                    "inject={name}:signal=KILL:when={n}"
-                )));
-                if MAY_FAIL.contains(&&**name) {
-                    breaks.push(Break::Injected(format!(
-                        "inject={name}:error=ENOSPC:when={n}"
-                    )));
+            for n in (1..=*count).step_by(count.div_ceil(self.places)) {
+                let inject = |what| Break::Injected(format!("inject={name}:{what}:when={n}"));
+                breaks.push(inject("signal=KILL"));
+                if MAY_FAIL.split(' ').any(|it| it == name) {
+                    breaks.push(inject("error=ENOSPC"));
                 }
             }
         }
@@ -189,7 +185,7 @@ impl Writer {
         breaks.into_iter().chain(killed).collect()
     }
 
-    /// What is wrong after a run that was broken off, and a whole one.
+    /// Says what is wrong after a run that was broken off, and a whole one.
     fn wrong_after(self, desk: &Desk, how: &Break, n: usize) -> Option<String> {
         self.turn(desk, n);
         let [before, outside] = self.there(desk);
@@ -223,8 +219,8 @@ impl Writer {
         Some(format!("{}, {how:?}: {problem}\n", self.line))
     }
 
-    /// What is in the target, and outside of it; the list of what is ours and what is half done
-    /// are neither.
+    /// Reads what is in the target, and what is outside of it; the list of our files and what is
+    /// half done are neither.
     fn there(self, desk: &Desk) -> [There; 2] {
         let target = desk.path(self.target);
         let is_seen = |path: &PathBuf| {
@@ -236,7 +232,7 @@ impl Writer {
     }
 }
 
-/// Whether it is, or is in, what is moved to its place when it is whole.
+/// Returns true for a path in what is moved to its place when it is whole.
 fn is_partial(path: &Path) -> bool {
     path.components()
         .any(|it| it.as_os_str().to_string_lossy().ends_with(".partial"))

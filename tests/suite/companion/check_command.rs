@@ -1,4 +1,4 @@
-//! What `cargo rtrace check`, `probes` and `slips` say.
+//! Transcripts of `cargo rtrace check` and `probes`.
 
 use std::fs::{self, File};
 

@@ -34,7 +34,7 @@ fn every_command_that_a_page_names_works() {
     }
 }
 
-/// What the companion tells a reader to type next.
+/// Also those that the companion tells a reader to type next.
 #[test]
 fn every_command_that_an_answer_names_is_understood() {
     let desk = Desk::default();
@@ -134,7 +134,7 @@ fn filled(line: String) -> String {
     filled.fold(line, |line, (choice, chosen)| line.replace(choice, chosen))
 }
 
-/// The same command, which is only to be understood: all before its help was.
+/// Makes a command that asks for help: all words before that are understood then.
 fn with_help(line: &str) -> String {
     match line.split_once(" -- ") {
         Some((ours, _)) => format!("{ours} --help"),
@@ -142,7 +142,7 @@ fn with_help(line: &str) -> String {
     }
 }
 
-/// Whether it is neither tested elsewhere, nor opens a window, nor takes minutes.
+/// Returns true if it is neither tested elsewhere, nor opens a window, nor takes minutes.
 fn is_quick(line: &str) -> bool {
     let slow = [
         "rtrace book",

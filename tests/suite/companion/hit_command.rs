@@ -1,4 +1,4 @@
-//! What `cargo rtrace hit` says.
+//! Transcripts of `cargo rtrace hit`.
 
 use insta::assert_snapshot;
 use suite::desk::Desk;

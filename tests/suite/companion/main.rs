@@ -8,6 +8,8 @@ mod command_line;
 mod commands;
 mod files;
 mod hit_command;
+#[cfg(unix)]
+mod hostile;
 mod languages;
 mod needs_command;
 mod start;

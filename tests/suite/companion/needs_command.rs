@@ -1,5 +1,5 @@
-//! What `cargo rtrace needs` says. Which method is the least is asked of the library, with
-//! costs that are given: no clock decides a test.
+//! Answers of `cargo rtrace needs`. Which method is the least is asked of the library, with costs
+//! that are given: no clock decides a test.
 
 use insta::assert_snapshot;
 use measure::needs::Found;
@@ -54,7 +54,8 @@ fn the_least_is_the_cheapest_that_draws_every_pixel_right() {
     }
 }
 
-/// What is found where a question takes each method, by its place in the list, so long.
+/// Finds what the scene needs, where a question takes each method as long as `cost` says of its
+/// place in the list.
 fn found(scene: &Scene, precision: Precision, cost: impl Fn(usize) -> f64) -> Found {
     let mut times: Vec<(Method, Vec<f64>)> = METHODS
         .iter()

@@ -12,8 +12,8 @@ use crate::terminal;
 use suite::desk::Desk;
 use suite::drawn::p3;
 
-/// What starts all that a shell can start: children, orphans, what ignores signals, and what has
-/// left its group.
+/// A script that starts all that a shell can start: children, orphans, programs that ignore
+/// signals, and one that leaves its group.
 const TREE: &str = "sleep 600 &
 (sleep 600 &)
 setsid sleep 600 &
@@ -55,7 +55,7 @@ fn nothing_runs_on_and_nothing_is_left() {
     assert!(left.is_empty(), "{left}");
 }
 
-/// What is left behind of one stop, in words.
+/// Says what one stop leaves behind.
 fn left_behind(row: &str) -> String {
     let cells: Vec<&str> = row.split('|').map(str::trim).collect();
     let [name, how, line] = cells[..] else {

@@ -36,7 +36,7 @@ pub(crate) fn open() -> (File, OwnedFd) {
     (File::from(controller), terminal)
 }
 
-/// What has appeared on a terminal.
+/// The bytes that have appeared on a terminal.
 pub(crate) struct Screen {
     pub(crate) shown: Arc<Mutex<Vec<u8>>>,
     reader: JoinHandle<()>,

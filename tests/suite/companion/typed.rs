@@ -1,5 +1,5 @@
-//! What is typed in a page gets the answer that `watch` has for the same text in a crate, and
-//! can be taken home as one.
+//! A text that is typed in a page gets the answer that `watch` has for it in a crate, and can be
+//! taken home as one.
 
 use std::fs;
 use std::path::Path;

@@ -52,16 +52,7 @@ fn chapter_3_is_typed_step_by_step_with_three_mistakes() {
     assert!(typed.next().is_none());
 
     for screen in watch.screens() {
-        let lines: Vec<usize> = plain(&screen)
-            .lines()
-            .map(|line| line.chars().count())
-            .collect();
-        let rows: usize = lines.iter().map(|length| length.div_ceil(80).max(1)).sum();
-        assert!(
-            rows <= 23,
-            "a terminal of 24 lines has no room for\n{}",
-            plain(&screen)
-        );
+        fits_a_terminal(&screen);
     }
     watch.leave();
     let list = fs::read_to_string(mine.path().join("done.md")).expect("the list");
@@ -74,6 +65,14 @@ fn chapter_3_is_typed_step_by_step_with_three_mistakes() {
     ]));
     let done = run(&mut mine.rtrace(&["done"]));
     keep("done", &text(&done.stdout));
+}
+
+/// A terminal of 80 columns and 24 lines, with a line for the cursor.
+fn fits_a_terminal(screen: &str) {
+    let screen = plain(screen);
+    let lines = screen.lines().map(|line| line.chars().count());
+    let rows: usize = lines.map(|length| length.div_ceil(80).max(1)).sum();
+    assert!(rows <= 23, "there is no room for\n{screen}");
 }
 
 #[test]
@@ -140,7 +139,7 @@ struct Watched {
     seen: usize,
 }
 
-/// What clears the screen.
+/// The escapes that clear the screen.
 const CLEAR: &str = "\x1b[2J\x1b[H";
 
 impl Watched {

@@ -15,7 +15,7 @@ use crate::hostile::{in_units, ulps_away};
 
 const U: f64 = f64::EPSILON / 2.0;
 
-/// What is compared with a band, in units of u = 2⁻⁵³ and of M = |oc|² + r².
+/// A number that is compared with a band, in units of u = 2⁻⁵³ and of M = |oc|² + r².
 #[derive(Clone, Copy, Debug)]
 enum Compared {
     /// c, with u·M.

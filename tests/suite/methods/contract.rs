@@ -46,7 +46,7 @@ $c$ overflows | c.z -1e160, r 5e159
 $c$ underflows | c.z -1e-170, r 5e-171
 ";
 
-/// What a row asks.
+/// Makes the question of a row.
 fn asked(changes: &str) -> WithInterval {
     let mut case = Case::new(Vec3::NEG_Z, 0.5, Ray::new(Point3::ZERO, Vec3::NEG_Z));
     let [mut t_min, mut t_max] = [0.0, f64::INFINITY];

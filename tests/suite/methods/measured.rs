@@ -1,4 +1,4 @@
-//! What chapter 6 measures without a clock: the same numbers on every machine.
+//! Measurements of chapter 6 without a clock: their numbers are equal on every machine.
 //!
 //! Some are found again in a moment, and are snapshots. The others are of millions of
 //! questions: here a few of them are asked again, which notices that they were asked

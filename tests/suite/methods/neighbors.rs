@@ -40,10 +40,10 @@ fn beside_one() -> impl Strategy<Value = World> {
     })
 }
 
-/// What stands beside a sphere. Sizes count in its radius.
+/// A sphere beside another. Sizes count in the radius of that.
 #[derive(Clone, Copy, Debug)]
 enum Neighbor {
-    /// The same, or almost: so many ulps off in center and radius.
+    /// Equal, or almost: so many ulps off in center and radius.
     Twin([i32; 4]),
     /// With the same center.
     Nested(f64),

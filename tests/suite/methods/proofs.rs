@@ -34,7 +34,7 @@ fn gappa_accepts_each_bound_and_refuses_a_narrower_one() {
     }
 }
 
-/// Whether Gappa proves the script; `None` if there is no Gappa.
+/// Returns true if Gappa proves the script; `None` if there is no Gappa.
 fn proves(script: &str) -> Option<bool> {
     let mut gappa = Command::new("gappa")
         .stdin(Stdio::piped())

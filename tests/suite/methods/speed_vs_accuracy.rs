@@ -1,4 +1,4 @@
-//! What chapter 6 is measured with: the cases, the maps and the scenes.
+//! The cases and the scenes by which chapter 6 is measured.
 
 use common::rtweekend::*;
 use laws::oracle::Exact;

@@ -42,7 +42,7 @@ fn a_looser_test_for_t_brings_back_only_a_ring_of_the_ball() {
     assert_eq!(columns, ring);
 }
 
-/// The same for rays whose direction has length 1, where a is 1.
+/// `hit_sphere` for rays whose direction has length 1, where a is 1.
 fn for_unit_direction(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
     assert!((ray.direction.length() - 1.0).abs() < 1e-12);
     let oc = center - ray.origin;

@@ -63,7 +63,7 @@ fn the_horizon_is_about_ten_units_away() {
     assert_eq!(format!("{tangent:.1}"), "10.1");
 }
 
-/// What a ray meets on its way through `thing`, one surface after another.
+/// Lists the surfaces that a ray meets on its way through `thing`: `t`, and true for a front.
 fn crossings(thing: &dyn Hittable, ray: &Ray) -> Vec<(f64, bool)> {
     let mut crossings = Vec::new();
     let mut t_min = 0.0;

@@ -72,7 +72,7 @@ fn errors_of_c([x, y, z]: [u32; 3]) -> Option<[f64; 2]> {
     (c > 0.0).then(|| [as_it_is, factored].map(|found| (found / c - 1.0).abs()))
 }
 
-/// The same on average over a thousand starts, some 10⁹ from the center.
+/// The average errors of c over a thousand starts, some 10⁹ from the center.
 fn average_errors() -> [f64; 2] {
     let starts = (0..1000).map(|n| [2_000_000_000 + 7919 * n, 1_000_000_000 + 104_729 * n, n]);
     let errors: Vec<[f64; 2]> = starts.filter_map(errors_of_c).collect();

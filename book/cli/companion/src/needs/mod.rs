@@ -99,7 +99,7 @@ fn look_into(scene: &Scene) -> (Vec<Found>, usize) {
     (found.collect(), drawn.with_acne)
 }
 
-/// Makes a function that says how much is drawn, every two seconds.
+/// Makes a function that says every two seconds how much is drawn.
 fn progress() -> impl Fn(usize, usize) + Sync {
     const SECONDS: u64 = 2;
     let (start, next) = (Instant::now(), AtomicU64::new(SECONDS));
@@ -110,7 +110,8 @@ fn progress() -> impl Fn(usize, usize) + Sync {
                 .is_ok()
         };
         if now >= due && says(due) {
-            eprintln!("{} % of the picture is drawn", 100 * done / rows);
+            let part = 100 * done / rows;
+            eprintln!("{part} % of the picture is drawn; a smaller --width takes less time");
         }
     }
 }

@@ -1,0 +1,209 @@
+//! Hostile input: how much memory each kind of it takes, and what lies just above a limit.
+
+use std::fs::{self, File};
+use std::io::{BufRead, BufReader};
+use std::os::unix::fs::symlink;
+use std::process::{Command, Stdio};
+use std::thread;
+use std::time::Duration;
+
+use common::rtweekend::Picture;
+use suite::command::text;
+use suite::desk::Desk;
+use suite::left_out::left_out;
+
+/// Inputs that are accepted, and the command that takes each.
+const INPUTS: &str = "\
+the longest text of a picture | check normals wrong.ppm
+the largest binary picture    | check normals wrong.ppm
+the largest PNG file          | check normals wrong.png
+output without an end         | check normals -- cat /dev/zero
+answers without an end        | laws normals -- cat /dev/zero
+errors without an end         | watch normals --once --timeout 1 -- sh flood.sh
+a source without an end       | check normals wrong.ppm
+a huge source                 | check normals wrong.ppm
+a source whose texts grow     | check normals wrong.ppm
+a source whose vector grows   | check normals wrong.ppm
+a source whose vectors grow   | check normals wrong.ppm
+a source that is nested       | check normals wrong.ppm
+a scene of many spheres       | needs scene.toml --width 8
+";
+
+/// Saves an input, beside a wrong picture.
+fn save(input: &str, desk: &Desk) {
+    desk.write_picture("wrong.ppm", &gradient::picture(64));
+    match input {
+        "the longest text of a picture" => desk.write("wrong.ppm", large("P3", "255 255 255\r\n")),
+        "the largest binary picture" => desk.write("wrong.ppm", large("P6", "\0\x01\x02")),
+        "the largest PNG file" => {
+            let levels = (0..3 * SIDE * SIDE).map(|n| (n ^ n >> 8) as u8).collect();
+            let picture = Picture::from_rgb(SIDE, SIDE, levels);
+            let picture = picture.expect("three bytes a pixel");
+            desk.write("wrong.png", check::png::encode(&picture));
+        }
+        "errors without an end" => desk.write("flood.sh", "exec yes aaaaaaaaaaaaaaaa >&2"),
+        "a source without an end" => symlink("/dev/zero", desk.path("z.c")).expect("a link"),
+        "a huge source" => {
+            let file = File::create(desk.path("big.py")).expect("a file");
+            file.set_len(3 << 30).expect("it has holes");
+        }
+        "a source whose texts grow" => {
+            source(
+                desk,
+                "let mut t = format!(\"a\"); loop { t = format!(\"{t}{t}\"); }",
+            );
+        }
+        "a source whose vector grows" => {
+            source(desk, "let mut v = Vec::new(); loop { v.push(1.0); }");
+        }
+        "a source whose vectors grow" => {
+            source(
+                desk,
+                "let mut v = vec![vec![1.0; 9]]; loop { v.push(v[0].clone()); }",
+            );
+        }
+        "a source that is nested" => {
+            let [open, close] = ["-(", ")"].map(|it| it.repeat(30_000));
+            source(desk, &format!("let x = {open}1.0{close};"));
+        }
+        "a scene of many spheres" => desk.write("scene.toml", spheres()),
+        _ => {}
+    }
+}
+
+/// The side of a square that has the most pixels that a picture may have.
+const SIDE: u32 = 4096;
+
+fn large(kind: &str, pixel: &str) -> String {
+    let pixels = pixel.repeat((SIDE * SIDE) as usize);
+    format!("{kind}\n{SIDE} {SIDE}\n255\n{pixels}")
+}
+
+/// Saves a source, and then a picture that it might have drawn.
+fn source(desk: &Desk, body: &str) {
+    let head = "use common::rtweekend::*;\n\npub fn ray_color(ray: &Ray) -> Color";
+    let tail = "pub fn picture(width: u32) -> Picture {\n    render(width, ray_color)\n}\n";
+    desk.write(
+        "mine.rs",
+        format!("{head} {{\n    {body}\n    sky(ray)\n}}\n\n{tail}"),
+    );
+    desk.write_picture("wrong.ppm", &gradient::picture(64));
+}
+
+/// As many as a scene has room for.
+fn spheres() -> String {
+    let sphere = |n| {
+        format!(
+            "[[sphere]]\ncenter=[{}, {}, -9]\nradius=0.4\n",
+            n % 50,
+            n / 50
+        )
+    };
+    (0..2500).map(sphere).collect()
+}
+
+#[test]
+#[ignore = "judges a dozen large inputs, some seconds each"]
+fn whatever_is_accepted_takes_less_than_a_gibibyte() {
+    if !cfg!(target_os = "linux") {
+        return left_out("only Linux tells how much memory a program took at most");
+    }
+    let mut large = String::new();
+    for (input, line) in INPUTS.lines().filter_map(|row| row.split_once(" | ")) {
+        let desk = Desk::default();
+        save(input.trim(), &desk);
+        let (mebibytes, said) = peak(&mut desk.command(&format!("rtrace {line}")));
+        println!("{input}  {mebibytes:>4} MiB");
+        assert!(!said.is_empty(), "{input}: nothing is said");
+        if mebibytes >= 1024 {
+            large += &format!("{input}: {mebibytes} MiB\n");
+        }
+    }
+    assert!(large.is_empty(), "{large}");
+}
+
+/// Runs the command to its end. Returns how much memory it had at most, in mebibytes, and what it
+/// said.
+fn peak(command: &mut Command) -> (u64, String) {
+    let child = command.stdout(Stdio::piped()).stderr(Stdio::piped());
+    let child = child.spawn().expect("it starts");
+    let status = format!("/proc/{}/status", child.id());
+    let ended = thread::spawn(move || child.wait_with_output().expect("it ends"));
+    let mut most = 0;
+    while !ended.is_finished() {
+        let status = fs::read_to_string(&status).unwrap_or_default();
+        let mut peak = status.lines().filter_map(|it| it.strip_prefix("VmHWM:"));
+        let peak = peak.next().and_then(|it| it.trim().strip_suffix(" kB"));
+        most = most.max(peak.map_or(0, |it| it.parse().expect("a number")));
+        thread::sleep(Duration::from_millis(1));
+    }
+    let output = ended.join().expect("it is read");
+    assert!(output.status.code().is_some(), "{:?}", output.status);
+    (most >> 10, text(&output.stdout) + &text(&output.stderr))
+}
+
+/// The first line of errors of a command that is then killed.
+fn first_complaint(command: &mut Command) -> String {
+    let mut child = command.stderr(Stdio::piped()).spawn().expect("it starts");
+    let mut first = String::new();
+    let errors = child.stderr.take().expect("it is piped");
+    let read = BufReader::new(errors).read_line(&mut first);
+    child.kill().expect("it runs");
+    child.wait().expect("it ends");
+    read.expect("a line");
+    first
+}
+
+#[test]
+#[ignore = "draws for some seconds"]
+fn a_scene_that_takes_long_says_how_far_it_is() {
+    let desk = Desk::default();
+    desk.write("scene.toml", spheres());
+    let mut needs = desk.command("rtrace needs scene.toml --width 1000");
+    let first = first_complaint(&mut needs);
+    assert!(first.contains("% of the picture is drawn"), "{first}");
+}
+
+#[test]
+fn a_pipe_into_which_no_program_writes_is_waited_for_and_that_is_said() {
+    let desk = Desk::default();
+    let mut mkfifo = Command::new("mkfifo");
+    let made = mkfifo.arg(desk.path("pipe")).status();
+    assert!(made.expect("it starts").success());
+    let first = first_complaint(&mut desk.command("rtrace check normals pipe"));
+    assert_eq!(
+        first,
+        "pipe is a pipe: it waits until a program writes into it\n"
+    );
+}
+
+/// Each is read up to its limit, and refused from the next byte on.
+#[test]
+fn a_file_that_is_longer_than_its_limit_is_not_read() {
+    let desk = Desk::default();
+    desk.run("rtrace start gradient");
+    let scene = "width = 8\n[[sphere]]\ncenter = [0, 0, -1]\nradius = 0.5\n";
+    let lib = "mine/gradient/src/lib.rs";
+    for (name, begin, most, line, shown) in [
+        ("s.toml", scene, 1 << 17, "needs s.toml", "Take "),
+        ("done.md", "- all", 1 << 22, "done --in .", "- all"),
+        (
+            lib,
+            "fn f() {}",
+            1 << 17,
+            "start red_sphere",
+            "It begins with",
+        ),
+    ] {
+        for (length, is_read) in [(most, true), (most + 1, false)] {
+            let _ = fs::remove_dir_all(desk.path("mine/red_sphere"));
+            let blanks = " ".repeat(length - begin.len());
+            desk.write(name, begin.to_owned() + &blanks);
+            let output = desk.run(&format!("rtrace {line}"));
+            let said = text(&output.stdout) + &text(&output.stderr);
+            assert_eq!(said.contains(shown), is_read, "{name}: {length}: {said}");
+            let refusal = format!("it has more than {most} bytes");
+            assert_eq!(said.contains(&refusal), !is_read, "{name}: {said}");
+        }
+    }
+}
