@@ -215,7 +215,10 @@ fn what_is_not_in_a_scene_is_not_right() {
     );
     let pictures = [
         (Chapter::HittableList, three.run(WIDTH).picture()),
-        (Chapter::RedSphere, ellipse(&Chapter::Gradient.picture(WIDTH))),
+        (
+            Chapter::RedSphere,
+            ellipse(&Chapter::Gradient.picture(WIDTH)),
+        ),
     ];
     for (chapter, picture) in pictures {
         let said = said(&answer(chapter, &picture));
