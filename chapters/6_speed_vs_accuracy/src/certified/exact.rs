@@ -12,13 +12,6 @@ use common::rtweekend::*;
 use dashu_int::ops::{Abs, BitTest, SquareRoot};
 use dashu_int::{IBig, UBig};
 
-use crate::method::Method;
-
-impl Method {
-    /// Integers.
-    pub const EXACT: Self = Self::double("exact", exact);
-}
-
 /// Finds the nearest root in the range, decided exactly and rounded once.
 ///
 /// Cost: a few hundred times that of `half_b`, more for numbers of very

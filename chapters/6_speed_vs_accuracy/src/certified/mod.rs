@@ -39,17 +39,6 @@ pub(crate) use exact::comes_before;
 pub use exact::{exact, exact_discriminant};
 pub(crate) use filter::{Choice, Rounded};
 
-impl Method {
-    /// The decision is certain, the digits of t are those of `half_b_q`.
-    pub const CERTIFIED_HIT: Self = Self::double("certified_hit", certified_hit).certified();
-
-    /// The decision is certain, and so are the digits of t.
-    pub const CERTIFIED_T: Self = Self::double("certified_t", certified_t).certified();
-
-    /// Input in `f32`; the decision is certain, and so is the last digit of t.
-    pub const CERTIFIED_F32: Self = Self::single("certified_f32", certified_f32).certified();
-}
-
 /// Finds the nearest root in the range: hit or miss, and which of the two roots, as the
 /// [theorem](self) says.
 ///

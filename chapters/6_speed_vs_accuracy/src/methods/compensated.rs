@@ -4,12 +4,6 @@ use common::rtweekend::*;
 
 use super::error_free::{c_and_differences, difference_of_products};
 use super::half_b_q::nearest_by_q;
-use crate::method::Method;
-
-impl Method {
-    /// The digits that oc, the cross product and c lose are added again.
-    pub const COMPENSATED: Self = Self::double("compensated", compensated);
-}
 
 /// Finds the nearest root in the range as [`cross_q`](crate::cross_q) does where the sphere is far,
 /// and near its surface as [`half_b_q`](crate::half_b_q), with a c and a cross product that have

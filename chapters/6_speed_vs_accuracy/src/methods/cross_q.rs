@@ -3,12 +3,6 @@
 use common::rtweekend::*;
 
 use super::half_b_q::nearest_by_q;
-use crate::method::Method;
-
-impl Method {
-    /// The distance of the line by a cross product.
-    pub const CROSS_Q: Self = Self::double("cross_q", cross_q);
-}
 
 /// Finds the nearest root in the range, with the discriminant by the identity of
 /// Lagrange: (d·oc)² + |d × oc|² is |d|²·|oc|², so D = a·r² − |d × oc|².

@@ -5,12 +5,6 @@ use std::ops::{Add, Mul, Neg, Sub};
 use common::rtweekend::*;
 
 use super::error_free::{quick_two_sum, two_product, two_sum};
-use crate::method::Method;
-
-impl Method {
-    /// Twice the digits.
-    pub const DOUBLE_DOUBLE: Self = Self::double("double_double", double_double);
-}
 
 /// Finds the nearest root in the range as `half_b_q` does, with some 106 digits
 /// instead of 53; `t` is rounded at the end.

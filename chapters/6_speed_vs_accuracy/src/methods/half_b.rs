@@ -2,16 +2,6 @@
 
 use common::rtweekend::*;
 
-use crate::method::Method;
-
-impl Method {
-    /// Half of b, as in chapter 5.
-    pub const HALF_B: Self = Self::double("half_b", half_b);
-
-    /// The method by which the others are measured: that of the chapters.
-    pub const REFERENCE: Self = Self::HALF_B;
-}
-
 /// Finds the nearest root in the range as chapter 5 does, to the bit, and makes no record of the
 /// hit.
 ///

@@ -2,13 +2,6 @@
 
 use common::rtweekend::*;
 
-use crate::method::Method;
-
-impl Method {
-    /// The discriminant of `half_b`, and roots that do not cancel.
-    pub const HALF_B_Q: Self = Self::double("half_b_q", half_b_q);
-}
-
 /// Finds the nearest root in the range, with the discriminant of `half_b` and each root by the
 /// division that does not cancel; only the one that counts is divided. The plain method to begin
 /// with.

@@ -8,17 +8,7 @@ use common::rtweekend::{Point3, Ray};
 use glam::Vec3;
 
 use super::half_b_q::half_b_q;
-use crate::method::Method;
 use crate::precision::SingleRay;
-
-impl Method {
-    /// Half of b in `f32`.
-    pub const HALF_B_F32: Self = Self::single("half_b_f32", half_b_f32);
-
-    /// Input in `f32`, and all between in `f64`.
-    pub const WIDENED_HALF_B_Q_F32: Self =
-        Self::single("widened_half_b_q_f32", widened_half_b_q_f32);
-}
 
 /// Finds the nearest root in the range as [`half_b`](crate::half_b) does, in
 /// `f32`.
