@@ -50,7 +50,7 @@ impl Known<'_> {
         let letters = match self.letters {
             Some(Letters::Python(_)) => Letters::Python(scene.edition),
             // In Rust there are the lines of our chapters, which follow version 4.
-            Some(Letters::Rust) if is_older && slip.has_older_words() => {
+            Some(Letters::Rust) if is_older && slip.has_older_words(scene.chapter) => {
                 Letters::Book(scene.edition)
             }
             Some(letters) => letters,

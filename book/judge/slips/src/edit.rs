@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 /// A part of a text and what is typed in its place. Blanks and the ends of lines do not count.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Edit {
     /// What the text has.
     pub right: Cow<'static, str>,
@@ -20,10 +20,10 @@ impl Edit {
         }
     }
 
-    /// The edit that is written `right→wrong`.
+    /// Reads the edit that is written `right → wrong`.
     pub fn written(said: &'static str) -> Self {
         let (right, wrong) = said.split_once('→').unwrap_or((said, ""));
-        Self::new(right, wrong)
+        Self::new(right.trim(), wrong.trim())
     }
 
     /// Whether it puts shorter numbers in the place of all.
@@ -45,6 +45,24 @@ impl Edit {
             done = end;
         }
         (done > 0).then(|| made + &text[done..])
+    }
+
+    /// Finds the statement around the place where it stands first, right and with all of these
+    /// edits.
+    pub(crate) fn statement(&self, text: &str, edits: &[Self]) -> Option<Self> {
+        let (start, end) = self.found(text, 0)?;
+        let ends = [';', '{', '}'];
+        let start = text[..start].rfind(ends).map_or(0, |at| at + 1);
+        let after = match text[..end].ends_with(ends) {
+            true => 0,
+            false => text[end..].find(ends).unwrap_or_default(),
+        };
+        let right = &text[start..end + after];
+        let made = edits.iter().filter(|edit| edit.stands_in(right));
+        let wrong = made.fold(right.to_owned(), |text, edit| {
+            edit.made_in(&text).unwrap_or(text)
+        });
+        Some(Self::new(line(right), line(&wrong)))
     }
 
     /// Whether it stands in the text.
@@ -99,4 +117,25 @@ fn is_whole(text: &str, start: usize, end: usize) -> bool {
     };
     let is_a_field = first.is_some_and(is_of_a_name) && before == Some('.');
     !goes_on(before, first) && !goes_on(last, after) && !is_a_field
+}
+
+/// Writes a statement on one line, without what binds it to those around it. A pixel of a file may
+/// have numbers that are no bytes; in Rust it has bytes.
+fn line(statement: &str) -> String {
+    let code = statement
+        .lines()
+        .map(|line| line.split("//").next().unwrap_or(line));
+    let words: Vec<&str> = code.flat_map(str::split_whitespace).collect();
+    let line = words
+        .join(" ")
+        .replace("; let ", "; ")
+        .replace(" as i32", " as u8");
+    let line = line.trim_end_matches(';').trim_start_matches("let ");
+    let some = line
+        .strip_prefix("Some(")
+        .and_then(|it| it.strip_suffix(')'));
+    match some.unwrap_or(line) {
+        pattern if pattern.starts_with("if let") => pattern.to_owned(),
+        line => line.trim_start_matches("if ").to_owned(),
+    }
 }

@@ -5,7 +5,9 @@
 //! at each tag. An edition is a mutation of the latest one: a few other steps, like a slip,
 //! but right from the first line to the last.
 
+use std::collections::BTreeMap;
 use std::fmt;
+use std::sync::{LazyLock, Mutex, PoisonError};
 
 use crate::chapter::Chapter;
 use crate::edit::Edit;
@@ -120,12 +122,18 @@ impl Edition {
         format!("version {numbers} of the book ({years})")
     }
 
-    /// The chapter's program in this edition.
+    /// Returns the chapter's program in this edition.
     ///
     /// # Panics
     /// If the chapter is not one of [`Chapter::OF_THE_BOOK`].
     pub fn program(self, chapter: Chapter) -> Program {
-        self.shaped(chapter, None)
+        type Known = BTreeMap<(Edition, Chapter), Program>;
+        static KNOWN: LazyLock<Mutex<Known>> = LazyLock::new(Mutex::default);
+        let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+        let program = known.entry((self, chapter));
+        program
+            .or_insert_with(|| self.shaped(chapter, None))
+            .clone()
     }
 
     /// The same in a picture of that size in place of the chapter's shape.
@@ -183,6 +191,7 @@ impl Edition {
                 ),
             ),
         ]);
+        edits.extend(FORMULA_BEFORE_4.map(Edit::written));
         edits.extend(self.edits_of_the_first());
         edits
     }
@@ -259,6 +268,20 @@ impl fmt::Display for Edition {
         }
     }
 }
+
+/// The quadratic before version 4: oc points from the center to the eye, and b or its half has the
+/// other sign. Not one bit of a root is another.
+const FORMULA_BEFORE_4: [&str; 8] = [
+    "oc = center - ray.origin → oc = ray.origin - center",
+    "oc = self.center - ray.origin → oc = ray.origin - self.center",
+    "b = -2.0 * ray.direction.dot(oc) → b = 2.0 * oc.dot(ray.direction)",
+    "h = ray.direction.dot(oc) → half_b = oc.dot(ray.direction)",
+    "h * h - a * c → half_b * half_b - a * c",
+    "(h - discriminant.sqrt()) / a → (-half_b - discriminant.sqrt()) / a",
+    "[(h - sqrtd) / a, (h + sqrtd) / a] → [(-half_b - sqrtd) / a, (-half_b + sqrtd) / a]",
+    // A ray that touches was a miss until version 3.2.3, in chapter 2.
+    "discriminant >= 0.0 → discriminant > 0.0",
+];
 
 /// Ratios of width to height that people choose.
 const USUAL_RATIOS: [f64; 7] = [

@@ -39,30 +39,18 @@ impl Letters {
     }
 }
 
-/// A line of `hit_sphere` or `ray_color` as it is typed in that chapter: from chapter 4 on
-/// with `length_squared`, and in chapter 5 with a sphere that has fields, and two roots.
-pub(super) fn in_chapter(line: &str, chapter: Chapter) -> String {
-    let mut line = line.to_owned();
-    if chapter >= Chapter::HalfBSphere {
-        line = replaced(&line, SQUARED);
-    }
-    if chapter < Chapter::HittableList {
-        return line;
-    }
-    let is_root = line.contains("discriminant") && !line.contains(['=', '<', '>']);
-    if is_root {
-        let near = line.replace("discriminant.sqrt()", "sqrtd");
-        let far = near.replacen(" - ", " + ", 1);
-        line = format!("roots = [{near}, {far}]");
-    }
-    with_words(&line, FIELDS)
-}
-
 /// A line of our Rust as the book has it in C++ in that chapter.
 pub(super) fn in_cpp(line: &str, chapter: Chapter) -> String {
     let mut line = line.to_owned();
     if chapter == Chapter::HittableList {
         line = with_words(&line, &[("normal", "rec.normal")]);
+    }
+    // The book tries one root after the other.
+    if let Some(roots) = line.strip_prefix("roots = [") {
+        let nearer = roots.split_once(", ").map_or(roots, |it| it.0);
+        line = nearer
+            .trim_end_matches(']')
+            .replace("sqrtd", "discriminant.sqrt()");
     }
     line = replaced(&with_words(&line, NAMES), CPP);
     for (method, function) in FUNCTIONS {
@@ -80,23 +68,9 @@ pub(super) fn in_python(line: &str) -> String {
 
 type Phrases = &'static [(&'static str, &'static str)];
 
-const SQUARED: Phrases = &[
-    ("oc.dot(oc)", "oc.length_squared()"),
-    (
-        "ray.direction.dot(ray.direction)",
-        "ray.direction.length_squared()",
-    ),
-];
-
-const FIELDS: Phrases = &[
-    ("center", "self.center"),
-    ("radius", "self.radius"),
-    ("normal", "record.normal"),
-    ("point", "record.point"),
-];
-
 const CPP: Phrases = &[
     ("self.", ""),
+    ("record.point", "rec.p"),
     ("record.", "rec."),
     ("r.direction", "r.direction()"),
     ("r.origin", "r.origin()"),
@@ -118,6 +92,7 @@ const CPP: Phrases = &[
     (" / (image_height)", " / image_height"),
     ("f64::from(", "double("),
     ("f64::INFINITY", "infinity"),
+    ("(N + Vec3::ONE)", "color(N.x() + 1, N.y() + 1, N.z() + 1)"),
     ("Vec3::ONE", "color(1, 1, 1)"),
     ("Vec3::new", ""),
     ("Point3::new", ""),

@@ -180,6 +180,17 @@ impl Program {
         }
     }
 
+    /// Finds the first statement in which one of these edits stands, right and with all of them.
+    pub(crate) fn statement_with(&self, edits: &[Edit]) -> Option<Edit> {
+        let mut standing = edits.iter().filter(|edit| self.has(edit));
+        let first = standing.next()?;
+        if first.is_precision() {
+            return Some(first.clone());
+        }
+        self.functions()
+            .find_map(|(_, text)| first.statement(text, edits))
+    }
+
     /// The same program with another text of one function, or `None` if that is none.
     pub fn with_text(&self, function: &str, text: &str) -> Option<Self> {
         let mut code = self.code.patched(function, text).ok()?;

@@ -1,15 +1,14 @@
-//! Mutation operators: a slip is a known mistake, as a change of the right program, and
-//! what there is to say of it.
+//! Mutation operators: a slip is a known mistake, as edits of the chapters' texts, and what there
+//! is to say of it.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
-use std::str::SplitWhitespace;
 use std::sync::{LazyLock, Mutex, PoisonError};
 
 use crate::chapter::Chapter;
 use crate::edit::Edit;
 use crate::edition::Edition;
-use crate::letters::{Letters, in_chapter, in_cpp, in_python};
+use crate::letters::{Letters, in_cpp, in_python};
 use crate::probes::PROBES;
 use crate::program::{Program, files, source};
 use crate::sight::kept;
@@ -18,10 +17,10 @@ use crate::sight::kept;
 /// drawn once, since that takes longer than a reader waits.
 const HIDDEN: &str = include_str!("../tests/pictures/snapshots/pictures__hidden.snap");
 
-/// A mistake that readers make, as an edit of the right line.
+/// A mistake that readers make: a paragraph of `catalogue.txt`, where the fields are told.
 ///
-/// In which chapters it can be made, the texts of these say: wherever its line stands.
-#[derive(Clone, Copy, Debug)]
+/// In which chapters it can be made, the texts of these say: wherever its edits stand.
+#[derive(Clone, Debug, Default)]
 pub struct Slip {
     /// What it is called, on the command line and in tables. It never changes. Empty where
     /// only laws look for it.
@@ -29,36 +28,18 @@ pub struct Slip {
     /// The page of the book and its heading that tell how it is right, as the end of an
     /// address: `half_b_sphere#two-observations`.
     pub page: &'static str,
-    /// The right line in our Rust, as chapter 3 has it.
-    pub(super) rust: &'static str,
-    /// The line from a later chapter on, if that has another.
-    pub(super) later: Option<(Chapter, &'static str)>,
-    /// A part of the line, and what is typed in its place: `right→wrong`. The first whose
-    /// part is in the line counts; no part is the whole line.
-    pub(super) edits: &'static [&'static str],
-    /// The edits of the texts, where a single one of this line is not all: those that stand in
-    /// a text are made.
-    pub(super) more: &'static [&'static str],
-    /// The line in version 4 until then, if it can't be made of our Rust.
-    pub(super) cpp: &'static str,
-    /// The line in Python, if it can't be made of the book's.
-    pub(super) python: &'static str,
-    /// The line in editions before version 4, if it is another.
-    pub(super) older: &'static str,
     /// What the mistake does to the picture, and why.
-    pub(super) why: &'static str,
-    /// The languages that let it be made: not all take a number for a truth, or -1.0 for a
-    /// miss.
-    pub(super) made_in: fn(Letters) -> bool,
-    /// Who made it: issues of `RayTracing/raytracing.github.io`, or of another repository
-    /// if that is named. Few people report a slip.
-    pub(super) reported: &'static [&'static str],
-    /// In which chapters neither picture nor probe shows it.
-    pub(super) unseen_in: &'static [Chapter],
-    /// Why nothing shows it there, or nothing but the law.
+    pub why: &'static str,
+    pub(super) edits: Vec<Edit>,
+    pub(super) reported: &'static str,
+    pub(super) only_in: &'static str,
     pub(super) equivalent: &'static str,
-    /// The law that shows it there.
     pub(super) law: &'static str,
+    /// The whole line in each of these, if it can't be made of the chapter's.
+    pub(super) rust: Option<Edit>,
+    pub(super) cpp: Option<Edit>,
+    pub(super) python: Option<Edit>,
+    pub(super) older: Option<Edit>,
 }
 
 /// What there is to say of a slip.
@@ -82,30 +63,10 @@ pub enum Unseen {
     OnlyByLaw(&'static str),
 }
 
-/// A slip that changes nothing yet, and of which nothing is said.
-pub(super) const SLIP: Slip = Slip {
-    name: "",
-    page: "",
-    rust: "",
-    later: None,
-    edits: &[],
-    more: &[],
-    cpp: "",
-    python: "",
-    older: "",
-    why: "",
-    made_in: |_| true,
-    reported: &[],
-    unseen_in: &[],
-    equivalent: "",
-    law: "",
-};
-
 impl Slip {
-    /// What there is to say of it to someone who made it in that chapter.
+    /// Returns what there is to say of it to someone who made it in that chapter.
     pub fn words(&self, letters: Letters, chapter: Chapter) -> Words {
-        let lines = self.lines(letters, chapter).unwrap_or_default();
-        let [wrong, right] = lines.map(Cow::Owned);
+        let Edit { right, wrong } = self.line(letters, chapter);
         Words {
             wrong,
             right,
@@ -113,41 +74,47 @@ impl Slip {
         }
     }
 
-    /// The wrong line and the right one.
-    fn lines(&self, letters: Letters, chapter: Chapter) -> Option<[String; 2]> {
-        let later = self.later.filter(|(since, _)| *since <= chapter);
-        let rust = later.map_or(self.rust, |(_, line)| line);
-        let translated = |to: fn(&str, Chapter) -> String| {
-            let both = self.edited(rust)?;
-            Some(both.map(|line| to(&line, chapter)))
-        };
-        let is_older = letters.edition() != Edition::V4 && self.has_older_words();
+    /// Returns the line in these letters, right and wrong.
+    fn line(&self, letters: Letters, chapter: Chapter) -> Edit {
+        let edition = letters.edition();
         let own = match letters {
-            Letters::Rust => translated(in_chapter)
-                .filter(|[_, right]| stands_in(chapter, right))
-                .or_else(|| self.edited(rust)),
-            Letters::Python(_) if is_older => None,
-            Letters::Python(_) => self.edited(self.python),
-            Letters::Book(_) if is_older => self.edited(self.older),
-            Letters::Book(_) if later.is_some() => translated(in_cpp),
-            Letters::Book(_) => None,
+            _ if edition != Edition::V4 && self.older.is_some() => &self.older,
+            Letters::Rust => &self.rust,
+            Letters::Book(_) => &self.cpp,
+            Letters::Python(_) => &self.python,
         };
-        own.or_else(|| match letters {
-            Letters::Rust => self.lines(Letters::Book(Edition::V4), chapter),
-            Letters::Python(edition) => {
-                let both = self.lines(Letters::Book(edition), chapter)?;
-                Some(both.map(|line| in_python(&line)))
+        let of_chapter = || {
+            let statement = self.statement(chapter, edition);
+            let statement = statement.or_else(|| self.statement(chapter, Edition::V4));
+            self.rust.clone().or(statement).unwrap_or_default()
+        };
+        let made =
+            |line: Edit, to: &dyn Fn(&str) -> String| Edit::new(to(&line.right), to(&line.wrong));
+        let translated = || match letters {
+            Letters::Rust => of_chapter(),
+            Letters::Book(_) => made(of_chapter(), &|line| in_cpp(line, chapter)),
+            Letters::Python(_) => made(self.line(Letters::Book(edition), chapter), &in_python),
+        };
+        match own {
+            Some(line) if line.right.is_empty() => {
+                Edit::new(translated().right, line.wrong.clone())
             }
-            Letters::Book(_) => self.edited(self.cpp).or_else(|| translated(in_cpp)),
-        })
+            Some(line) if matches!(letters, Letters::Python(_)) => made(line.clone(), &in_python),
+            Some(line) => line.clone(),
+            None => translated(),
+        }
     }
 
-    /// The line as it is mistyped, and as it is, if there is one that can be.
-    fn edited(&self, line: &str) -> Option<[String; 2]> {
-        let mut edits = self.edits.iter().filter_map(|edit| edit.split_once('→'));
-        let (part, other) = edits.find(|(part, _)| line.contains(part))?;
-        let part = if part.is_empty() { line } else { part };
-        (!line.is_empty()).then(|| [line.replacen(part, other, 1), line.to_owned()])
+    /// Finds the statement in an edition's text of the chapter in which the slip is made, on one
+    /// line.
+    fn statement(&self, chapter: Chapter, edition: Edition) -> Option<Edit> {
+        /// By the slip's name and its reason, since not all have a name.
+        type Known = BTreeMap<(&'static str, &'static str, Chapter, Edition), Option<Edit>>;
+        static KNOWN: LazyLock<Mutex<Known>> = LazyLock::new(Mutex::default);
+        let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+        let statement = || edition.program(chapter).statement_with(&self.edits);
+        let key = (self.name, self.why, chapter, edition);
+        known.entry(key).or_insert_with(statement).clone()
     }
 
     /// The same, labeled, as every report shows it.
@@ -164,125 +131,118 @@ impl Slip {
         ]
     }
 
-    /// Whether that language lets it be made.
+    /// Returns true if that language lets it be made: not all take a number for a truth, or -1.0
+    /// for a miss.
     pub fn can_be_made_in(&self, letters: Letters) -> bool {
-        (self.made_in)(letters)
+        let language = match letters {
+            Letters::Rust => "Rust",
+            Letters::Book(_) => "C++",
+            Letters::Python(_) => "Python",
+        };
+        self.only_in.is_empty() || self.only_in.split(", ").any(|it| it == language)
     }
 
-    /// Whether editions before version 4 have another line for it.
-    pub fn has_older_words(&self) -> bool {
-        !self.older.is_empty()
+    /// Returns true if editions before version 4 have another line for it.
+    pub fn has_older_words(&self, chapter: Chapter) -> bool {
+        let [older, own] =
+            [Edition::V3, Edition::V4].map(|it| self.line(Letters::Book(it), chapter));
+        older != own
     }
 
-    /// Whether it is a line of another edition in a program of this one.
+    /// Returns true if it is a line of another edition in a program of this one.
     pub fn is_of_another_edition(&self, chapter: Chapter) -> bool {
-        let line = |edition| self.lines(Letters::Book(edition), chapter);
+        let line = |edition| self.line(Letters::Book(edition), chapter);
         let [older, own] = [Edition::V3, Edition::V4].map(line);
-        self.has_older_words() && older.map(|it| it[1].clone()) == own.map(|it| it[0].clone())
+        older.right == own.wrong
     }
 
-    /// How many people have reported that they made it.
+    /// Counts the people who have reported that they made it.
     pub fn reports(&self) -> usize {
-        self.reported.len()
+        self.reported
+            .split(", ")
+            .filter(|it| !it.is_empty())
+            .count()
     }
 
-    /// The edits by which it is made in the chapter's text.
-    pub fn edits(&self, chapter: Chapter) -> Vec<Edit> {
-        if !self.more.is_empty() {
-            return self.more.iter().map(|it| Edit::written(it)).collect();
-        }
-        let lines = self.lines(Letters::Rust, chapter).into_iter();
-        // The program prints numbers that are no bytes, too.
-        let printed = |line: String| line.replace(" as u8", " as i32");
-        let lines = lines.map(|both| both.map(printed));
-        lines
-            .map(|[wrong, right]| Edit::new(right, wrong))
-            .collect()
+    /// Returns the edits by which it is made in texts of the chapters.
+    pub fn edits(&self) -> &[Edit] {
+        &self.edits
     }
 
-    /// The edit by which it is made in the chapter's text, if that is one.
-    pub fn only_edit(&self, chapter: Chapter) -> Option<Edit> {
+    /// Returns the edit by which it is made in the chapter's text, if that is one.
+    pub fn only_edit(&self, chapter: Chapter) -> Option<&Edit> {
         let program = Program::right(chapter);
-        let edits = self.edits(chapter).into_iter();
-        let mut standing = edits.filter(|edit| program.has(edit));
+        let mut standing = self.edits.iter().filter(|edit| program.has(edit));
         standing.next().filter(|_| standing.next().is_none())
     }
 
-    /// Whether its line stands in the chapter's program.
+    /// Returns true if it can be made in the chapter's program.
     pub fn is_in(&self, chapter: Chapter) -> bool {
-        /// By the slip's name and its reason, since not all have a name.
-        type Known = BTreeMap<(&'static str, &'static str, Chapter), bool>;
-        static KNOWN: LazyLock<Mutex<Known>> = LazyLock::new(Mutex::default);
-        let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
-        let stands = || {
-            let program = Program::right(chapter);
-            self.edits(chapter).iter().any(|edit| program.has(edit))
-        };
-        *known
-            .entry((self.name, self.why, chapter))
-            .or_insert_with(stands)
+        self.statement(chapter, Edition::V4).is_some()
     }
 
-    /// The chapters in which it can be made.
+    /// Returns the chapters in which it can be made.
     pub fn chapters(&self) -> impl Iterator<Item = Chapter> {
         let chapters = Chapter::OF_THE_BOOK.into_iter();
         chapters.filter(|&chapter| self.is_in(chapter))
     }
 
-    /// The file of this workspace that has the line right.
+    /// Finds the file of this workspace that has the line right.
     pub fn source(&self) -> Option<String> {
         let chapter = self.chapters().next()?;
-        let edits = self.edits(chapter);
         let mut files = files(chapter).into_iter();
-        let has_it = |(_, text): &(String, String)| edits.iter().any(|it| it.stands_in(text));
-        let (name, _) = files.find(has_it)?;
+        let (name, _) = files.find(|(_, text)| self.stands_in(text))?;
         Some(source(chapter, &name))
     }
 
-    /// The program of someone who made this slip in that chapter.
+    fn stands_in(&self, text: &str) -> bool {
+        self.edits.iter().any(|edit| edit.stands_in(text))
+    }
+
+    /// Returns the program of someone who made this slip in that chapter.
+    ///
+    /// # Panics
+    /// If it can't be made there.
     pub fn program(&self, chapter: Chapter) -> Program {
-        assert!(
-            self.is_in(chapter),
-            "{} can't be made in {chapter:?}",
-            self.name
-        );
+        let name = self.name;
+        assert!(self.is_in(chapter), "{name} can't be made in {chapter:?}");
         self.put_to(&Program::right(chapter))
     }
 
-    /// The same program with this slip in it, if its line stands there.
+    /// Returns the program with this slip in it, if it can be made there.
     pub fn put_to(&self, program: &Program) -> Program {
-        let made = program.with_any(&self.edits(program.chapter));
+        let made = program.with_any(&self.edits);
         made.unwrap_or_else(|| program.clone())
     }
 
-    /// Why nothing shows the slip in that chapter, or `None` if something does.
+    /// Returns why nothing shows the slip in that chapter, or `None` if something does.
     pub fn unseen_in(&self, chapter: Chapter) -> Option<Unseen> {
-        let why = if self.law.is_empty() {
+        let is_seen = !self.hidden_in(chapter)?.is_empty();
+        (!is_seen).then_some(if self.law.is_empty() {
             Unseen::Equivalent(self.equivalent)
         } else {
             Unseen::OnlyByLaw(self.law)
-        };
-        self.unseen_in.contains(&chapter).then_some(why)
+        })
     }
 
-    /// The probes that show the slip in that chapter, or `None` if its own picture does.
+    /// Returns the probes that show the slip in that chapter, or `None` if its own picture does.
     pub fn hidden_in(&self, chapter: Chapter) -> Option<Vec<&'static str>> {
         let mut rows = kept(HIDDEN).map(str::split_whitespace);
-        let is_it = |row: &mut SplitWhitespace<'static>| {
-            row.next() == Some(chapter.name()) && row.next() == Some(self.name)
-        };
-        let probes = rows.find_map(|mut row| is_it(&mut row).then_some(row))?;
-        Some(probes.collect())
+        rows.find_map(|mut row| {
+            let is_it = row.next() == Some(chapter.name()) && row.next() == Some(self.name);
+            is_it.then(|| row.collect())
+        })
     }
 
-    /// The first probe that shows the slip where a chapter's picture hides it.
+    /// Returns the first probe that shows the slip where a chapter's picture hides it.
     pub fn shown_by(&self) -> Option<&'static str> {
-        let hidden: Vec<_> = self
+        let hidden = self
             .chapters()
             .filter_map(|it| self.hidden_in(it))
-            .collect();
+            .flatten();
+        let hidden: Vec<&str> = hidden.collect();
         let mut probes = PROBES.iter().map(|probe| probe.name);
-        probes.find(|name| hidden.iter().any(|probes| probes.contains(name)))
+        probes.find(|name| hidden.contains(name))
     }
 
     /// The page and its heading apart.
@@ -301,17 +261,11 @@ impl Slip {
         format!("\"{}\", page {page} of the book", heading.replace('-', " "))
     }
 
-    /// Whether its line is one of those that a reader of that chapter types.
+    /// Returns true if its line is one of those that a reader of that chapter types.
     pub fn is_typed_in(&self, chapter: Chapter) -> bool {
-        // A kind of number is no line.
-        let mut edits = self.edits(chapter);
-        edits.retain(|edit| !edit.is_precision());
         let mut files = chapter.files().iter();
-        files.any(|(_, text)| edits.iter().any(|it| it.stands_in(text)))
+        // A kind of number is no line.
+        let is_line = self.edits.iter().all(|edit| !edit.is_precision());
+        is_line && files.any(|(_, text)| self.stands_in(text))
     }
-}
-
-/// Whether that line stands in the chapter's program.
-fn stands_in(chapter: Chapter, line: &str) -> bool {
-    Program::right(chapter).has(&Edit::new(line.to_owned(), ""))
 }

@@ -86,7 +86,7 @@ fn tools(file: &str, code: &str) -> String {
     let options: String = slips
         .filter_map(|slip| Some((slip.name, slip.only_edit(chapter)?)))
         .filter(|(_, edit)| code.matches(&*edit.right).count() == 1)
-        .map(|(name, edit)| option(name, &edit))
+        .map(|(name, edit)| option(name, edit))
         .collect();
     let breaks = if options.is_empty() {
         options

@@ -17,7 +17,10 @@ fn header(image_width: u32, image_height: u32) -> [u32; 2] {
 
 /// The three numbers of a pixel, which a wrong program may print beyond 0 and 255.
 fn print(color: Color) -> [i32; 3] {
-    [level(color.x), level(color.y), level(color.z)]
+    let r = level(color.x);
+    let g = level(color.y);
+    let b = level(color.z);
+    [r, g, b]
 }
 
 fn level(component: f64) -> i32 {

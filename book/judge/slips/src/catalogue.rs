@@ -1,0 +1,61 @@
+//! The catalogue: every slip, read from `catalogue.txt`.
+
+use std::sync::LazyLock;
+
+use crate::edit::Edit;
+use crate::slip::Slip;
+
+/// Each slip in a paragraph: its name and page, its edits, and after their labels the rest.
+const TEXT: &str = include_str!("catalogue.txt");
+
+static SLIPS: LazyLock<Vec<Slip>> = LazyLock::new(|| {
+    let paragraphs = TEXT.split("\n\n").map(str::trim_end);
+    let slips = paragraphs.filter(|it| !it.is_empty() && !it.starts_with('#'));
+    slips.map(read).collect()
+});
+
+/// Returns all slips, in the order in which a reader can first make them.
+pub fn all() -> impl Iterator<Item = &'static Slip> {
+    SLIPS.iter().filter(|slip| !slip.name.is_empty())
+}
+
+/// Returns mistakes without a name, which only laws look for.
+pub fn unnamed() -> impl Iterator<Item = &'static Slip> {
+    SLIPS.iter().filter(|slip| slip.name.is_empty())
+}
+
+/// Finds the slip of that name.
+pub fn find(name: &str) -> Option<&'static Slip> {
+    all().find(|slip| slip.name == name)
+}
+
+/// Reads a paragraph of the catalogue.
+///
+/// # Panics
+/// If a line of it is neither an edit nor labeled.
+fn read(paragraph: &'static str) -> Slip {
+    let mut lines = paragraph.lines().map(str::trim);
+    let first = lines.next().unwrap_or_default();
+    let (name, page) = first.split_once(' ').unwrap_or((first, ""));
+    let mut slip = Slip {
+        name: name.trim_start_matches('-'),
+        page: page.trim(),
+        ..Slip::default()
+    };
+    for line in lines {
+        match line.split_once(": ") {
+            Some(("why", why)) => slip.why = why,
+            Some(("reported", by)) => slip.reported = by,
+            Some(("only in", languages)) => slip.only_in = languages,
+            Some(("equivalent", proof)) => slip.equivalent = proof,
+            Some(("law", law)) => slip.law = law,
+            Some(("Rust", edit)) => slip.rust = Some(Edit::written(edit)),
+            Some(("C++", edit)) => slip.cpp = Some(Edit::written(edit)),
+            Some(("Python", edit)) => slip.python = Some(Edit::written(edit)),
+            Some(("older", edit)) => slip.older = Some(Edit::written(edit)),
+            _ if line.contains('→') => slip.edits.push(Edit::written(line)),
+            _ => panic!("the catalogue says \"{line}\" of {name}"),
+        }
+    }
+    slip
+}
