@@ -28,30 +28,19 @@ impl Frame {
         (0..picture.strips()).for_each(|strip| picture.push_strip(strip, &mut rgb));
         let [width, height] = [picture.width(), picture.height()].map(f64::from);
         svg.group("pixels", |svg| {
-            for (&rgb, (corner, size)) in self.runs(rgb.as_chunks().0, width as usize) {
-                svg.pixel(corner, size, rgb);
+            for (row, j) in rgb.as_chunks().0.chunks(width as usize).zip(0..) {
+                let mut i = 0.0;
+                // Neighbors that are equal are one bar.
+                for equal in row.chunk_by(<[u8; 3]>::eq) {
+                    let corner = self.corner + self.side * DVec2::new(i, f64::from(j));
+                    let run = equal.len() as f64;
+                    svg.pixel(corner, self.side * DVec2::new(run, 1.0), equal[0]);
+                    i += run;
+                }
             }
         });
         let size = DVec2::new(width, height);
         svg.rect("faint thin", self.corner, self.side * size);
-    }
-
-    /// Neighbors in a row that are equal, as one bar: its corner and its size.
-    fn runs<'a, T: PartialEq>(
-        &self,
-        squares: &'a [T],
-        columns: usize,
-    ) -> impl Iterator<Item = (&'a T, (DVec2, DVec2))> {
-        let Self { corner, side } = *self;
-        squares.chunks(columns).zip(0..).flat_map(move |(row, j)| {
-            let mut i = 0.0;
-            row.chunk_by(T::eq).map(move |equal| {
-                let start = corner + side * DVec2::new(i, f64::from(j));
-                let run = equal.len() as f64;
-                i += run;
-                (&equal[0], (start, side * DVec2::new(run, 1.0)))
-            })
-        })
     }
 
     /// Returns the plane of the viewport of `camera`, where a picture of it is

@@ -201,19 +201,10 @@ impl Svg {
 
     /// Fills a rectangle with a color that no theme changes.
     pub(crate) fn pixel(&mut self, corner: DVec2, size: DVec2, [red, green, blue]: [u8; 3]) {
-        let fill = format!("fill=\"#{red:02x}{green:02x}{blue:02x}\"");
-        self.bars(&fill, [(corner, size)].into_iter());
-    }
-
-    /// Draws rectangles in one path with this attribute, from their corners and
-    /// sizes.
-    pub(crate) fn bars(&mut self, paint: &str, bars: impl Iterator<Item = (DVec2, DVec2)>) {
-        let mut path = String::new();
-        for (corner, size) in bars {
-            let [x, y, width, height] = [corner.x, corner.y, size.x, size.y].map(number);
-            path += &format!("M{x} {y}h{width}v{height}h-{width}z");
-        }
-        self.text += &format!("<path {paint} d=\"{path}\"/>");
+        let [x, y, width, height] = [corner.x, corner.y, size.x, size.y].map(number);
+        self.text += &format!(
+            "<path fill=\"#{red:02x}{green:02x}{blue:02x}\" d=\"M{x} {y}h{width}v{height}h-{width}z\"/>"
+        );
     }
 
     /// Draws what `draw` draws as a group of that class.
