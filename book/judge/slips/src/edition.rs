@@ -136,7 +136,11 @@ impl Edition {
             .clone()
     }
 
-    /// The same in a picture of that size in place of the chapter's shape.
+    /// Returns the program of this edition with a picture of that size, width and height in
+    /// pixels, in place of the chapter's shape.
+    ///
+    /// # Panics
+    /// If the edition's lines are no program, which a test rules out.
     pub fn shaped(self, chapter: Chapter, size: Option<(u32, u32)>) -> Program {
         let edits = match chapter {
             Chapter::BuildTest => self.edits_of_the_build_test(size.map(|it| it.1)),

@@ -392,7 +392,10 @@ impl Output {
         self.pixels().map(move |pixel| pixel.map(stored))
     }
 
-    /// The picture that the same program draws in Rust.
+    /// Returns the picture that the program draws in Rust.
+    ///
+    /// # Panics
+    /// If a header changes the number of pixels, and not only swaps width and height.
     pub fn picture(&self) -> Picture {
         let (width, height) = self.size;
         let rgb = self.rgb().flatten().collect();

@@ -138,7 +138,10 @@ impl Text {
         Program::typed(self.chapter, typed.clone())
     }
 
-    /// What the picture, the laws and the typed lines come to.
+    /// Judges the picture, the laws and the typed lines together.
+    ///
+    /// # Panics
+    /// Never: without a probe each chapter is a scene.
     pub fn verdict(&self, program: &interpreter::Program, picture: &Picture) -> Verdict {
         let scene = Scene::new(self.chapter, None).expect("without a probe it is a scene");
         let asked = self.in_place_of_ours(program);

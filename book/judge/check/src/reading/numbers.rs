@@ -48,7 +48,10 @@ impl Reading {
         }
     }
 
-    /// The picture that a viewer can show: numbers stop at 0 and 255.
+    /// Returns the picture that a viewer can show: numbers stop at 0 and 255.
+    ///
+    /// # Panics
+    /// If there are more or fewer pixels than the size says.
     pub fn picture(&self) -> Picture {
         let levels = self.pixels.iter().flatten();
         let rgb = levels.map(|&level| level.clamp(0, 255) as u8).collect();
