@@ -26,7 +26,7 @@ pub struct Camera {
 
 impl Camera {
     /// Returns the camera of the chapters: 16:9, the height rounded down and at
-    /// least 1.
+    /// least 1. The width must not be 0.
     pub fn new(image_width: u32) -> Self {
         let aspect_ratio = 16.0 / 9.0;
         let image_height = ((f64::from(image_width) / aspect_ratio) as u32).max(1);
@@ -34,7 +34,7 @@ impl Camera {
     }
 
     /// Returns the camera with that eye and a picture of another shape, in
-    /// pixels.
+    /// pixels: at least one in each direction.
     ///
     /// The viewport is 2 units high. Its width follows from the real ratio of
     /// width to height, which only comes near 16:9, because both are integers.

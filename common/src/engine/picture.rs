@@ -113,7 +113,9 @@ impl Picture {
         (self.blocks_in_row() * self.height as usize).div_ceil(STRIP)
     }
 
-    /// Appends the bytes of one strip, for who shows a picture while it is painted.
+    /// Appends the bytes of one strip to `rgb`, so that a picture can be shown while it is
+    /// painted. The strips from 0 up to [`Picture::strips`] make all of [`Picture::rgb`]; one
+    /// beyond has no bytes.
     pub fn push_strip(&self, strip: usize, rgb: &mut Vec<u8>) {
         for (block, columns) in self.blocks(strip) {
             for k in 0..columns {
