@@ -6,17 +6,12 @@
 //!
 //! # The theorem
 //!
-//! Let center, radius, origin and direction be finite, the direction not zero, and let an `f64`
-//! lie between `t_min` and `t_max`. Then [`certified_hit`] and [`certified_t`] return a `t`
-//! exactly if the sphere and the ray, as they are stored, have a root between the two, both ends
-//! excluded. It stands for the least such root, and lies between the ends itself. The `t` of
-//! [`certified_t`] is less than 0.8 ulp from that root, before one that rounds to an end gives
-//! way to the next number inwards, and one beyond the largest `f64` becomes that. The `t` of
-//! [`certified_hit`] has the digits of `half_b_q`. Of all other input the answer is `None`.
-//!
-//! *What it takes.* Operations round to nearest, and tiny results are not flushed to zero: Rust
-//! promises both, unless other code in the program sets the processor otherwise. Not on x86
-//! without SSE2 (the `i586` targets), which rounds twice. Rust fuses no `a * b + c` by itself.
+//! `certified.md` of the notes states it once, with its conditions. Of finite input, a direction
+//! that is not zero, and a range that contains an `f64`, [`certified_hit`] and [`certified_t`]
+//! say rightly hit or miss, and which of the two roots; the `t` of [`certified_t`] is off by less
+//! than 0.8 ulp, that of [`certified_hit`] has the digits of `half_b_q`. All other input is a miss.
+//! Rust on x86-64 and on 64-bit ARM meets what it asks of rounding, unless other code in the
+//! program flushes tiny numbers to zero.
 //!
 //! Each bound has a letter, which stands beside it here and in the book, in `proofs.md`.
 
