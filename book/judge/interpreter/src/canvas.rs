@@ -19,16 +19,17 @@ pub struct Canvas {
     brush: Rc<Brush>,
 }
 
-/// What a `let` has given a name to, on the way to a color: the function, the name, the value.
+/// A value that a `let` has given a name on the way to a color: the function, the name, and
+/// the value as text.
 pub type Note = (String, String, String);
 
 impl Program {
-    /// The picture that wide, before any of its pixels is traced.
+    /// Returns the picture that wide, before any of its pixels is traced.
     ///
     /// # Errors
     /// As for the picture.
     pub fn canvas(&self, width: u32) -> Result<Canvas, Fault> {
-        let Some(picture) = self.roles.picture else {
+        let Some(picture) = self.role("picture", 1) else {
             return self.by_ray_color(width);
         };
         let given = [u32_value(width)];
@@ -49,10 +50,12 @@ impl Program {
         })
     }
 
-    /// The picture of `ray_color` alone, by our camera.
+    /// Returns the picture of `ray_color` alone, by our camera.
     pub(crate) fn by_ray_color(&self, width: u32) -> Result<Canvas, Fault> {
-        let color = self.roles.ray_color.ok_or_else(|| missing("`ray_color`"))?;
-        let world = self.roles.world;
+        let color = self
+            .ray_color_role()
+            .ok_or_else(|| missing("`ray_color`"))?;
+        let world = self.role("world", 0);
         let world = world.map(|it| self.ran(self.machine().call(it, &[])));
         let camera = Camera::new(width);
         Ok(Canvas {
@@ -64,15 +67,15 @@ impl Program {
 }
 
 impl Canvas {
-    /// Width and height.
+    /// Returns width and height, in pixels.
     pub fn size(&self) -> (u32, u32) {
         self.size
     }
 
-    /// The color of the pixel in a column and row.
+    /// Returns the color of the pixel in a column and row.
     ///
     /// # Errors
-    /// Where the program stops by itself, or the compiler would refuse it.
+    /// If the program stops by itself, or the compiler would refuse it.
     pub fn color(&self, i: u32, j: u32) -> Result<Color, Fault> {
         self.colored_by(&mut self.program.machine(), i, j)
     }
@@ -104,7 +107,7 @@ impl Canvas {
         program.ran(colored)
     }
 
-    /// The levels of the pixel in a column and row.
+    /// Returns the levels, 0 to 255, of the pixel in a column and row.
     ///
     /// # Errors
     /// As for its color.
@@ -114,7 +117,7 @@ impl Canvas {
         Ok(levels)
     }
 
-    /// What each `let` comes to on the way to the color of a pixel, and what each function
+    /// Returns what each `let` comes to on the way to the color of a pixel, and what each function
     /// returns before its end, in the order in which they run.
     pub fn notes(&self, i: u32, j: u32) -> Vec<Note> {
         let code = &self.program.code;
@@ -123,7 +126,7 @@ impl Canvas {
                 Some(slot) => code.functions[function].names.get(slot)?,
                 None => "return",
             };
-            let within = code.written[function].as_ref()?.name.to_string();
+            let within = code.functions[function].written.as_ref()?.name.clone();
             Some((within, name.to_owned(), said(&value)?))
         });
         noted.collect()
@@ -131,10 +134,9 @@ impl Canvas {
 
     /// Finds whether a function of that name returns before its end on the way to the pixel.
     pub fn returns_early(&self, name: &str, i: u32, j: u32) -> bool {
-        let written = &self.program.code.written;
-        let is_it = |of: usize| written[of].as_ref().is_some_and(|it| *it.name == *name);
-        self.noted(i, j)
-            .any(|(of, slot, _)| slot.is_none() && is_it(of))
+        let function = self.program.code.number_of(name);
+        let mut noted = self.noted(i, j);
+        noted.any(|(of, slot, _)| slot.is_none() && Some(of) == function)
     }
 
     fn noted(&self, i: u32, j: u32) -> impl Iterator<Item = Bound> {
@@ -145,7 +147,7 @@ impl Canvas {
     }
 }
 
-/// A number to a millionth, or with four digits that count if it is smaller than most.
+/// Formats a number to a millionth, or with four digits that count if it is smaller than most.
 pub fn number(it: f64) -> String {
     match it.abs() {
         small if small != 0.0 && small < 1e-3 => format!("{it:.3e}"),

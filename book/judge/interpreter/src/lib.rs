@@ -2,11 +2,11 @@
 //! what people write instead.
 //!
 //! `read` makes trees of the files, `names` finds what their names mean, and `lower` makes
-//! closures of the trees, which run on `machine` and call `library`. Operations on numbers happen in the order in which
-//! they are written, so a picture is that of the compiled program to the last bit. What is found
-//! by its name is found before it runs: names, fields, methods, how many arguments there are.
+//! closures of the trees, which run on `machine` and call `library`. Operations on numbers
+//! happen in the order in which they are written, so a picture is that of the compiled program
+//! to the last bit. Names, fields, methods and counts of arguments are looked at before it runs.
 //! Types are checked when values meet what is declared, so a line that never ran is not checked:
-//! [`Program::unchecked`] says which. What is not read here is refused by its name.
+//! [`Program::unchecked`] lists these. What is not read here is refused by its name.
 
 mod asked;
 mod canvas;
@@ -21,14 +21,12 @@ mod patch;
 mod program;
 mod read;
 mod refusal;
-mod roles;
 mod types;
-mod written;
 
 pub use asked::{Ball, Hit};
 pub use canvas::{Canvas, Note, number};
 pub use program::{Program, Sample, read};
 pub use refusal::{Fault, FaultKind, Place};
 
-/// What an answer must add that calls a text right: only the compiler sees the rest.
+/// The sentence that an answer adds where it calls a text right: only the compiler sees the rest.
 pub const UNCHECKED: &str = "Moves and borrows are not checked here: cargo does that.";

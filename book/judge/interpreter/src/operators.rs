@@ -11,6 +11,7 @@ pub(crate) enum Sign {
     Remainder,
 }
 
+/// How two values are compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Order {
     Equal,
@@ -21,7 +22,7 @@ pub(crate) enum Order {
     AtLeast,
 }
 
-/// What an operator does, and whether it changes its left side.
+/// An operator: of arithmetic, which may change its left side, of a comparison or of truths.
 #[derive(Clone, Copy)]
 pub(crate) enum Operator {
     Arithmetic(Sign, bool),
@@ -30,57 +31,47 @@ pub(crate) enum Operator {
     Or,
 }
 
-pub(crate) fn operator(op: &syn::BinOp) -> Option<Operator> {
-    use Operator::{Arithmetic, Compare};
-    use syn::BinOp as Op;
-    Some(match op {
-        Op::Add(_) => Arithmetic(Sign::Plus, false),
-        Op::Sub(_) => Arithmetic(Sign::Minus, false),
-        Op::Mul(_) => Arithmetic(Sign::Times, false),
-        Op::Div(_) => Arithmetic(Sign::Over, false),
-        Op::Rem(_) => Arithmetic(Sign::Remainder, false),
-        Op::AddAssign(_) => Arithmetic(Sign::Plus, true),
-        Op::SubAssign(_) => Arithmetic(Sign::Minus, true),
-        Op::MulAssign(_) => Arithmetic(Sign::Times, true),
-        Op::DivAssign(_) => Arithmetic(Sign::Over, true),
-        Op::RemAssign(_) => Arithmetic(Sign::Remainder, true),
-        Op::Eq(_) => Compare(Order::Equal),
-        Op::Ne(_) => Compare(Order::Unequal),
-        Op::Lt(_) => Compare(Order::Less),
-        Op::Le(_) => Compare(Order::AtMost),
-        Op::Gt(_) => Compare(Order::More),
-        Op::Ge(_) => Compare(Order::AtLeast),
-        Op::And(_) => Operator::And,
-        Op::Or(_) => Operator::Or,
-        _ => return None,
-    })
+/// Returns what the operator with that sign does, if chapters have it.
+pub(crate) fn operator(sign: &str) -> Option<Operator> {
+    let order = Order::ALL.iter().find(|it| it.1 == sign);
+    match sign {
+        "&&" => Some(Operator::And),
+        "||" => Some(Operator::Or),
+        _ if order.is_some() => order.map(|it| Operator::Compare(it.0)),
+        _ => {
+            let plain = sign.trim_end_matches('=');
+            let row = Sign::ALL.iter().find(|it| it.1 == plain)?;
+            Some(Operator::Arithmetic(row.0, plain != sign))
+        }
+    }
 }
 
 impl Sign {
-    const ALL: [(Self, &str, &str); 5] = [
-        (Self::Plus, "Add", "add"),
-        (Self::Minus, "Sub", "subtract"),
-        (Self::Times, "Mul", "multiply"),
-        (Self::Over, "Div", "divide"),
-        (Self::Remainder, "Rem", "calculate the remainder of"),
+    /// Each with how it is written, its trait, and the compiler's verb.
+    const ALL: [(Self, &str, &str, &str); 5] = [
+        (Self::Plus, "+", "Add", "add"),
+        (Self::Minus, "-", "Sub", "subtract"),
+        (Self::Times, "*", "Mul", "multiply"),
+        (Self::Over, "/", "Div", "divide"),
+        (Self::Remainder, "%", "Rem", "calculate the remainder of"),
     ];
 
-    /// The sign that a trait of the standard library has.
+    /// Returns the sign that a trait of the standard library has.
     pub(crate) fn of_trait(name: &str) -> Option<Self> {
-        Self::ALL.iter().find(|it| it.1 == name).map(|it| it.0)
+        Self::ALL.iter().find(|it| it.2 == name).map(|it| it.0)
     }
 
     fn verb(self) -> &'static str {
         let own = Self::ALL.iter().find(|it| it.0 == self);
-        own.expect("all are listed").2
+        own.expect("all are listed").3
     }
 
-    /// What the compiled program says where the result does not fit.
+    /// Returns what the compiled program says where the result does not fit.
     pub(crate) fn overflow(self) -> String {
         format!("attempt to {} with overflow", self.verb())
     }
 
-    /// What the compiler says where these two do not go together.
+    /// Returns what the compiler says where these two do not go together.
     pub(crate) fn refused(self, is_assignment: bool, one: &str, other: &str) -> String {
         let verb = if is_assignment {
             format!("{}-assign", self.verb())
@@ -97,17 +88,22 @@ impl Sign {
 }
 
 impl Order {
+    const ALL: [(Self, &str); 6] = [
+        (Self::Equal, "=="),
+        (Self::Unequal, "!="),
+        (Self::Less, "<"),
+        (Self::AtMost, "<="),
+        (Self::More, ">"),
+        (Self::AtLeast, ">="),
+    ];
+
     pub(crate) fn sign(self) -> &'static str {
-        match self {
-            Self::Equal => "==",
-            Self::Unequal => "!=",
-            Self::Less => "<",
-            Self::AtMost => "<=",
-            Self::More => ">",
-            Self::AtLeast => ">=",
-        }
+        let own = Self::ALL.iter().find(|it| it.0 == self);
+        own.expect("all are listed").1
     }
 
+    /// Finds whether two values that are ordered so are compared truly.
+    #[inline]
     pub(crate) fn holds(self, found: Option<Ordering>) -> bool {
         match self {
             Self::Equal => found.is_some_and(Ordering::is_eq),

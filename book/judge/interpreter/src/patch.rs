@@ -7,35 +7,31 @@ use crate::machine::{Code, Function};
 use crate::names::collect::Inside;
 use crate::program::Program;
 use crate::refusal::{Fault, FaultKind};
-use crate::written::Written;
 
 /// So many texts of functions are kept: more than there are edits of a chapter.
 const MOST: usize = 10_000;
 
 impl Program {
-    /// The functions by their names, `hit_sphere` or `Sphere::hit`, with their texts.
+    /// Lists the functions by their names, `hit_sphere` or `Sphere::hit`, with their texts.
     pub fn functions(&self) -> impl Iterator<Item = (&str, &str)> {
-        let written = self.code.written.iter().flatten();
+        let written = self.code.functions.iter().flat_map(|it| &it.written);
         written.map(|it| (&*it.name, &*it.text))
     }
 
-    /// The same program with another text of one function. Its parameters and its result are
+    /// Returns the program with another text of one function. Its parameters and its result are
     /// those that were declared. A text that was read before is not read again.
     ///
     /// # Errors
-    /// What the compiler would refuse and reading shows.
+    /// If the compiler would refuse it and reading shows that.
     pub fn patched(&self, function: &str, text: &str) -> Result<Self, Fault> {
         let found = self.code.number_of(function);
         let n = found.ok_or_else(|| missing(&format!("function `{function}`")))?;
         let mut code = Code::clone(&self.code);
         code.functions[n] = code.read_anew(n, text)?;
-        if let Some(it) = &mut code.written[n] {
-            it.text = text.into();
-        }
         Ok(self.running(code))
     }
 
-    /// The same program in which that one of the mutants runs that are written into its text:
+    /// Returns the program in which one of the mutants runs that are written into its text:
     /// `mutants!(7, right, one, other)` has the mutants 7 and 8. All mutants are read at once so
     /// (mutant schemata: Untch, Offutt and Harrold, 1993).
     pub fn with_mutant(&self, number: u32) -> Self {
@@ -45,7 +41,7 @@ impl Program {
         })
     }
 
-    /// The same program as floats of single precision have it: with every result of an
+    /// Returns the program as floats of single precision have it: with every result of an
     /// operation, and every number in the text, rounded to 24 bits. What is done by functions of
     /// the library should be [in the text](Self::instead_of_the_library), too.
     pub fn in_single_precision(&self) -> Self {
@@ -55,7 +51,7 @@ impl Program {
         })
     }
 
-    /// The same program with those functions of its text in place of the methods of vectors and
+    /// Returns the program with those functions of its text in place of the methods of vectors and
     /// rays that have their names.
     pub fn instead_of_the_library(&self, functions: &[&'static str]) -> Self {
         let code = &*self.code;
@@ -66,7 +62,7 @@ impl Program {
         })
     }
 
-    /// The same program with the other's functions where these are not those of a program from
+    /// Returns the program with the other's functions where these are not those of a program from
     /// which both were made; `None` if both have changed the same one. Nothing is read.
     pub fn joined(&self, other: &Self, from: &Self) -> Option<Self> {
         let [own, other, from] = [self, other, from].map(|it| &it.code);
@@ -79,7 +75,6 @@ impl Program {
                 return None;
             }
             code.functions[n] = Arc::clone(function);
-            code.written[n].clone_from(&other.written[n]);
         }
         code.is_single |= other.is_single;
         if code.instead.is_empty() {
@@ -92,19 +87,18 @@ impl Program {
         Self {
             code: Arc::new(code),
             refused: Arc::default(),
-            roles: self.roles.clone(),
         }
     }
 }
 
 impl Code {
-    /// The number of the function of that name.
+    /// Returns the number of the function of that name.
     pub(crate) fn number_of(&self, function: &str) -> Option<usize> {
-        let is_it = |it: &Option<Written>| it.as_ref().is_some_and(|it| &*it.name == function);
-        self.written.iter().position(is_it)
+        let is_it = |it: &Arc<Function>| it.written.as_ref().is_some_and(|it| it.name == function);
+        self.functions.iter().position(is_it)
     }
 
-    /// A function from another text.
+    /// Reads a function from another text.
     fn read_anew(&self, n: usize, text: &str) -> Result<Arc<Function>, Fault> {
         let mut read = self.read.lock().unwrap_or_else(PoisonError::into_inner);
         let key = (n, text.to_owned());

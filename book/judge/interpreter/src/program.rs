@@ -12,9 +12,7 @@ use crate::machine::value::{Data, Value};
 use crate::machine::{Code, Machine};
 use crate::names::collect::collect;
 use crate::refusal::{Fault, FaultKind, Refusal, lines};
-use crate::roles::Roles;
 use crate::types::Int;
-use crate::written::Written;
 use crate::{lower, read as parsing};
 
 /// Pixels, each by its number from the top and the left, with the levels that it should have.
@@ -24,7 +22,6 @@ pub type Sample = [(u32, [u8; 3])];
 #[derive(Clone, Debug)]
 pub struct Program {
     pub(crate) code: Arc<Code>,
-    pub(crate) roles: Roles,
     pub(crate) refused: Arc<OnceLock<Fault>>,
 }
 
@@ -32,7 +29,7 @@ pub struct Program {
 /// root is `lib.rs`, or the first.
 ///
 /// # Errors
-/// What the compiler would refuse and reading shows, and what is not read here.
+/// A list of all that the compiler would refuse and reading shows, and of what is not read here.
 pub fn read(files: &[(&str, &str)]) -> Result<Program, Vec<Fault>> {
     // Places of an earlier text are not needed any more.
     proc_macro2::extra::invalidate_current_thread_spans();
@@ -53,9 +50,8 @@ pub fn read(files: &[(&str, &str)]) -> Result<Program, Vec<Fault>> {
         return Err(refused(faults));
     }
     let (names, bodies) = collect(&trees).map_err(refused)?;
-    let (mut functions, mut written) = (Vec::new(), Vec::new());
+    let mut functions = Vec::new();
     for (signature, body) in names.functions.iter().zip(&bodies) {
-        written.push(Written::of(&names, signature, *body, &texts));
         let text = &texts[names.modules[signature.module].file as usize];
         match lower::lower(&names, text, signature, *body) {
             Ok(function) => functions.push(Arc::new(function)),
@@ -66,11 +62,9 @@ pub fn read(files: &[(&str, &str)]) -> Result<Program, Vec<Fault>> {
         return Err(refused(faults));
     }
     Ok(Program {
-        roles: Roles::of(&names),
         code: Arc::new(Code {
             names: Arc::new(names),
             functions,
-            written,
             texts: Arc::new(texts),
             is_single: false,
             mutant: 0,
@@ -82,10 +76,10 @@ pub fn read(files: &[(&str, &str)]) -> Result<Program, Vec<Fault>> {
 }
 
 impl Program {
-    /// The picture that the text draws: by `picture`, or by `ray_color` alone.
+    /// Draws the picture of the text, so many pixels wide: by `picture`, or by `ray_color` alone.
     ///
     /// # Errors
-    /// Where the program stops by itself: a panic, an overflow, too many turns of a loop; and
+    /// If the program stops by itself: a panic, an overflow, too many turns of a loop; and
     /// where the compiler would refuse it, which is seen when it runs.
     pub fn draw(&self, width: u32) -> Result<Picture, Fault> {
         let canvas = self.canvas(width)?;
@@ -100,13 +94,13 @@ impl Program {
         Picture::from_rgb(width, height, rgb).ok_or_else(|| missing("a picture"))
     }
 
-    /// How many of these pixels are right, up to the first that is not.
+    /// Counts how many of these pixels are right, up to the first that is not.
     ///
     /// # Errors
     /// As for the picture.
     pub fn matches(&self, width: u32, pixels: &Rc<Sample>) -> Result<usize, Fault> {
         // A reader's own loop over all pixels can't be asked for some.
-        let canvas = match self.roles.own_ray {
+        let canvas = match self.code.names.own_ray {
             Some(_) => self.by_ray_color(width)?,
             None => self.canvas(width)?,
         };
@@ -119,13 +113,13 @@ impl Program {
         Ok(pixels.len())
     }
 
-    /// What the compiler refuses and was seen only when functions were asked by themselves.
+    /// Returns what the compiler refuses and was seen only when functions were asked by themselves.
     pub fn refused(&self) -> Option<&Fault> {
         self.refused.get()
     }
 
-    /// The lines that never ran, whose types are not checked: of which files, from where to
-    /// where.
+    /// Lists the lines that never ran, whose types are not checked: each with the number of its
+    /// file, from 0, and the lines, from 1.
     pub fn unchecked(&self) -> Vec<(usize, RangeInclusive<usize>)> {
         let marks = self.code.functions.iter().flat_map(|it| &it.marks);
         let unrun = marks.filter(|it| !it.has_run.load(Relaxed));
@@ -157,7 +151,7 @@ pub(crate) fn missing(what: &str) -> Fault {
 
 impl Program {
     pub(crate) fn machine(&self) -> Machine<'_> {
-        let turns = match self.roles.own_ray {
+        let turns = match self.code.names.own_ray {
             Some(_) => TURNS_OF_A_PICTURE,
             None => TURNS,
         };
@@ -172,7 +166,7 @@ impl Program {
         result.map_err(|it| it.fault(&self.code.texts))
     }
 
-    /// The answer of a function, or none if it stops.
+    /// Returns the answer of a function, or none if it stops.
     pub(crate) fn asked<T>(&self, result: Result<T, Refusal>) -> Option<T> {
         match self.ran(result) {
             Ok(value) => Some(value),
@@ -187,7 +181,7 @@ impl Program {
 
     pub(crate) fn vec3(&self, vector: Vec3) -> Value {
         let parts = vector.to_array().map(Value::from);
-        match self.roles.own_vec3 {
+        match self.code.names.own_vec3 {
             Some(kind) => self.own(kind, ["x", "y", "z"].into_iter().zip(parts)),
             None => vector.into(),
         }
@@ -195,13 +189,13 @@ impl Program {
 
     pub(crate) fn ray(&self, ray: &Ray) -> Value {
         let parts = [ray.origin, ray.direction].map(|it| self.vec3(it));
-        match self.roles.own_ray {
+        match self.code.names.own_ray {
             Some(kind) => self.own(kind, ["origin", "direction"].into_iter().zip(parts)),
             None => Data::Ray(Rc::new(*ray)).into(),
         }
     }
 
-    /// One of the reader's kinds, by the names of its fields; what has other names keeps the
+    /// Makes one of the reader's kinds, by the names of its fields; what has other names keeps the
     /// order.
     pub(crate) fn own<'n>(
         &self,

@@ -8,7 +8,7 @@ use syn::spanned::Spanned;
 use crate::nesting::{self, DEEPEST};
 use crate::refusal::{At, Refusal};
 
-/// Where a part of a tree stands.
+/// Returns where a part of a tree stands.
 pub(crate) fn at(file: u32, it: &impl Spanned) -> At {
     at_span(file, it.span())
 }
@@ -25,7 +25,7 @@ fn at_bytes(file: u32, bytes: Range<usize>) -> At {
     }
 }
 
-/// Where an expression stands: without making its words anew, as `span` would.
+/// Returns where an expression stands, without making its words anew as `span` would.
 pub(crate) fn at_expr(file: u32, it: &syn::Expr) -> At {
     let end = |outer: At, last: Span| At {
         end: at_span(file, last).end,
@@ -75,7 +75,7 @@ pub(crate) fn at_expr(file: u32, it: &syn::Expr) -> At {
     }
 }
 
-/// Where a statement stands.
+/// Returns where a statement stands.
 pub(crate) fn at_statement(file: u32, it: &syn::Stmt) -> At {
     match it {
         syn::Stmt::Local(it) => At {
@@ -87,7 +87,7 @@ pub(crate) fn at_statement(file: u32, it: &syn::Stmt) -> At {
     }
 }
 
-/// The tree of a file.
+/// Parses a file.
 pub(crate) fn parse(file: usize, text: &str) -> Result<syn::File, Refusal> {
     let file = file as u32;
     let code = plain(text);
@@ -101,7 +101,7 @@ pub(crate) fn parse(file: usize, text: &str) -> Result<syn::File, Refusal> {
     syn::parse2(tokens).map_err(|error| no_tree(file, text, &error))
 }
 
-/// The text with each byte in its place, but for comments that become attributes, since to
+/// Returns the text with each byte in its place, but for comments that become attributes, since to
 /// parse these takes longer than the rest, and for blanks that are none in Rust.
 fn plain(text: &str) -> String {
     let has_blocks = text.contains("/*");
@@ -117,7 +117,7 @@ fn plain(text: &str) -> String {
     text.split_inclusive('\n').map(line).collect()
 }
 
-/// What stands where a token should begin.
+/// Says what stands where a token should begin.
 fn no_token(file: u32, text: &str, code: &str, span: Span) -> Refusal {
     let at = at_span(file, span);
     let sign = text[at.start as usize..].chars().next().unwrap_or(' ');
@@ -144,7 +144,7 @@ fn no_token(file: u32, text: &str, code: &str, span: Span) -> Refusal {
     Refusal::new(place, message, "", help)
 }
 
-/// A bracket that closes another than the last open one, which is named, or none.
+/// Says that a bracket closes another than the last open one, which is named, or none.
 fn no_bracket(sign: char, place: At, before: &str) -> Refusal {
     let open: Result<TokenStream, LexError> = before.parse();
     let Err(open) = open else {
@@ -156,7 +156,7 @@ fn no_bracket(sign: char, place: At, before: &str) -> Refusal {
     Refusal::new(at_bytes(place.file, start..start + 1), message, "", "")
 }
 
-/// Why the tokens are no tree.
+/// Says why the tokens are no tree.
 fn no_tree(file: u32, text: &str, error: &syn::Error) -> Refusal {
     let message = error.to_string();
     let found = at_span(file, error.span());

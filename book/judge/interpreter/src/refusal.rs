@@ -3,22 +3,22 @@
 use std::fmt;
 use std::ops::{Range, RangeInclusive};
 
-/// Why a text does not run.
+/// A reason why a text does not run, with its place and words.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault {
-    /// Where it is, if it is somewhere.
+    /// Its place, if it has one in the text.
     pub place: Option<Place>,
-    /// What is wrong, in the words of the compiler where it has some.
+    /// The message, in the words of the compiler where it has some.
     pub message: String,
     /// The words below the place, or none.
     pub label: String,
-    /// What to do, or nothing.
+    /// A sentence that says what to do, or nothing.
     pub help: String,
-    /// Who says so.
+    /// Who finds it: the compiler, the running program, or this page alone.
     pub kind: FaultKind,
 }
 
-/// What becomes of a text that does not run here.
+/// The reason why a text does not run here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum FaultKind {
     /// The compiler refuses it.
@@ -34,7 +34,7 @@ pub enum FaultKind {
 /// A place in a text.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Place {
-    /// Which of the files.
+    /// The number of the file, counted from 0.
     pub file: usize,
     /// The line, counted from 1.
     pub line: usize,
@@ -42,7 +42,7 @@ pub struct Place {
     pub columns: Range<usize>,
 }
 
-/// Where something stands in the texts: the file, and the bytes.
+/// A place in the texts: the file, and the bytes.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct At {
     pub(crate) file: u32,
@@ -50,7 +50,7 @@ pub(crate) struct At {
     pub(crate) end: u32,
 }
 
-/// What is wrong with a text, and where.
+/// A fault, whose place is in bytes so far.
 #[derive(Clone, Debug)]
 pub(crate) struct Refusal {
     at: At,
@@ -61,7 +61,7 @@ pub(crate) struct Refusal {
 }
 
 impl Refusal {
-    /// What the compiler refuses.
+    /// Makes one of what the compiler refuses.
     pub(crate) fn new(at: At, message: impl Into<String>, label: &str, help: &str) -> Self {
         Self {
             at,
@@ -72,7 +72,7 @@ impl Refusal {
         }
     }
 
-    /// The same of a text that ends too early.
+    /// Returns the refusal as that of a text that ends too early.
     pub(crate) fn unfinished(self) -> Self {
         Self {
             kind: FaultKind::Unfinished,
@@ -80,7 +80,7 @@ impl Refusal {
         }
     }
 
-    /// What the compiler may take, and is not read here.
+    /// Makes one of what the compiler may take, and is not read here.
     pub(crate) fn unread(at: At, what: &str) -> Self {
         Self {
             kind: FaultKind::Unread,
@@ -93,7 +93,7 @@ impl Refusal {
         }
     }
 
-    /// That a call has too many arguments, or too few.
+    /// Says that a call has too many arguments, or too few.
     pub(crate) fn miscounted(is_method: bool, wanted: usize, count: usize, at: At) -> Self {
         let what = if is_method { "method" } else { "function" };
         let several = |n: usize| if n == 1 { "argument" } else { "arguments" };
@@ -106,7 +106,12 @@ impl Refusal {
         Self::new(at, message, "", "")
     }
 
-    /// The same with other help, if there is some.
+    /// Finds whether it is about this place.
+    pub(crate) fn is_at(&self, at: At) -> bool {
+        (self.at.file, self.at.start, self.at.end) == (at.file, at.start, at.end)
+    }
+
+    /// Returns the refusal with other help, if there is some.
     pub(crate) fn or_help(mut self, help: &str) -> Self {
         if !help.is_empty() {
             help.clone_into(&mut self.help);
@@ -114,7 +119,7 @@ impl Refusal {
         self
     }
 
-    /// A program that has begun stops.
+    /// Says that a program that has begun stops.
     pub(crate) fn stop(at: At, message: &str, help: &str) -> Self {
         Self {
             kind: FaultKind::Stopped,
@@ -133,7 +138,7 @@ impl Refusal {
     }
 }
 
-/// The place in words, as far as its first line goes.
+/// Finds the line and the columns of a place, as far as its first line goes.
 pub(crate) fn place(texts: &[String], at: At) -> Option<Place> {
     let text = texts.get(at.file as usize).filter(|_| at.end > 0)?;
     let before = text.get(..at.start as usize)?;
@@ -151,7 +156,7 @@ pub(crate) fn place(texts: &[String], at: At) -> Option<Place> {
     })
 }
 
-/// From which line of which file to which a part of a text goes.
+/// Finds from which line of which file to which a part of a text goes.
 pub(crate) fn lines(texts: &[String], at: At) -> Option<(usize, RangeInclusive<usize>)> {
     let first = place(texts, at)?;
     let said = texts[first.file].get(at.start as usize..at.end as usize)?;

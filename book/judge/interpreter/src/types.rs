@@ -5,7 +5,7 @@
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Type(pub(crate) Head, pub(crate) Vec<Type>);
 
-/// What a type is apart from those that it is made of.
+/// A type apart from those that it is made of.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Head {
     /// Nothing says what it is: it fits whatever there is.
@@ -38,14 +38,14 @@ pub(crate) enum Head {
     Own(u32),
     /// Anything that has a trait of the reader's, behind a pointer or as a parameter.
     Dyn(usize),
-    /// That of what a method of the library is called on.
+    /// The type of the value that a method of the library is called on.
     Like,
 }
 
 /// An integer type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Int {
-    /// That of a number without a point of which nothing more is said.
+    /// The type of a number without a point of which nothing more is said.
     Any,
     U8,
     U16,
@@ -155,63 +155,6 @@ impl Type {
         match (self.0, self.1.first()) {
             (Head::Ref | Head::RefMut | Head::Box, Some(inner)) => inner.stripped(),
             _ => self,
-        }
-    }
-}
-
-/// Of which types a function of the library is one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Owner {
-    /// Functions that are no type's.
-    Nobody,
-    Float,
-    F64,
-    F32,
-    Int,
-    Bool,
-    Vec3,
-    Ray,
-    Picture,
-    Str,
-    Ordering,
-    Option,
-    Box,
-    Vec,
-    Array,
-    /// A vector, an array or a slice.
-    List,
-    Range,
-    Iterator,
-    /// Whatever can be copied.
-    Any,
-}
-
-impl Owner {
-    /// Finds whether its functions are those of a type.
-    #[inline]
-    pub(crate) fn has(self, head: Head) -> bool {
-        match (self, head) {
-            (Self::Float, Head::F64 | Head::F32)
-            | (Self::F64, Head::F64)
-            | (Self::F32, Head::F32)
-            | (Self::Int, Head::Int(_))
-            | (Self::Bool, Head::Bool)
-            | (Self::Vec3, Head::Vec3)
-            | (Self::Ray, Head::Ray)
-            | (Self::Picture, Head::Picture)
-            | (Self::Str, Head::Str)
-            | (Self::Ordering, Head::Ordering)
-            | (Self::Option, Head::Option)
-            | (Self::Box, Head::Box)
-            | (Self::Vec, Head::Vec)
-            | (Self::Array, Head::Array(_))
-            | (Self::List, Head::Vec | Head::Array(_) | Head::Slice)
-            | (Self::Range, Head::Range)
-            | (Self::Iterator, Head::Range | Head::Iterator) => true,
-            (Self::Any, Head::Picture | Head::Box | Head::Own(_) | Head::Fn | Head::RefMut) => {
-                false
-            }
-            (owner, _) => owner == Self::Any,
         }
     }
 }

@@ -8,12 +8,17 @@ use std::time::{Duration, Instant};
 
 use common::rtweekend::*;
 use course::chapter::Chapter;
-use interpreter::{Ball, FaultKind, Program};
+use interpreter::{Ball, Fault, FaultKind, Program};
 
 const WIDTHS: [u32; 3] = [40, 63, 100];
 
-fn program_of(files: &[(&str, &str)]) -> Result<Program, String> {
-    interpreter::read(files).map_err(|faults| faults[0].to_string())
+fn program_of<T: AsRef<str>>(files: &[(&str, T)]) -> Result<Program, String> {
+    read(files).map_err(|fault| fault.to_string())
+}
+
+fn read<T: AsRef<str>>(files: &[(&str, T)]) -> Result<Program, Fault> {
+    let files: Vec<(&str, &str)> = files.iter().map(|it| (it.0, it.1.as_ref())).collect();
+    interpreter::read(&files).map_err(|faults| faults[0].clone())
 }
 
 /// The chapter with the first of these words replaced in one of its files.
@@ -106,9 +111,8 @@ fn what_the_compiler_reads_is_read() {
     assert_ne!(drawn, Chapter::Normals.picture(40));
 
     for row in rows::<3>(include_str!("texts/read.txt")) {
-        let files = changed(&row);
-        let files: Vec<(&str, &str)> = files.iter().map(|it| (it.0, &it.1[..])).collect();
-        let program = program_of(&files).unwrap_or_else(|fault| panic!("{row:?}: {fault}"));
+        let program = program_of(&changed(&row));
+        let program = program.unwrap_or_else(|fault| panic!("{row:?}: {fault}"));
         let chapter = Chapter::find(&row[0]).expect("a chapter");
         assert_eq!(program.draw(40), Ok(chapter.picture(40)), "{row:?}");
     }
@@ -130,10 +134,6 @@ fn a_prelude_of_ones_own_draws_the_picture_and_is_asked() {
     // An `impl` may be read before its trait.
     files.reverse();
     files.push(("src/rtweekend.rs", OWN_PRELUDE.to_owned()));
-    let files: Vec<(&str, &str)> = files
-        .iter()
-        .map(|(name, text)| (*name, &text[..]))
-        .collect();
     let program = program_of(&files).expect("rustc compiles it");
     assert_eq!(
         program.draw(16).expect("nothing stops it"),
@@ -286,39 +286,23 @@ fn changed(row: &[String]) -> Vec<(&'static str, String)> {
 
 /// What is said first: the file, the line and the words.
 fn said_here(files: &[(&'static str, String)]) -> Option<(String, usize, String)> {
-    let files: Vec<(&str, &str)> = files
-        .iter()
-        .map(|(name, text)| (*name, &text[..]))
-        .collect();
-    let fault = match interpreter::read(&files) {
-        Err(faults) => faults[0].clone(),
-        Ok(program) => match program.draw(16) {
-            Err(fault) => fault,
-            Ok(_) => {
-                let (file, lines) = program.unchecked().into_iter().next()?;
-                return Some((
-                    files[file].0.to_owned(),
-                    *lines.start(),
-                    "unchecked".to_owned(),
-                ));
-            }
-        },
+    let there = |file: usize, line, said: &str| Some((files[file].0.to_owned(), line, said.into()));
+    let drawn = read(files).and_then(|program| program.draw(16).map(|_| program));
+    let fault = match drawn {
+        Err(fault) => fault,
+        Ok(program) => {
+            let (file, lines) = program.unchecked().into_iter().next()?;
+            return there(file, *lines.start(), "unchecked");
+        }
     };
-    let place = fault.place.clone().unwrap_or_default();
-    let said = format!(
-        "{}{}: {}",
-        match fault.kind {
-            FaultKind::Stopped => "stops: ",
-            _ => "",
-        },
-        fault.message,
-        fault.label
-    );
-    Some((
-        files[place.file].0.to_owned(),
-        place.line,
-        said.trim_end_matches(": ").to_owned(),
-    ))
+    let place = fault.place.unwrap_or_default();
+    let stops = if fault.kind == FaultKind::Stopped {
+        "stops: "
+    } else {
+        ""
+    };
+    let said = format!("{stops}{}: {}", fault.message, fault.label);
+    there(place.file, place.line, said.trim_end_matches(": "))
 }
 
 #[test]

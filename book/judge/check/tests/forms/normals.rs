@@ -28,11 +28,12 @@ pub fn hit_sphere(center: Point3, radius: f64, r: &Ray) -> Option<f64> {
     let b = r.direction.dot(to_center) * -2.0;
     let c = to_center.length_squared() - radius * radius;
     let disc = discriminant(a, b, c);
-    if disc >= 0.0 {
-        let root = disc.sqrt();
-        Some((-b - root) / (2.0 * a))
-    } else {
-        None
+    match disc >= 0.0 {
+        true => {
+            let root = disc.sqrt();
+            Some((-b - root) / (2.0 * a))
+        }
+        false => None,
     }
 }
 

@@ -4,7 +4,8 @@ use std::rc::Rc;
 
 use super::library;
 use super::options::{chosen, copied};
-use crate::machine::value::{Data, Iter, Value};
+use crate::machine::iter::Iter;
+use crate::machine::value::{Data, Value};
 use crate::machine::{Eval, Machine};
 use crate::operators::Sign;
 use crate::refusal::At;
@@ -16,13 +17,7 @@ const USIZE: Head = Head::Int(Int::Usize);
 /// Returns what gives the values of a list or a range, one after the other.
 pub(crate) fn iterator(m: &mut Machine<'_>, of: &Value, at: At) -> Eval<Iter> {
     Ok(match &of.data {
-        Data::List(list) => {
-            let (list, lent, mut n) = (Rc::clone(list), of.lent.min(1), 0);
-            Iter::new(move |_| {
-                n += 1;
-                Ok(list.all.get(n - 1).map(|it| it.clone().more_lent(lent)))
-            })
-        }
+        Data::List(list) => Iter::List(Rc::clone(list), 0, of.lent.min(1)),
         Data::Range(ends, is_closed) if of.lent == 0 => match (&ends[0].data, &ends[1].data) {
             (Data::Int(from, int), Data::Int(to, other)) => {
                 let int = int.joined(*other).unwrap_or(*int);
@@ -31,10 +26,7 @@ pub(crate) fn iterator(m: &mut Machine<'_>, of: &Value, at: At) -> Eval<Iter> {
             (Data::Int(from, int), Data::Unit) => numbered(from.get(), int.ends().1, *int),
             _ => return no_iterator(m, of, at),
         },
-        Data::Iter(it) => {
-            let it = Rc::clone(it);
-            Iter::new(move |m| it.borrow_mut().next(m))
-        }
+        Data::Iter(it) => Iter::Shared(Rc::clone(it)),
         Data::Mut(address) => match m.end_of(of).data {
             Data::List(list) => {
                 let (address, count, mut n) = (address.clone(), list.all.len(), 0);
@@ -43,7 +35,7 @@ pub(crate) fn iterator(m: &mut Machine<'_>, of: &Value, at: At) -> Eval<Iter> {
                     Ok((n <= count).then(|| Data::Mut(address.part(n - 1)).into()))
                 })
             }
-            Data::Iter(it) => Iter::new(move |m| it.borrow_mut().next(m)),
+            Data::Iter(it) => Iter::Shared(it),
             _ => return no_iterator(m, of, at),
         },
         _ => return no_iterator(m, of, at),
@@ -169,10 +161,10 @@ fn chosen_of(
 }
 
 library! { table:
-    Iterator {
-        into_iter self () => |m, a, at| made(m, &a[0], at, |m, of| of.next(m));
-        iter self () => |m, a, at| made(m, &a[0], at, |m, of| of.next(m));
-        by_ref self () => |m, a, at| made(m, &a[0], at, |m, of| of.next(m));
+    [Head::Range | Head::Iterator] {
+        into_iter self () => |m, a, at| Ok(Value::iter(iterator(m, &a[0], at)?));
+        iter self () => |m, a, at| Ok(Value::iter(iterator(m, &a[0], at)?));
+        by_ref self () => |m, a, at| Ok(Value::iter(iterator(m, &a[0], at)?));
         next self () => |m, a, at| Ok(iterator(m, &a[0], at)?.next(m)?.into());
         map self (Type::function(1)) => |m, a, at| {
             let f = a[1].clone();
@@ -299,7 +291,7 @@ library! { table:
             Ok(Value::vector(rest(m, &mut each, at)?))
         };
     }
-    Range {
+    [Head::Range] {
         contains self (Unknown) => |_, a, _| {
             let Data::Range(ends, is_closed) = &a[0].data else {
                 unreachable!("types are checked");

@@ -43,7 +43,7 @@ fn list(value: &Value) -> Rc<List> {
 }
 
 library! { table:
-    Vec {
+    [Head::Vec] {
         new _ () => |_, _, _| Ok(Value::vector(Vec::new()));
         with_capacity _ (Head::Int(Int::Usize)) => |_, _, _| Ok(Value::vector(Vec::new()));
         push mut (Unknown) => |m, a, at| {
@@ -65,7 +65,7 @@ library! { table:
             Ok(Value::default())
         };
     }
-    List {
+    [Head::Vec | Head::Array(_) | Head::Slice] {
         len self () => |_, a, _| Ok(Value::usize(list(&a[0]).all.len()));
         is_empty self () => |_, a, _| Ok(list(&a[0]).all.is_empty().into());
         first self () => |_, a, _| Ok(list(&a[0]).all.first().cloned().map(Value::lent).into());
@@ -85,7 +85,7 @@ library! { table:
             Ok(list(&a[0]).all.iter().any(|it| it.equals(&a[1])).into())
         };
     }
-    Array {
+    [Head::Array(_)] {
         map self (Type::function(1)) => |m, a, at| {
             let mut all = Vec::new();
             for value in &list(&a[0]).all {

@@ -14,7 +14,7 @@ pub(crate) use iterators::iterator;
 pub(crate) use pictures::printed;
 
 use crate::machine::Native;
-use crate::types::{Head, Owner};
+use crate::types::Head;
 
 static ALL: LazyLock<Vec<Native>> = LazyLock::new(|| {
     let tables = [
@@ -29,15 +29,10 @@ static ALL: LazyLock<Vec<Native>> = LazyLock::new(|| {
     tables.iter().flat_map(|table| table()).collect()
 });
 
-/// Returns the function of that name before which the type's name stands.
+/// Returns the function of that name before which the type's name stands, or of a name that is
+/// no type's: these are those of `!`.
 pub(crate) fn function(head: Head, name: &str) -> Option<&'static Native> {
-    ALL.iter().find(|it| it.name == name && it.owner.has(head))
-}
-
-/// Returns the function of that name that is no type's.
-pub(crate) fn free_function(name: &str) -> Option<&'static Native> {
-    let mut all = ALL.iter();
-    all.find(|it| it.name == name && it.owner == Owner::Nobody)
+    ALL.iter().find(|it| it.name == name && (it.owner)(head))
 }
 
 /// Returns all methods of that name.
@@ -55,11 +50,11 @@ pub(crate) fn names() -> impl Iterator<Item = &'static str> {
 /// `self` is a method's, `mut` one that changes it, and `_` stands for a function.
 macro_rules! library {
     ($name:ident: $(
-        $owner:ident { $($function:ident $on:tt ($($take:expr),*) => $run:expr;)* }
+        [$owner:pat] { $($function:ident $on:tt ($($take:expr),*) => $run:expr;)* }
     )*) => {
         pub(super) fn $name() -> Vec<crate::machine::Native> {
             vec![$($(crate::machine::Native {
-                owner: crate::types::Owner::$owner,
+                owner: |head| matches!(head, $owner),
                 name: stringify!($function),
                 on: crate::library::on!($on),
                 takes: vec![$(crate::types::Type::from($take)),*],

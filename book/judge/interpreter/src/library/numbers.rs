@@ -38,7 +38,7 @@ macro_rules! float {
 macro_rules! floats {
     ({ $($one:ident)* } { $($two:ident)* } { $($is:ident)* } $($rest:tt)*) => {
         library! { floats:
-            Float {
+            [Head::F64 | Head::F32] {
                 $($one self () => |_, a, _| float!(a: x => x.$one());)*
                 $($two self (Like) => |_, a, _| float!(a: x y => x.$two(y));)*
                 $($is self () => |_, a, _| float!(a: x => x.$is());)*
@@ -72,7 +72,7 @@ floats! {
     }
     { max min powf atan2 hypot copysign rem_euclid log }
     { is_nan is_finite is_infinite is_sign_negative is_sign_positive }
-    F64 {
+    [Head::F64] {
         from _ (Unknown) => |m, a, at| match a[0].data {
             Data::Int(_, int) if int == Int::Any || int.ends().1 < 1 << 32 => {
                 Ok(a[0].float().into())
@@ -81,7 +81,7 @@ floats! {
             _ => no_conversion(m, "f64", &a[0], at),
         };
     }
-    F32 {
+    [Head::F32] {
         from _ (Unknown) => |m, a, at| match a[0].data {
             Data::Single(_) if a[0].lent == 0 => Ok(a[0].clone()),
             Data::Int(it, Int::U8 | Int::U16 | Int::Any) => Ok((it.get() as f32).into()),
@@ -100,7 +100,7 @@ fn no_conversion(m: &mut Machine<'_>, to: &str, from: &Value, at: At) -> Eval {
 macro_rules! others {
     ({ $($is:ident)* } $($rest:tt)*) => {
         library! { others:
-            Ordering {
+            [Head::Ordering] {
                 reverse self () => |_, a, _| Ok(a[0].ordering().reverse().into());
                 $($is self () => |_, a, _| Ok(a[0].ordering().$is().into());)*
             }
@@ -111,7 +111,7 @@ macro_rules! others {
 
 others! {
     { is_lt is_gt is_le is_ge is_eq }
-    Int {
+    [Head::Int(_)] {
         max self (Like) => |_, a, _| Ok(a[usize::from(a[1].int() > a[0].int())].clone().owned());
         min self (Like) => |_, a, _| Ok(a[usize::from(a[1].int() < a[0].int())].clone().owned());
         clamp self (Like, Like) => |_, a, _| {
@@ -126,20 +126,24 @@ others! {
         cmp self (Type::of(Head::Ref, Like.into())) =>
             |_, a, _| Ok(a[0].int().cmp(&a[1].int()).into());
     }
-    Bool {
+    [Head::Bool] {
         then_some self (Unknown) => |_, a, _| Ok(a[0].truth().then(|| a[1].clone()).into());
         then self (Type::function(0)) => |m, a, at| match a[0].truth() {
             true => Ok(Some(m.applied(&a[1], &mut [], at)?).into()),
             false => Ok(None.into()),
         };
     }
-    Any {
+    [
+        Head::Bool | Head::Int(_) | Head::F64 | Head::F32 | Head::Str | Head::Ordering | Head::Vec3
+        | Head::Ray | Head::Option | Head::Vec | Head::Array(_) | Head::Tuple | Head::Range
+        | Head::Iterator
+    ] {
         clone self () => |m, a, at| match &a[0].data {
             Data::Iter(_) => m.unread(at, "copies of iterators"),
             _ => Ok(a[0].clone().owned()),
         };
     }
-    Str {
+    [Head::Str] {
         new _ () => |_, _, _| Ok(Value::str(""));
         with_capacity _ (Head::Int(Int::Usize)) => |_, _, _| Ok(Value::str(""));
         from _ (Type::of(Head::Ref, Head::Str.into())) => |_, a, _| Ok(a[0].clone().owned());

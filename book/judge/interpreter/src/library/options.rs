@@ -32,7 +32,7 @@ fn inside(value: &Value) -> Option<Value> {
 }
 
 library! { table:
-    Option {
+    [Head::Option] {
         is_some self () => |_, a, _| Ok(inside(&a[0]).is_some().into());
         is_none self () => |_, a, _| Ok(inside(&a[0]).is_none().into());
         is_some_and self (Type::function(1)) => |m, a, at| match inside(&a[0]) {
@@ -95,7 +95,7 @@ library! { table:
             Ok(before.owned())
         };
     }
-    Box {
+    [Head::Box] {
         new _ (Unknown) => |m, a, at| {
             m.keep(&a[0], at)?;
             Ok(Data::Box(Rc::new(a[0].clone())).into())

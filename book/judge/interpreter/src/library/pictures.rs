@@ -21,12 +21,12 @@ fn size(value: &Value) -> u32 {
 }
 
 library! { table:
-    Picture {
+    [Head::Picture] {
         paint _ (U32, U32, Type::function(2)) => |m, a, at| {
             painted((size(&a[0]), size(&a[1])), Brush::Pixel(m.kept(&a[2]), at))
         };
     }
-    Nobody {
+    [Head::Never] {
         render _ (U32, Type::function(1)) => |m, a, at| {
             let camera = Camera::new(size(&a[0]).max(1));
             let size = (camera.image_width, camera.image_height);

@@ -13,18 +13,18 @@ use crate::types::{Head, Type};
 macro_rules! vectors {
     ({ $($one:ident)* } { $($two:ident)* } $($rest:tt)*) => {
         library! { table:
-            Vec3 {
+            [Head::Vec3] {
                 $($one self () => |_, a, _| Ok(a[0].vec3().$one().into());)*
                 $($two self (Vector) => |_, a, _| Ok(a[0].vec3().$two(a[1].vec3()).into());)*
                 $($rest)*
             }
-            Ray {
+            [Head::Ray] {
                 new _ (Vector, Vector) => |_, a, _| {
                     Ok(Data::Ray(Rc::new(Ray::new(a[0].vec3(), a[1].vec3()))).into())
                 };
                 at self (F64) => |_, a, _| Ok(a[0].ray().at(a[1].float()).into());
             }
-            Nobody {
+            [Head::Never] {
                 sky _ (Type::of(Head::Ref, Head::Ray.into())) =>
                     |_, a, _| Ok(sky(&a[0].ray()).into());
             }

@@ -1,6 +1,5 @@
 //! Calls of functions by their paths, and of values that are functions.
 
-use std::array;
 use std::rc::Rc;
 
 use common::rtweekend::Vec3;
@@ -12,10 +11,7 @@ use crate::machine::value::{Data, Value};
 use crate::machine::{Eval, Form, Given, Native, Run};
 use crate::names::names;
 use crate::refusal::{At, Refusal};
-use crate::types::{Owner, Type};
-
-/// So many values is a function of the library given at most.
-pub(super) const MOST: usize = 4;
+use crate::types::{Head, Type};
 
 impl Lowerer<'_> {
     pub(super) fn call(&mut self, it: &syn::ExprCall) -> Lowered {
@@ -37,15 +33,7 @@ impl Lowerer<'_> {
         let at_path = self.at_any(&function.path);
         let (owner, name) = self.owner(&path, at_path)?;
         match self.callee(owner.as_ref(), &name, &path, at_path, "function")? {
-            Callee::Own(own) if self.names.functions[own].is_constant => {
-                self.refused(at, "expected function, found a constant")
-            }
-            Callee::Own(own) => {
-                let wanted = self.names.functions[own].parameters.clone();
-                counted(wanted.len(), it, at)?;
-                let given = self.all_given(&it.args, wanted)?;
-                Ok(Expr::new(at, move |m| m.called(own, &given, at)))
-            }
+            Callee::Own(own) => self.call_own(own, it, at),
             Callee::Default(ty) => {
                 counted(0, it, at)?;
                 self.default_of(&ty, at)
@@ -76,6 +64,17 @@ impl Lowerer<'_> {
         }
     }
 
+    fn call_own(&mut self, function: usize, it: &syn::ExprCall, at: At) -> Lowered {
+        let own = &self.names.functions[function];
+        if own.is_constant {
+            return self.refused(at, "expected function, found a constant");
+        }
+        let wanted = own.parameters.clone();
+        counted(wanted.len(), it, at)?;
+        let given = self.all_given(&it.args, wanted)?;
+        Ok(Expr::new(at, move |m| m.called(function, &given, at)))
+    }
+
     /// Lowers a call of a function of the library by its path.
     pub(super) fn call_native<'s>(
         &mut self,
@@ -85,23 +84,15 @@ impl Lowerer<'_> {
     ) -> Lowered {
         let (runs, given) = self.arguments(all, at)?;
         if let [Run::Float(x), Run::Float(y), Run::Float(z)] = runs[..]
-            && (native.owner, native.name) == (Owner::Vec3, "new")
+            && native.name == "new"
+            && (native.owner)(Head::Vec3)
         {
             // A vector of numbers is made once.
             let vector = Vec3::new(x, y, z);
             return Ok(Expr::new(at, move |_| Ok(vector.into())));
         }
         Ok(Expr::new(at, move |m| {
-            let mut values: [Value; MOST] = array::from_fn(|_| Value::default());
-            for (value, run) in values.iter_mut().zip(&runs) {
-                *value = run.eval(m)?;
-            }
-            if native.on.is_some() && !native.owner.has(values[0].data.head()) {
-                let (name, found) = (native.name, m.named(&values[0]));
-                let message = format!("no function named `{name}` found for `{found}`");
-                return m.wrong(at, message, "");
-            }
-            m.native(native, &mut values[..runs.len()], &given)
+            m.called_native(native, None, &runs, &given)
         }))
     }
 

@@ -1,12 +1,11 @@
 //! Expressions: operators, literals and what else is no call.
 
 use std::rc::Rc;
-use std::sync::Arc;
 
 use super::declared::tuple;
 use super::{Expr, Lowered, Lowerer};
 use crate::machine::value::{Data, Value};
-use crate::machine::{Closure, Form, Run, Stop, alike};
+use crate::machine::{Form, Run, Stop, alike};
 use crate::names::Named;
 use crate::operators::{Operator, Sign, operator};
 use crate::refusal::At;
@@ -84,7 +83,6 @@ impl Lowerer<'_> {
             None if result.is_unknown() || result == Type::UNIT => tuple(Vec::new(), at),
             None => return Err(self.names.mismatch(&result, &Type::UNIT, "`()`", at)),
         };
-        self.leaves += 1;
         Ok(leave_with(value, Stop::Return))
     }
 
@@ -230,7 +228,6 @@ impl Lowerer<'_> {
             let label = format!("this one returns `{}`", self.result.name(self.names));
             return self.fault(at, message, &label, "");
         }
-        self.leaves += 1;
         Ok(Expr::new(at, move |m| {
             let value = of.eval(m)?;
             match value.data {
@@ -260,7 +257,7 @@ impl Lowerer<'_> {
                 let value = run.eval(m)?;
                 m.not(&value, at)
             }),
-            (syn::UnOp::Neg(_), Run::Float(it)) => float(-it, spot.is_any_float(), at),
+            (syn::UnOp::Neg(_), Run::Float(it)) => float(-it, spot.form == Form::Float, at),
             (syn::UnOp::Neg(_), run) => {
                 let negation = Expr::new(at, move |m| {
                     let value = run.eval(m)?;
@@ -277,62 +274,18 @@ impl Lowerer<'_> {
             end: self.at(&it.right).end,
             ..self.at(&it.left)
         };
-        match operator(&it.op) {
+        let sign = self.at_any(&it.op);
+        let sign = self.text.get(sign.start as usize..sign.end as usize);
+        let sign = sign.unwrap_or_default();
+        match operator(sign) {
             Some(Operator::Arithmetic(sign, true)) => self.update(it, sign, at),
             Some(Operator::And) => self.logical(it, false),
             Some(Operator::Or) => self.logical(it, true),
             operator => {
                 let [left, right] = [self.expr(&it.left)?, self.expr(&it.right)?];
-                self.operation(operator, &it.op, [left, right], at)
+                Ok(operation(operator, sign, [left, right], at))
             }
         }
-    }
-
-    fn operation(
-        &mut self,
-        operator: Option<Operator>,
-        op: &syn::BinOp,
-        [left, right]: [Expr; 2],
-        at: At,
-    ) -> Lowered {
-        let spot = right.spot;
-        let forms = [left.spot.form, spot.form];
-        let is_any = [left.spot, spot].map(|it| it.is_any_float());
-        let both = move |m: &mut crate::machine::Machine<'_>| {
-            let left = left.run.eval(m)?;
-            let both = [left, right.run.eval(m)?];
-            Ok(if is_any == [false; 2] {
-                both
-            } else {
-                alike(both, is_any)
-            })
-        };
-        Ok(match operator {
-            Some(Operator::Arithmetic(sign, _)) => {
-                let made = Expr::new(at, move |m| {
-                    let [left, right] = both(m)?;
-                    m.combined(sign, left, right, at)
-                });
-                match forms {
-                    [Form::Float, Form::Float] | [Form::Int, Form::Int] => made.shown(forms[0]),
-                    _ => made,
-                }
-            }
-            Some(Operator::Compare(order)) => Expr::new(at, move |m| {
-                let both = both(m)?;
-                m.compared(order, both, (at, spot))
-            })
-            .shown(Form::Bool),
-            _ => {
-                let sign = self.at_any(op);
-                let sign = self.text.get(sign.start as usize..sign.end as usize);
-                let sign = sign.unwrap_or_default().to_owned();
-                Expr::new(at, move |m| {
-                    let both = both(m)?;
-                    m.bits(&sign, both, at)
-                })
-            }
-        })
     }
 
     fn update(&mut self, it: &syn::ExprBinary, sign: Sign, at: At) -> Lowered {
@@ -368,45 +321,41 @@ impl Lowerer<'_> {
         });
         Ok(both.shown(Form::Bool))
     }
+}
 
-    /// Lowers a closure. Where it is no argument, the compiler asks what it takes.
-    pub(super) fn closure(&mut self, it: &syn::ExprClosure, is_argument: bool) -> Lowered {
-        let at = self.at_any(it);
-        let result = match &it.output {
-            syn::ReturnType::Type(_, ty) => self.names.ty(&self.context, ty)?,
-            syn::ReturnType::Default => Type::UNKNOWN,
-        };
-        let outer = std::mem::replace(&mut self.result, result.clone());
-        let loops = std::mem::take(&mut self.loops);
-        let lowered = self.scoped(|own| {
-            let mut parameters = Vec::new();
-            for input in &it.inputs {
-                let from = own.locals.len();
-                parameters.push(own.irrefutable(input)?);
-                let is_open = !is_argument && !matches!(input, syn::Pat::Type(_));
-                for local in &mut own.locals[from..] {
-                    local.is_open = is_open;
-                }
+/// Makes an expression of an operator between two others.
+fn operation(operator: Option<Operator>, sign: &str, [left, right]: [Expr; 2], at: At) -> Expr {
+    let spot = right.spot;
+    let forms = [left.spot.form, spot.form];
+    let is_any = forms.map(|it| it == Form::Float);
+    let (left, right) = (left.run, right.run);
+    match operator {
+        Some(Operator::Arithmetic(sign, _)) => {
+            let made = Expr::new(at, move |m| {
+                let left = left.eval(m)?;
+                let right = right.eval(m)?;
+                let [left, right] = alike([left, right], is_any);
+                m.combined(sign, left, right, at)
+            });
+            match forms {
+                [Form::Float, Form::Float] | [Form::Int, Form::Int] => made.shown(forms[0]),
+                _ => made,
             }
-            Ok((parameters, own.given(&it.body, &result)?))
-        });
-        self.result = outer;
-        self.loops = loops;
-        let (parameters, mut body) = lowered?;
-        if !matches!(*it.body, syn::Expr::Block(_)) {
-            body = self.marked(body, self.at(&it.body));
         }
-        let closure = Arc::new(Closure {
-            parameters: parameters.len(),
-            body: Box::new(move |m, given| {
-                for (pattern, value) in parameters.iter().zip(given) {
-                    pattern.binds(m, value)?;
-                }
-                body.run.eval(m)
-            }),
-        });
-        let is_moved = it.capture.is_some();
-        Ok(Expr::new(at, move |m| m.closure(&closure, is_moved, at)))
+        Some(Operator::Compare(order)) => Expr::new(at, move |m| {
+            let left = left.eval(m)?;
+            let right = right.eval(m)?;
+            m.compared(order, alike([left, right], is_any), (at, spot))
+        })
+        .shown(Form::Bool),
+        _ => {
+            let sign = sign.to_owned();
+            Expr::new(at, move |m| {
+                let left = left.eval(m)?;
+                let right = right.eval(m)?;
+                m.bits(&sign, [left, right], at)
+            })
+        }
     }
 }
 

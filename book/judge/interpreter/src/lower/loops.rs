@@ -18,7 +18,7 @@ impl Lowerer<'_> {
             Ok(Expr::new(at, move |m| {
                 loop {
                     m.turn(at)?;
-                    if !condition.eval(m)?.truth() || m.leaves(&body)? {
+                    if !condition.eval(m)?.truth() || m.is_left(&body)? {
                         return Ok(m.brought());
                     }
                 }
@@ -32,7 +32,7 @@ impl Lowerer<'_> {
         let made = Expr::new(at, move |m| {
             loop {
                 m.turn(at)?;
-                if m.leaves(&body)? {
+                if m.is_left(&body)? {
                     return Ok(m.brought());
                 }
             }
@@ -56,7 +56,7 @@ impl Lowerer<'_> {
                 while let Some(value) = each.next(m)? {
                     m.turn(at)?;
                     pattern.binds(m, &value)?;
-                    if m.leaves(&body)? {
+                    if m.is_left(&body)? {
                         break;
                     }
                 }
@@ -72,7 +72,6 @@ impl Lowerer<'_> {
             Some(value) => self.expr(value)?,
             None => tuple(Vec::new(), at),
         };
-        self.leaves += 1;
         if let Some(is_left) = self.loops.last_mut() {
             *is_left = true;
         }
@@ -82,7 +81,6 @@ impl Lowerer<'_> {
     pub(super) fn next_turn(&mut self, it: &syn::ExprContinue) -> Lowered {
         let at = self.at_any(it);
         self.inside_a_loop(at, "continue", it.label.as_ref())?;
-        self.leaves += 1;
         Ok(Expr::new(at, |_| Err(Stop::Continue)).shown(Form::Never))
     }
 

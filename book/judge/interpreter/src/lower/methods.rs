@@ -1,8 +1,5 @@
 //! Method calls: all that a name after a point may mean; which of it, the value decides.
 
-use std::array;
-
-use super::calls::MOST;
 use super::declared::checked;
 use super::{Expr, Lowered, Lowerer};
 use crate::library;
@@ -26,7 +23,7 @@ struct Method {
 /// The methods of a name: the reader's, and whose they are, and the library's.
 type Candidates = (Vec<(Head, usize)>, Vec<&'static Native>);
 
-/// Which method a name means.
+/// The method that a name means.
 enum Found {
     Own(usize),
     Native(&'static Native),
@@ -66,15 +63,7 @@ impl Lowerer<'_> {
             return self.needs_a_type(receiver.spot.at);
         }
         let (own, natives) = self.candidates(name, at)?;
-        let kind = match receiver.spot.form {
-            Form::Float => Some("{float}"),
-            Form::Int => Some("{integer}"),
-            _ => None,
-        };
-        if let Some(kind) = kind {
-            let message = format!("can't call method `{name}` on ambiguous numeric type `{kind}`");
-            return self.fault(at, &message, "", "say which: `2.0_f64`");
-        }
+        not_ambiguous(receiver.spot.form, name, at)?;
         let functions = &self.names.functions;
         let counts = own.iter().map(|it| functions[it.1].parameters.len() - 1);
         let counts: Vec<usize> = counts
@@ -156,9 +145,28 @@ impl Lowerer<'_> {
     }
 }
 
+/// Refuses a method of a number of which nothing says what it is.
+fn not_ambiguous(form: Form, name: &str, at: At) -> Lowered<()> {
+    let kind = match form {
+        Form::Float => "{float}",
+        Form::Int => "{integer}",
+        _ => return Ok(()),
+    };
+    let message = format!("can't call method `{name}` on ambiguous numeric type `{kind}`");
+    Err(Refusal::new(at, message, "", "say which: `2.0_f64`"))
+}
+
 impl Method {
     /// Calls what is meant: by the value, or by what that leads to.
     fn called(&self, m: &mut Machine<'_>, on: Value, place: Option<(Address, &Place)>) -> Eval {
+        // Most are of the library, and are found at once.
+        if self.own.is_empty()
+            && place.is_none()
+            && let Some(Found::Native(native)) = self.found(m, &on)
+            && !native.changes()
+        {
+            return self.native(m, native, on);
+        }
         let mut on = on;
         let (mut place, root) = place.map_or((None, None), |(at, of)| (Some(at), Some(of)));
         loop {
@@ -191,7 +199,7 @@ impl Method {
             Head::Own(kind) => {
                 it.name == "clone" && m.code.names.kinds[kind as usize].derives("Clone")
             }
-            _ => it.owner.has(head),
+            _ => (it.owner)(head),
         };
         self.natives.iter().find(is_it).map(|it| Found::Native(it))
     }
@@ -239,12 +247,7 @@ impl Method {
         if wanted != count {
             return m.refused(Refusal::miscounted(true, wanted, count, self.given.at));
         }
-        let mut values: [Value; MOST] = array::from_fn(|_| Value::default());
-        values[0] = on;
-        for (value, run) in values[1..].iter_mut().zip(&self.runs) {
-            *value = run.eval(m)?;
-        }
-        m.native(native, &mut values[..=count], &self.given)
+        m.called_native(native, Some(on), &self.runs, &self.given)
     }
 
     fn none(&self, m: &mut Machine<'_>, on: &Value) -> Eval {

@@ -2,10 +2,12 @@
 //! names found. What an expression comes to is checked where it meets what is declared.
 
 mod calls;
+mod closures;
 mod declared;
 mod expressions;
 mod loops;
 mod macros;
+mod matches;
 mod methods;
 mod paths;
 mod patterns;
@@ -17,16 +19,16 @@ use std::sync::Arc;
 
 use syn::spanned::Spanned;
 
-use crate::machine::{Eval, Form, Function, Machine, Mark, Run, Spot};
+use crate::machine::{Eval, Form, Function, Machine, Mark, Run, Spot, Written};
 use crate::names::collect::Inside;
 use crate::names::{Context, Names, Signature};
 use crate::read::{at, at_expr, at_span};
 use crate::refusal::{At, Refusal};
-use crate::types::Type;
+use crate::types::{Head, Type};
 
 type Lowered<T = Expr> = Result<T, Refusal>;
 
-/// What runs an expression, and where that stands.
+/// An expression, ready to be run, and its place.
 struct Expr {
     run: Run,
     spot: Spot,
@@ -76,10 +78,9 @@ pub(crate) fn lower(
         slot_names: Vec::new(),
         loops: Vec::new(),
         result: signature.result.clone(),
-        leaves: 0,
         marks: Vec::new(),
     };
-    let body = match body {
+    let made = match body {
         Inside::Constant(value) => {
             let made = lowerer.given(value, &signature.result)?;
             lowerer.marked(made, lowerer.at(value))
@@ -89,8 +90,25 @@ pub(crate) fn lower(
     Ok(Function {
         slots: lowerer.slots,
         names: lowerer.slot_names,
-        body: body.run,
+        body: made.run,
         marks: lowerer.marks,
+        written: written(names, text, signature, body),
+    })
+}
+
+fn written(names: &Names, text: &str, own: &Signature, body: Inside<'_>) -> Option<Written> {
+    let Inside::Function(syntax, block) = body else {
+        return None;
+    };
+    let of = match own.of.as_ref().map(|it| it.0) {
+        Some(Head::Own(kind)) => format!("{}::", names.kinds[kind as usize].name),
+        _ => String::new(),
+    };
+    let end = block.brace_token.span.close().byte_range().end;
+    let text = text.get(syntax.fn_token.span.byte_range().start..end)?;
+    Some(Written {
+        name: of + &own.name,
+        text: text.to_owned(),
     })
 }
 
@@ -98,7 +116,7 @@ struct Local {
     name: String,
     slot: usize,
     is_mut: bool,
-    /// Whether nothing says what it is, and the compiler wants to know before it is used.
+    /// True if nothing says what it is, and the compiler wants to know before it is used.
     is_open: bool,
 }
 
@@ -112,15 +130,13 @@ struct Lowerer<'n> {
     /// The body of the function, whose items are declared.
     top: Option<*const syn::Block>,
     locals: Vec<Local>,
-    /// Where the names of a pattern begin that has other ways to match.
+    /// The first name of a pattern that has other ways to match.
     alternatives: Option<usize>,
     slots: usize,
     slot_names: Vec<String>,
     /// Of each loop around whether it is ever left.
     loops: Vec<bool>,
     result: Type,
-    /// How many `return`, `break` and the like there were so far.
-    leaves: usize,
     marks: Vec<Arc<Mark>>,
 }
 

@@ -10,18 +10,18 @@ use super::{Expr, Lowered, Lowerer};
 use crate::library;
 use crate::machine::value::{Data, Value};
 use crate::machine::{Closure, Form, Native, Run};
-use crate::names::words::{private, there_is};
+use crate::names::words::{private, there_is, unexpected};
 use crate::names::{Named, names, standard};
 use crate::refusal::{At, Refusal};
 use crate::types::{Head, Type};
 
-/// What is called by its path.
+/// A function that is called by its path.
 pub(super) enum Callee {
     Own(usize),
     Native(&'static Native),
     /// A method of a trait.
     OfTrait,
-    /// What a derive or the library has by default.
+    /// The `default` of a type without its own.
     Default(Type),
     /// A struct whose fields have numbers.
     Struct(u32),
@@ -84,23 +84,19 @@ impl Lowerer<'_> {
     /// Returns the type before the last `::`, if a type is there, and what comes after.
     pub(super) fn owner(&self, path: &[String], at: At) -> Lowered<(Option<Type>, String)> {
         let (name, before) = path.split_last().expect("a path has a name");
-        let own = self.context.own.clone().filter(|_| before == ["Self"]);
-        let owner = match (before, own) {
-            ([], _) => None,
-            (_, Some(own)) => Some(own),
-            (before, None) => match self.names.found(self.context.module, before) {
-                Ok(Named::Type(ty)) => Some(ty),
-                Ok(Named::Generic(head)) => Some(Type::of(head, Type::UNKNOWN)),
-                Ok(Named::Trait(of)) => Some(Head::Dyn(of).into()),
-                Ok(Named::Standard(of)) => {
-                    return self.unread(at, &format!("`{of}::{name}`"));
-                }
-                Ok(_) => None,
-                Err(lost) => {
-                    let module = self.context.module;
-                    return Err(self.names.not_found(module, at, "type", before, lost));
-                }
-            },
+        if before.is_empty() {
+            return Ok((None, name.clone()));
+        }
+        let owner = match self.names.meant(&self.context, before) {
+            Ok(Named::Type(ty)) => Some(ty),
+            Ok(Named::Generic(head)) => Some(Type::of(head, Type::UNKNOWN)),
+            Ok(Named::Trait(of)) => Some(Head::Dyn(of).into()),
+            Ok(Named::Standard(of)) => return self.unread(at, &format!("`{of}::{name}`")),
+            Ok(_) => None,
+            Err(lost) => {
+                let module = self.context.module;
+                return Err(self.names.not_found(module, at, "type", before, lost));
+            }
         };
         Ok((owner, name.clone()))
     }
@@ -114,36 +110,25 @@ impl Lowerer<'_> {
         at: At,
         what: &str,
     ) -> Lowered<Callee> {
-        let module = self.context.module;
         if let Some(owner) = owner {
             return self.callee_of(owner, name, at);
         }
-        let named = match (path, &self.context.own) {
-            ([name], Some(own)) if name == "Self" => Ok(Named::Type(own.clone())),
-            (path, _) => self.names.found(module, path),
-        };
-        match named {
-            Ok(Named::Function(function)) => Ok(Callee::Own(function)),
-            Ok(Named::Library(name)) => {
-                let native = library::free_function(name);
+        let named = self.names.expected(&self.context, path, what, at);
+        let named = named.map_err(|refusal| {
+            let locals = self.locals.iter().map(|it| it.name.as_str());
+            let is_local = path.len() == 1 && what == "value";
+            refusal.or_help(&there_is(name, locals.filter(|_| is_local)))
+        });
+        match named? {
+            Named::Function(function) => Ok(Callee::Own(function)),
+            Named::Library(name) => {
+                let native = library::function(Head::Never, name);
                 Ok(Callee::Native(native.expect("it is listed")))
             }
-            Ok(Named::Type(Type(Head::Own(kind), _)))
-                if self.names.kinds[kind as usize].is_tuple =>
-            {
+            Named::Type(Type(Head::Own(kind), _)) if self.names.kinds[kind as usize].is_tuple => {
                 Ok(Callee::Struct(kind))
             }
-            Ok(Named::Standard(name)) => self.unread(at, &format!("`{name}`")),
-            Ok(_) => {
-                let message = format!("expected {what}, found `{}`", path.join("::"));
-                self.fault(at, &message, &format!("not a {what}"), "")
-            }
-            Err(lost) => {
-                let refusal = self.names.not_found(module, at, what, path, lost);
-                let locals = self.locals.iter().map(|it| it.name.as_str());
-                let is_local = path.len() == 1 && what == "value";
-                Err(refusal.or_help(&there_is(name, locals.filter(|_| is_local))))
-            }
+            _ => Err(unexpected(what, path, at)),
         }
     }
 
@@ -212,7 +197,8 @@ fn constant(owner: Head, name: &str, at: At) -> Option<Expr> {
     Some(match owner {
         Head::F64 => plain(Run::Float(standard::number(name)?)),
         Head::F32 => {
-            let number = standard::single(name)?;
+            // The others differ.
+            let number = standard::number(name).filter(|it| !it.is_finite())? as f32;
             Expr::new(at, move |_| Ok(number.into()))
         }
         Head::Int(int) => {

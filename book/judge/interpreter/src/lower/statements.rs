@@ -7,32 +7,34 @@ use super::{Expr, Lowered, Lowerer};
 use crate::machine::value::Value;
 use crate::machine::{Form, Mark, Run};
 use crate::read::at_statement;
-use crate::refusal::At;
+use crate::refusal::Refusal;
 use crate::types::Type;
 
-/// A statement, and the mark of the lines that run from here on.
+/// A statement, and the mark of its lines.
 struct Step {
     run: Run,
-    mark: Option<Arc<Mark>>,
+    mark: Arc<Mark>,
 }
 
 impl Lowerer<'_> {
     /// Lowers a block that is to come to a value of that type.
     pub(super) fn block_given(&mut self, block: &syn::Block, ty: &Type) -> Lowered {
-        let (steps, has_value, is_left) = self.scoped(|own| own.statements(block, ty))?;
+        let (mut steps, has_value, is_left) = self.scoped(|own| own.statements(block, ty))?;
         if !has_value && !is_left && !ty.is_unknown() && *ty != Type::UNIT {
             return self.no_value(block, ty);
         }
         let at = self.at_span(block.brace_token.span.join());
+        let last = if has_value { steps.pop() } else { None };
         let made = Expr::new(at, move |m| {
-            let mut value = Value::default();
             for step in &steps {
-                if let Some(mark) = &step.mark {
-                    mark.notes_that_it_runs();
-                }
-                value = step.run.eval(m)?;
+                step.mark.notes_that_it_runs();
+                drop(step.run.eval(m)?);
             }
-            Ok(if has_value { value } else { Value::default() })
+            let Some(last) = &last else {
+                return Ok(Value::default());
+            };
+            last.mark.notes_that_it_runs();
+            last.run.eval(m)
         });
         Ok(if is_left {
             made.shown(Form::Never)
@@ -45,7 +47,7 @@ impl Lowerer<'_> {
     fn no_value<T>(&self, block: &syn::Block, ty: &Type) -> Lowered<T> {
         let refusal = |at| self.names.mismatch(ty, &Type::UNIT, "`()`", at);
         Err(match block.stmts.last() {
-            Some(syn::Stmt::Expr(last, Some(_))) => {
+            Some(syn::Stmt::Expr(last, Some(_))) if self.may_be_value(last) => {
                 refusal(self.at(last)).or_help("remove this semicolon to return this value")
             }
             _ => {
@@ -59,41 +61,42 @@ impl Lowerer<'_> {
         })
     }
 
+    /// Returns false for what is done only for its effect, whatever stands behind it.
+    fn may_be_value(&self, it: &syn::Expr) -> bool {
+        match it {
+            syn::Expr::Assign(_) => false,
+            syn::Expr::MethodCall(it) => {
+                let name = it.method.to_string();
+                let mut own = self.names.methods(&name);
+                own.all(|(_, n)| self.names.functions[n].result != Type::UNIT)
+            }
+            _ => true,
+        }
+    }
+
     fn is_top(&self, block: &syn::Block) -> bool {
         self.top.is_some_and(|top| std::ptr::eq(top, block))
     }
 
-    /// Lowers the statements of a block, with a mark before all that may be left out when it
-    /// runs. Finds whether the last is its value, and whether its end is ever reached.
+    /// Lowers the statements of a block. Finds whether the last is its value, and whether its
+    /// end is ever reached.
     fn statements(&mut self, block: &syn::Block, ty: &Type) -> Lowered<(Vec<Step>, bool, bool)> {
-        let all = &block.stmts;
-        let (mut steps, mut starts) = (Vec::<Step>::new(), Vec::new());
-        let (mut has_value, mut is_left, mut leaves) = (false, false, None);
-        for (n, statement) in all.iter().enumerate() {
+        let (mut steps, mut has_value, mut is_left) = (Vec::new(), false, false);
+        for (n, statement) in block.stmts.iter().enumerate() {
             if let syn::Stmt::Item(it) = statement {
                 if self.is_top(block) {
                     continue;
                 }
                 return self.unread(self.at_any(it), "declarations in an inner block");
             }
-            if leaves != Some(self.leaves) {
-                starts.push((steps.len(), n));
-            }
-            leaves = Some(self.leaves);
-            let is_last = n + 1 == all.len();
             let made;
+            let mark = self.mark(at_statement(self.file, statement));
+            let is_open = self.is_top(block) && returns_early(statement);
+            let is_last = n + 1 == block.stmts.len() && !is_open;
             (made, has_value) = self.statement(statement, is_last, ty)?;
             is_left |= made.never_ends();
-            let (run, mark) = (made.run, None);
+            let run = made.run;
             steps.push(Step { run, mark });
-        }
-        for (k, &(step, first)) in starts.iter().enumerate() {
-            let next = starts.get(k + 1).map_or(all.len(), |it| it.1);
-            let at = At {
-                end: at_statement(self.file, &all[next - 1]).end,
-                ..at_statement(self.file, &all[first])
-            };
-            steps[step].mark = Some(self.mark(at));
         }
         Ok((steps, has_value, is_left))
     }
@@ -135,7 +138,6 @@ impl Lowerer<'_> {
         let never_ends = value.never_ends();
         let (run, at) = (value.run, value.spot.at);
         let made = if let Some((_, other)) = &init.diverge {
-            self.leaves += 1;
             let other = self.given(other, &Type::NEVER)?.run;
             let pattern = self.pattern(pattern, false)?;
             Expr::new(at, move |m| {
@@ -181,7 +183,11 @@ impl Lowerer<'_> {
         })?;
         let help = "`return …;`, or an `else` that gives the other value";
         let Some((_, other)) = &it.else_branch else {
-            let then = then.map_err(|it| it.or_help(help))?.run;
+            let last = it.then_branch.stmts.last();
+            let is_value = |it: &Refusal| last.is_some_and(|last| it.is_at(self.at_any(last)));
+            let then = then
+                .map_err(|it| if is_value(&it) { it.or_help(help) } else { it })?
+                .run;
             if !ty.is_unknown() && *ty != Type::UNIT {
                 return self.fault(at, "`if` may be missing an `else` clause", "", help);
             }
@@ -203,4 +209,15 @@ impl Lowerer<'_> {
             made
         })
     }
+}
+
+/// Returns true for an `if` without `else` that ends with `return`: after it comes what the
+/// function returns otherwise.
+fn returns_early(it: &syn::Stmt) -> bool {
+    let syn::Stmt::Expr(syn::Expr::If(it), None) = it else {
+        return false;
+    };
+    let last = it.then_branch.stmts.last();
+    let returns = matches!(last, Some(syn::Stmt::Expr(syn::Expr::Return(_), _)));
+    returns && it.else_branch.is_none()
 }

@@ -7,6 +7,7 @@ use super::{Expr, Lowered, Lowerer};
 use crate::library;
 use crate::machine::Run;
 use crate::machine::value::Value;
+use crate::names::words::unexpected;
 use crate::names::{Named, names};
 use crate::refusal::{At, Refusal};
 use crate::types::{Head, Type};
@@ -35,22 +36,10 @@ impl Lowerer<'_> {
     /// Returns the type that a path names, which has fields.
     pub(super) fn struct_named(&self, path: &syn::Path) -> Lowered<Type> {
         let (path, at) = (names(path), self.at_any(path));
-        let named = match (path.as_slice(), &self.context.own) {
-            ([name], Some(own)) if name == "Self" => Ok(Named::Type(own.clone())),
-            (path, _) => self.names.found(self.context.module, path),
-        };
         let what = "struct, variant or union type";
-        match named {
-            Ok(Named::Type(ty)) if matches!(ty.0, Head::Own(_) | Head::Vec3 | Head::Ray) => Ok(ty),
-            Ok(Named::Standard(name)) => self.unread(at, &format!("`{name}`")),
-            Ok(_) => {
-                let message = format!("expected {what}, found `{}`", path.join("::"));
-                self.fault(at, &message, &format!("not a {what}"), "")
-            }
-            Err(lost) => {
-                let module = self.context.module;
-                Err(self.names.not_found(module, at, what, &path, lost))
-            }
+        match self.names.expected(&self.context, &path, what, at)? {
+            Named::Type(ty) if matches!(ty.0, Head::Own(_) | Head::Vec3 | Head::Ray) => Ok(ty),
+            _ => Err(unexpected(what, &path, at)),
         }
     }
 

@@ -8,12 +8,12 @@ use common::rtweekend::Vec3;
 
 use super::checks::is_plainly;
 use super::value::{Address, Data, Frame, Value};
-use super::{Closure, Eval, Form, Machine, Native, Run, Spot, Stop};
+use super::{Closure, Eval, Machine, Native, Run, Spot, Stop};
 use crate::limits::DEEPEST;
 use crate::refusal::{At, Refusal};
-use crate::types::{Head, Owner, Type};
+use crate::types::{Head, Type};
 
-/// Where the arguments of a call stand, as far as each has its place, and where the call does.
+/// The places of a call: those of its arguments, as far as they are written, and its own.
 #[derive(Debug)]
 pub(crate) struct Given {
     pub(crate) spots: Vec<Spot>,
@@ -188,6 +188,47 @@ impl Machine<'_> {
         Ok(value)
     }
 
+    /// Runs a function of the library with what these come to, on a value if that is known.
+    pub(crate) fn called_native(
+        &mut self,
+        native: &Native,
+        on: Option<Value>,
+        runs: &[Run],
+        given: &Given,
+    ) -> Eval {
+        match (on, runs) {
+            (Some(on), []) => self.native(native, &mut [on], given),
+            (Some(on), [run]) => {
+                let value = run.eval(self)?;
+                self.native(native, &mut [on, value], given)
+            }
+            (on, runs) => {
+                let is_method = on.is_some();
+                let mut values = Vec::with_capacity(runs.len() + 1);
+                values.extend(on);
+                for run in runs {
+                    values.push(run.eval(self)?);
+                }
+                if !is_method {
+                    self.receives(native, &values, given.at)?;
+                }
+                self.native(native, &mut values, given)
+            }
+        }
+    }
+
+    /// Checks that the first value has a method of the library.
+    fn receives(&mut self, native: &Native, values: &[Value], at: At) -> Eval<()> {
+        match values.first() {
+            Some(on) if native.on.is_some() && !(native.owner)(on.data.head()) => {
+                let (name, found) = (native.name, self.named(on));
+                let message = format!("no function named `{name}` found for `{found}`");
+                self.wrong(at, message, "")
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// Runs a function of the library, on the first value if it is a method.
     pub(crate) fn native(&mut self, native: &Native, values: &mut [Value], given: &Given) -> Eval {
         let (on, rest) = values.split_at_mut(usize::from(native.on.is_some()));
@@ -212,7 +253,7 @@ impl Machine<'_> {
         if self.code.instead.is_empty() {
             return (native.run)(self, values, at);
         }
-        let is_of_vectors = matches!(native.owner, Owner::Vec3 | Owner::Ray);
+        let is_of_vectors = (native.owner)(Head::Vec3) || (native.owner)(Head::Ray);
         let mut instead = self.code.instead.iter().filter(|_| is_of_vectors);
         if let Some((_, own)) = instead.find(|it| it.0 == native.name) {
             return self.run(*own, values, at);
@@ -230,6 +271,7 @@ impl Machine<'_> {
             Data::Function(function) => self.run(*function, given, at),
             Data::Native(native) => {
                 self.turn(at)?;
+                self.receives(native, given, at)?;
                 self.native(native, given, &at.into())
             }
             Data::Closure(closure, frame) => self.in_its_frame(closure, frame, given, at),
@@ -318,12 +360,5 @@ impl Machine<'_> {
             }
             _ => function.clone(),
         }
-    }
-}
-
-impl Spot {
-    /// Finds whether it is a number of which nothing says how wide it is.
-    pub(crate) fn is_any_float(self) -> bool {
-        self.form == Form::Float
     }
 }

@@ -201,9 +201,12 @@ impl Machine<'_> {
             Head::Own(kind) => match code.names.kinds[kind as usize].default {
                 Some(own) => self.run(own, &[], at)?,
                 None => {
-                    let fields = code.names.kinds[kind as usize].fields.iter();
-                    let fields = fields.map(|it| self.default(&it.ty, at));
-                    Data::Own(kind, fields.collect::<Eval<_>>()?).into()
+                    let fields = &code.names.kinds[kind as usize].fields;
+                    let mut all = Vec::with_capacity(fields.len());
+                    for field in fields {
+                        all.push(self.default(&field.ty, at)?);
+                    }
+                    Data::Own(kind, all.into()).into()
                 }
             },
             _ => {

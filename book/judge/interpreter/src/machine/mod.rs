@@ -6,6 +6,7 @@
 
 mod calls;
 mod checks;
+pub(crate) mod iter;
 mod operators;
 mod places;
 mod sizes;
@@ -21,24 +22,21 @@ use std::sync::{Arc, Mutex};
 use crate::limits::{DEEPEST_VALUE, MEMORY};
 use crate::names::Names;
 use crate::refusal::{At, Refusal};
-use crate::types::{Owner, Type};
-use crate::written::Written;
+use crate::types::{Head, Type};
 pub(crate) use calls::Given;
 pub(crate) use operators::alike;
 pub(crate) use places::{Field, Place};
 use value::{Data, Value};
 
-/// What runs.
+/// A program that is ready to be run.
 #[derive(Clone, Debug)]
 pub(crate) struct Code {
     pub(crate) names: Arc<Names>,
     pub(crate) functions: Vec<Arc<Function>>,
-    /// The functions as they are written, in the same order.
-    pub(crate) written: Vec<Option<Written>>,
     pub(crate) texts: Arc<Vec<String>>,
-    /// Whether floats have 24 bits.
+    /// True if floats have 24 bits.
     pub(crate) is_single: bool,
-    /// Which of all mutants runs, or 0.
+    /// The number of the mutant that runs, or 0.
     pub(crate) mutant: u32,
     /// Functions of the text that are called in place of those of the library.
     pub(crate) instead: Vec<(&'static str, usize)>,
@@ -57,6 +55,17 @@ pub(crate) struct Function {
     pub(crate) names: Vec<String>,
     pub(crate) body: Run,
     pub(crate) marks: Vec<Arc<Mark>>,
+    /// The function as it is written, unless it is a constant or only promised.
+    pub(crate) written: Option<Written>,
+}
+
+/// A function as it is written.
+#[derive(Debug)]
+pub(crate) struct Written {
+    /// Its name, behind that of its type if it has one: `Sphere::hit`.
+    pub(crate) name: String,
+    /// Its text from `fn` to its closing bracket.
+    pub(crate) text: String,
 }
 
 /// Lines that run together, and whether they ever did.
@@ -94,21 +103,21 @@ impl fmt::Debug for Closure {
 /// A function of the library.
 #[derive(Debug)]
 pub(crate) struct Native {
-    /// On whose values it is called, or before whose name it stands.
-    pub(crate) owner: Owner,
+    /// Finds whether it is called on values of a type, or the type's name stands before it.
+    pub(crate) owner: fn(Head) -> bool,
     pub(crate) name: &'static str,
-    /// What it is called on, if it is a method.
+    /// If it is a method, how it takes the value that it is called on.
     pub(crate) on: Option<On>,
-    /// What it takes beside that.
+    /// The types of its other parameters.
     pub(crate) takes: Vec<Type>,
     pub(crate) run: fn(&mut Machine<'_>, &mut [Value], At) -> Eval,
 }
 
-/// What a method of the library is called on.
+/// How a method of the library takes the value that it is called on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum On {
     Value,
-    /// What it changes.
+    /// By its address, to change it.
     Place,
 }
 
@@ -135,7 +144,7 @@ pub(crate) enum Stop {
 
 pub(crate) type Eval<T = Value> = Result<T, Stop>;
 
-/// What an expression does when it runs.
+/// An expression, ready to be run.
 pub(crate) enum Run {
     Float(f64),
     Local(usize),
@@ -149,8 +158,8 @@ impl Run {
         Self::Act(Box::new(act))
     }
 
-    /// Returns what it comes to.
-    #[inline]
+    /// Returns what it comes to. It is called for each part of each expression, from many places.
+    #[inline(always)]
     pub(crate) fn eval(&self, machine: &mut Machine<'_>) -> Eval {
         match self {
             Self::Float(it) => Ok(machine.rounded(*it).into()),
@@ -172,14 +181,14 @@ impl fmt::Debug for Run {
     }
 }
 
-/// Where an expression stands, and what its text shows before it runs.
+/// The place of an expression, and what its text shows before it runs.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Spot {
     pub(crate) at: At,
     pub(crate) form: Form,
 }
 
-/// What the text of an expression shows.
+/// A form of expression that the compiler's words depend on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Form {
     #[default]
@@ -193,7 +202,7 @@ pub(crate) enum Form {
     Lend,
     /// A variable of which the compiler wants to know the type.
     Open,
-    /// That nothing comes after it.
+    /// One after which nothing comes.
     Never,
 }
 
@@ -204,11 +213,11 @@ impl From<At> for Spot {
     }
 }
 
-/// What a `let` has bound, or a function has returned before its end: the function, the slot if
-/// there is one, the value.
+/// A value that a `let` has bound, or that a function has returned before its end: the
+/// function, the slot if there is one, the value.
 pub(crate) type Bound = (usize, Option<usize>, Value);
 
-/// What runs a program: the values of all functions that are being called.
+/// The state of a program that runs: the values of all functions that are being called.
 pub(crate) struct Machine<'c> {
     pub(crate) code: &'c Code,
     stack: Vec<Value>,
@@ -218,13 +227,13 @@ pub(crate) struct Machine<'c> {
     turns: u32,
     /// How many bytes are left.
     memory: usize,
-    /// What `return` and `break` bring along.
+    /// The value that `return` or `break` brings along.
     pub(crate) left: Value,
     fault: Option<Refusal>,
     constants: Vec<Option<Value>>,
     /// The function that runs, by its number.
     function: usize,
-    /// What was bound, if that is asked for.
+    /// All values that were bound, if that is asked for.
     pub(crate) notes: Option<Vec<Bound>>,
 }
 
@@ -265,11 +274,13 @@ impl<'c> Machine<'c> {
     }
 
     /// Gives a variable its value.
+    #[inline]
     pub(crate) fn set_local(&mut self, slot: usize, value: Value) {
         self.stack[self.base + slot] = value;
     }
 
     /// Gives a variable that a `let` declares its value, and notes that.
+    #[inline]
     pub(crate) fn bind(&mut self, slot: usize, value: Value) {
         if let Some(notes) = &mut self.notes {
             notes.push((self.function, Some(slot), value.clone()));
@@ -332,7 +343,7 @@ impl<'c> Machine<'c> {
     }
 
     /// Runs the body of a loop; returns whether it has left the loop.
-    pub(crate) fn leaves(&mut self, body: &Run) -> Eval<bool> {
+    pub(crate) fn is_left(&mut self, body: &Run) -> Eval<bool> {
         self.left = Value::default();
         match body.eval(self) {
             Err(Stop::Break) => Ok(true),

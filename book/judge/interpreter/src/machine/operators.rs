@@ -10,7 +10,7 @@ use common::rtweekend::Vec3;
 
 use super::places::Place;
 use super::value::{Data, Value};
-use super::{Eval, Machine, Spot};
+use super::{Eval, Form, Machine, Spot};
 use crate::operators::{Order, Sign};
 use crate::refusal::{At, Refusal};
 use crate::types::{Head, Type};
@@ -161,7 +161,7 @@ impl Machine<'_> {
             _ if left.lent > 0 => return self.no_operator(sign, true, [&left, &right], at),
             _ => {}
         }
-        let [left, right] = alike([left, right], [false, right_spot.is_any_float()]);
+        let [left, right] = alike([left, right], [false, right_spot.form == Form::Float]);
         let result = self.combined(sign, left.clone(), right.clone(), at)?;
         if !result.is_like(&left) {
             return self.no_operator(sign, true, [&left, &right], at);
@@ -319,7 +319,11 @@ impl Machine<'_> {
 }
 
 /// Makes a number of which nothing says how wide it is as wide as the other one.
+#[inline]
 pub(crate) fn alike(both: [Value; 2], is_any: [bool; 2]) -> [Value; 2] {
+    if is_any == [false; 2] {
+        return both;
+    }
     match ([&both[0].data, &both[1].data], is_any) {
         ([Data::Single(_), Data::Float(it)], [_, true]) => {
             let right = (*it as f32).into();

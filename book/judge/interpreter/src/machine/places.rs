@@ -11,7 +11,7 @@ pub(crate) struct Place {
     pub(crate) local: Option<usize>,
     /// The variable that it is a part of.
     pub(crate) root: Option<usize>,
-    /// What is said if that is no mutable reference, since it is not `mut`.
+    /// The refusal if that is no mutable reference, since it is not `mut`.
     pub(crate) fixed: Option<Refusal>,
     /// Finds where it is. Mutable references and boxes on the way are followed.
     pub(crate) address: Box<Find>,

@@ -6,13 +6,13 @@
 
 use std::cell::RefCell;
 use std::cmp::Ordering;
-use std::fmt;
 use std::rc::Rc;
 use std::sync::Arc;
 
 use common::rtweekend::{Camera, Picture, Ray, Vec3};
 
-use super::{Closure, Eval, Machine, Native};
+use super::iter::Iter;
+use super::{Closure, Native};
 use crate::refusal::At;
 use crate::types::{Head, Int, Type};
 
@@ -93,41 +93,19 @@ impl Address {
     pub(crate) fn part(&self, n: usize) -> Self {
         Self {
             slot: self.slot,
-            steps: self.steps.iter().copied().chain([n as u32]).collect(),
+            steps: [&*self.steps, &[n as u32]].concat().into(),
         }
     }
 }
 
 #[derive(Clone, Debug)]
 pub(crate) enum Frame {
-    /// Where it begins, and how many slots it has.
+    /// The first slot of its function's frame, and how many slots that has.
     At(u32, u32),
     Taken(Rc<Vec<Value>>),
 }
 
-/// An iterator: a function that gives one value after the other.
-pub(crate) struct Iter(pub(crate) Box<NextOf>);
-
-type NextOf = dyn FnMut(&mut Machine<'_>) -> Eval<Option<Value>>;
-
-impl Iter {
-    pub(crate) fn new(next: impl FnMut(&mut Machine<'_>) -> Eval<Option<Value>> + 'static) -> Self {
-        Self(Box::new(next))
-    }
-
-    /// Returns the next value.
-    pub(crate) fn next(&mut self, machine: &mut Machine<'_>) -> Eval<Option<Value>> {
-        (self.0)(machine)
-    }
-}
-
-impl fmt::Debug for Iter {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("Iter")
-    }
-}
-
-/// What colors the pixels of a picture.
+/// A function or a finished picture that colors pixels.
 #[derive(Debug)]
 pub(crate) enum Brush {
     /// A function of column and row, and where it is given.

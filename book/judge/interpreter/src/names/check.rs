@@ -7,21 +7,25 @@ use crate::types::{Head, Type};
 type Checked = Result<(), Refusal>;
 
 impl Names {
-    /// Whether each implementation of a trait has what that promises, and nothing else.
+    /// Checks that each implementation of a trait has what that promises, and nothing else.
     pub(super) fn are_traits_complete(&self) -> Checked {
+        let wrong = |at, message| Err(Refusal::new(at, message, "", ""));
         for own in &self.functions {
             let Some(of) = own.in_trait.map(|it| &self.traits[it]) else {
                 continue;
             };
-            let mut methods = of.methods.iter().map(|&it| &self.functions[it]);
-            let Some(promised) = methods.find(|it| it.name == own.name) else {
-                let (name, of) = (&own.name, &of.name);
-                let message = format!("method `{name}` is not a member of trait `{of}`");
-                return Err(Refusal::new(own.at, message, "", ""));
-            };
-            if !own.is_as_promised(promised) {
-                let message = format!("method `{}` has an incompatible type for trait", own.name);
-                return Err(Refusal::new(own.at, message, "", ""));
+            let (name, mut methods) = (&own.name, of.methods.iter());
+            let promised = methods.find(|&&it| self.functions[it].name == *name);
+            match promised.map(|&it| own.is_as_promised(&self.functions[it])) {
+                Some(true) => {}
+                Some(false) => {
+                    let message = format!("method `{name}` has an incompatible type for trait");
+                    return wrong(own.at, message);
+                }
+                None => {
+                    let message = format!("method `{name}` is not a member of trait `{}`", of.name);
+                    return wrong(own.at, message);
+                }
             }
         }
         for (n, of) in self.traits.iter().enumerate() {
@@ -34,54 +38,47 @@ impl Names {
                 if !self.functions.iter().any(is_it) {
                     let (name, on) = (&promised.name, ty.name(self));
                     let missing = "not all trait items implemented, missing";
-                    let message = format!("{missing}: `{name}` for `{on}`");
-                    return Err(Refusal::new(promised.at, message, "", ""));
+                    return wrong(promised.at, format!("{missing}: `{name}` for `{on}`"));
                 }
             }
         }
         Ok(())
     }
 
-    /// Whether no struct is a part of itself.
+    /// Checks that no struct is a part of itself.
     pub(super) fn do_structs_end(&self) -> Checked {
         for (n, kind) in self.kinds.iter().enumerate() {
-            let mut inside = Vec::new();
-            self.add_parts(n as u32, &mut inside);
-            if inside.contains(&(n as u32)) {
-                let message = format!("recursive type `{}` has infinite size", kind.name);
-                let help = "a `Box` around the part makes an end";
-                return Err(Refusal::new(kind.at, message, "", help));
+            let (own, mut known) = (Head::Own(n as u32), Vec::new());
+            let mut parts: Vec<&Type> = kind.fields.iter().map(|it| &it.ty).collect();
+            while let Some(ty) = parts.pop() {
+                match ty.0 {
+                    head if head == own => {
+                        let message = format!("recursive type `{}` has infinite size", kind.name);
+                        let help = "a `Box` around the part makes an end";
+                        return Err(Refusal::new(kind.at, message, "", help));
+                    }
+                    Head::Own(part) if !known.contains(&part) => {
+                        known.push(part);
+                        let fields = &self.kinds[part as usize].fields;
+                        parts.extend(fields.iter().map(|it| &it.ty));
+                    }
+                    Head::Option | Head::Tuple | Head::Array(_) => parts.extend(&ty.1),
+                    _ => {}
+                }
             }
         }
         Ok(())
-    }
-
-    /// Adds all structs whose values are parts of a struct's.
-    fn add_parts(&self, kind: u32, known: &mut Vec<u32>) {
-        let fields = self.kinds[kind as usize].fields.iter();
-        let mut types: Vec<&Type> = fields.map(|it| &it.ty).collect();
-        while let Some(ty) = types.pop() {
-            match ty.0 {
-                Head::Own(part) if !known.contains(&part) => {
-                    known.push(part);
-                    self.add_parts(part, known);
-                }
-                Head::Option | Head::Tuple | Head::Array(_) => types.extend(&ty.1),
-                _ => {}
-            }
-        }
     }
 }
 
 impl Signature {
     fn is_as_promised(&self, promised: &Self) -> bool {
-        let others = |it: &Self| it.parameters[usize::from(it.has_self)..].to_vec();
-        let on = |it: &Self| it.parameters.first().filter(|_| it.has_self).map(|it| it.0);
-        let is_reference = |head| matches!(head, Head::Ref | Head::RefMut);
-        let is_lent_alike = match (on(self), on(promised)) {
-            (Some(one), Some(other)) => one == other || !is_reference(one) && !is_reference(other),
-            (one, other) => one.is_none() && other.is_none(),
+        // A `self` may be the type itself, or be behind a reference.
+        let on = |it: &Self| match it.parameters.first().filter(|_| it.has_self)?.0 {
+            head @ (Head::Ref | Head::RefMut) => Some(head),
+            _ => Some(Head::Unknown),
         };
-        is_lent_alike && others(self) == others(promised) && self.result == promised.result
+        let rest = |it: &Self| it.parameters[usize::from(it.has_self)..].to_vec();
+        (on(self), rest(self), &self.result) == (on(promised), rest(promised), &promised.result)
     }
 }

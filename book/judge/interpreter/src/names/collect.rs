@@ -10,7 +10,7 @@ use crate::types::{Head, Type};
 
 pub(super) type Read<T = ()> = Result<T, Refusal>;
 
-/// What is in a function.
+/// The tree of a function's body, or of a constant's value.
 #[derive(Clone, Copy)]
 pub(crate) enum Inside<'a> {
     Function(&'a syn::Signature, &'a syn::Block),
@@ -94,8 +94,7 @@ impl<'a> Collector<'a> {
             }
         }
         if self.faults.is_empty() {
-            each(self, Self::fields_or_trait);
-            each(self, Self::functions);
+            each(self, Self::item);
         }
         if self.faults.is_empty() {
             let checked = self.names.are_traits_complete();
@@ -116,31 +115,26 @@ impl<'a> Collector<'a> {
         Ok(())
     }
 
-    fn fields_or_trait(&mut self, module: usize, item: &'a syn::Item) -> Read {
+    /// Reads the types of an item's parts.
+    fn item(&mut self, module: usize, item: &'a syn::Item) -> Read {
         let context = Context::of(module);
         match item {
-            syn::Item::Struct(it) => self.fields(&context, &it.ident, &it.fields),
-            syn::Item::Trait(it) => {
-                let Named::Trait(own) = self.declared(module, &it.ident) else {
-                    return Ok(());
-                };
-                let context = Context {
-                    own: Some(Head::Dyn(own).into()),
-                    ..context
-                };
-                for item in &it.items {
-                    let syn::TraitItem::Fn(method) = item else {
-                        return Err(self.unread(module, item, "this in a trait"));
-                    };
-                    if let Some(default) = &method.default {
-                        let what = "functions that a trait gives to all";
-                        return Err(self.unread(module, default, what));
-                    }
-                    let function = self.method(&context, &method.sig, None, true)?;
-                    self.names.traits[own].methods.push(function);
-                }
-                Ok(())
+            syn::Item::Struct(it) => self.fields(&context, it),
+            syn::Item::Trait(it) => self.promises(context, it),
+            syn::Item::Fn(it) => {
+                let number = self.number(module, &it.sig.ident);
+                let is_public = is_public(&it.vis);
+                self.put(number, &context, &it.sig, Some(&it.block), is_public)
             }
+            syn::Item::Const(it) => {
+                let number = self.number(module, &it.ident);
+                self.constant(number, &context, &it.ident, (&it.ty, &it.expr))
+            }
+            syn::Item::Static(it) => {
+                let number = self.number(module, &it.ident);
+                self.constant(number, &context, &it.ident, (&it.ty, &it.expr))
+            }
+            syn::Item::Impl(it) => self.implementation(context, it),
             _ => Ok(()),
         }
     }
@@ -150,36 +144,41 @@ impl<'a> Collector<'a> {
         names[&name.to_string()].named.clone()
     }
 
-    fn functions(&mut self, module: usize, item: &'a syn::Item) -> Read {
-        let context = Context::of(module);
-        let number = |own: &Self, name: &syn::Ident| match own.declared(module, name) {
+    fn number(&self, module: usize, name: &syn::Ident) -> usize {
+        match self.declared(module, name) {
             Named::Function(number) => number,
-            _ => unreachable!("it was declared as a function"),
-        };
-        match item {
-            syn::Item::Fn(it) => {
-                let number = number(self, &it.sig.ident);
-                let is_public = is_public(&it.vis);
-                self.put(number, &context, &it.sig, Some(&it.block), is_public)
-            }
-            syn::Item::Const(it) => {
-                let number = number(self, &it.ident);
-                self.constant(number, &context, &it.ident, (&it.ty, &it.expr))
-            }
-            syn::Item::Static(it) => {
-                let number = number(self, &it.ident);
-                self.constant(number, &context, &it.ident, (&it.ty, &it.expr))
-            }
-            syn::Item::Impl(it) => self.implementation(context, it),
-            _ => Ok(()),
+            other => unreachable!("it was declared as a function, and not as {other:?}"),
         }
     }
 
-    fn fields(&mut self, context: &Context, name: &syn::Ident, fields: &syn::Fields) -> Read {
-        let Named::Type(Type(Head::Own(own), _)) = self.declared(context.module, name) else {
+    fn promises(&mut self, context: Context, it: &'a syn::ItemTrait) -> Read {
+        let Named::Trait(own) = self.declared(context.module, &it.ident) else {
             return Ok(());
         };
-        let fields = fields.iter().enumerate().map(|(n, field)| {
+        let module = context.module;
+        let context = Context {
+            own: Some(Head::Dyn(own).into()),
+            ..context
+        };
+        for item in &it.items {
+            let syn::TraitItem::Fn(method) = item else {
+                return Err(self.unread(module, item, "this in a trait"));
+            };
+            if let Some(default) = &method.default {
+                let what = "functions that a trait gives to all";
+                return Err(self.unread(module, default, what));
+            }
+            let function = self.method(&context, &method.sig, None, true)?;
+            self.names.traits[own].methods.push(function);
+        }
+        Ok(())
+    }
+
+    fn fields(&mut self, context: &Context, it: &syn::ItemStruct) -> Read {
+        let Named::Type(Type(Head::Own(own), _)) = self.declared(context.module, &it.ident) else {
+            return Ok(());
+        };
+        let fields = it.fields.iter().enumerate().map(|(n, field)| {
             let name = field.ident.as_ref();
             Ok(Field {
                 name: name.map_or(n.to_string(), ToString::to_string),
@@ -325,6 +324,18 @@ impl<'a> Collector<'a> {
                 _ => {}
             }
         }
+        // Vectors are what a ray is made of, and that is what `ray_color` takes.
+        let own_kind = |ty: Option<&Type>| match ty?.stripped().0 {
+            Head::Own(kind) => Some(kind),
+            _ => None,
+        };
+        let mut functions = names.functions.iter();
+        let ray_color = functions.find(|it| it.name == "ray_color" && it.of.is_none());
+        names.own_ray = ray_color.and_then(|it| own_kind(it.parameters.first()));
+        names.own_vec3 = names.own_ray.and_then(|ray| {
+            let first = names.kinds[ray as usize].fields.first();
+            own_kind(first.map(|it| &it.ty))
+        });
     }
 
     pub(super) fn no_generics(&self, module: usize, generics: &syn::Generics) -> Read {

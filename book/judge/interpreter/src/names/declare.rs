@@ -33,7 +33,10 @@ impl<'a> Collector<'a> {
             syn::Item::Trait(it) => {
                 self.no_generics(module, &it.generics)?;
                 let named = Named::Trait(self.names.traits.len());
-                self.names.traits.push(Trait::called(&it.ident));
+                self.names.traits.push(Trait {
+                    name: it.ident.to_string(),
+                    ..Trait::default()
+                });
                 (&it.ident, &it.vis, named)
             }
             syn::Item::Fn(it) => {
@@ -61,7 +64,7 @@ impl<'a> Collector<'a> {
         self.name(module, name, visibility, named)
     }
 
-    /// A function that declares something is a module that sees all around it.
+    /// Declares what is in a function, which is a module then that sees all around it.
     fn block(&mut self, module: usize, block: &'a syn::Block) {
         let items = block.stmts.iter().filter_map(|it| match it {
             syn::Stmt::Item(it) => Some(it),
@@ -104,7 +107,7 @@ impl<'a> Collector<'a> {
         }
     }
 
-    /// A place for a function whose signature is read later.
+    /// Makes a place for a function whose signature is read later.
     pub(super) fn function(&mut self) -> Named {
         self.names.functions.push(Signature::default());
         self.bodies.push(None);
@@ -198,16 +201,6 @@ impl<'a> Collector<'a> {
                 self.names.modules[module].globs.push((path, is_public));
                 Ok(())
             }
-        }
-    }
-}
-
-impl Trait {
-    fn called(name: &syn::Ident) -> Self {
-        Self {
-            name: name.to_string(),
-            methods: Vec::new(),
-            implemented_for: Vec::new(),
         }
     }
 }

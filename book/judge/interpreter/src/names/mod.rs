@@ -24,6 +24,9 @@ pub(crate) struct Names {
     /// The reader's functions for operators: those that change their left side, too.
     pub(crate) operators: Vec<(Sign, bool, usize)>,
     pub(crate) negations: Vec<usize>,
+    /// The reader's own kinds of rays and vectors, if they are not ours.
+    pub(crate) own_ray: Option<u32>,
+    pub(crate) own_vec3: Option<u32>,
 }
 
 /// A file, a part of one in brackets, or a function that declares something.
@@ -32,10 +35,11 @@ pub(crate) struct Module {
     name: String,
     pub(crate) file: u32,
     parent: usize,
-    /// Whether it is a function, which sees all that is around it.
+    /// True for a function, which sees all that is around it.
     is_block: bool,
     names: HashMap<String, Entry>,
-    /// What it imports by a `*`: names of its own go before these.
+    /// The modules that it imports by a `*`, and whether others see that: names of its own go
+    /// before these.
     globs: Vec<(Vec<String>, bool)>,
 }
 
@@ -45,11 +49,11 @@ struct Entry {
     is_public: bool,
 }
 
-/// What a name can be.
+/// A meaning of a name.
 #[derive(Clone, Debug)]
 pub(crate) enum Named {
     Module(usize),
-    /// What our chapters import.
+    /// The module that our chapters import.
     Prelude,
     Type(Type),
     Trait(usize),
@@ -67,7 +71,7 @@ pub(crate) enum Named {
     Import(Vec<String>),
 }
 
-/// Which part of a path was not found, and whether it is there but private.
+/// The number of the part of a path that was not found, which may be there but private.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Lost {
     part: usize,
@@ -81,7 +85,7 @@ pub(crate) struct Kind {
     pub(crate) module: usize,
     pub(crate) fields: Vec<Field>,
     pub(crate) derives: Vec<String>,
-    /// Whether its fields have numbers, or there are none: its name is a value.
+    /// True if its fields have numbers, or there are none: its name is a value.
     pub(crate) is_tuple: bool,
     pub(crate) at: At,
     /// The reader's own `default`.
@@ -105,7 +109,7 @@ pub(crate) struct Field {
     pub(crate) is_public: bool,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct Trait {
     pub(crate) name: String,
     /// The functions that an implementation has.
@@ -113,17 +117,17 @@ pub(crate) struct Trait {
     pub(crate) implemented_for: Vec<Type>,
 }
 
-/// What a function is declared to take and to give.
+/// The declaration of a function: its parameters, its result, and whose it is.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Signature {
     pub(crate) name: String,
     pub(crate) module: usize,
-    /// Where its body looks names up: itself, if it declares something.
+    /// The module in which its body looks names up: itself, if it declares something.
     pub(crate) inside: usize,
     pub(crate) at: At,
     pub(crate) is_public: bool,
     pub(crate) parameters: Vec<Type>,
-    /// Whether the first is `self`.
+    /// True if the first is `self`.
     pub(crate) has_self: bool,
     pub(crate) result: Type,
     /// Whose function it is, if it is in an `impl`.
@@ -134,7 +138,7 @@ pub(crate) struct Signature {
     pub(crate) is_constant: bool,
 }
 
-/// What a type is read with.
+/// The surroundings in which a type is read: its module, `Self` and type parameters.
 #[derive(Clone, Default)]
 pub(crate) struct Context {
     pub(crate) module: usize,
@@ -151,12 +155,12 @@ impl Context {
     }
 }
 
-/// By what a module is kept among names.
+/// Returns by what a module is kept among names.
 fn module_key(name: &str) -> String {
     format!("{name}::")
 }
 
-/// The names in a path, one after the other.
+/// Returns the names in a path, one after the other.
 pub(crate) fn names(path: &syn::Path) -> Vec<String> {
     let segments = path.segments.iter();
     segments.map(|it| it.ident.to_string()).collect()

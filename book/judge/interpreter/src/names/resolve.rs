@@ -1,18 +1,18 @@
 //! Name resolution: what a path means in a module, and who may see it.
 
-use super::{Lost, Named, Names, Signature, module_key, standard};
+use super::{Context, Lost, Named, Names, Signature, module_key, standard};
 use crate::types::Head;
 
 /// So many imports may follow each other.
 const LONGEST: u32 = 8;
 
 impl Names {
-    /// Whether a module is another one or is in it.
+    /// Finds whether a module is another one or is in it.
     fn is_within(&self, module: usize, other: usize) -> bool {
         module == other || module != 0 && self.is_within(self.modules[module].parent, other)
     }
 
-    /// The module that a function stands in.
+    /// Returns the module that a function stands in.
     fn file_module(&self, module: usize) -> usize {
         match &self.modules[module] {
             it if it.is_block => self.file_module(it.parent),
@@ -20,14 +20,22 @@ impl Names {
         }
     }
 
-    /// Whether what a module declares may be used in another.
+    /// Finds whether what a module declares may be used in another.
     pub(crate) fn sees(&self, from: usize, module: usize, is_public: bool) -> bool {
         is_public || self.is_within(from, module)
     }
 
-    /// What a path means in the module.
+    /// Finds what a path means in the module.
     pub(crate) fn found(&self, module: usize, path: &[String]) -> Result<Named, Lost> {
         self.resolved(module, path, 0)
+    }
+
+    /// Finds what a path means where `Self` has a meaning, too.
+    pub(crate) fn meant(&self, context: &Context, path: &[String]) -> Result<Named, Lost> {
+        match (path, &context.own) {
+            ([name], Some(own)) if name == "Self" => Ok(Named::Type(own.clone())),
+            (path, _) => self.found(context.module, path),
+        }
     }
 
     fn resolved(&self, from: usize, path: &[String], depth: u32) -> Result<Named, Lost> {
@@ -74,7 +82,7 @@ impl Names {
         Ok(named)
     }
 
-    /// What a single name means, where nothing says where it is from.
+    /// Finds what a single name means, where nothing says where it is from.
     fn seen(&self, from: usize, name: &str, depth: u32) -> Option<Named> {
         let own = self.member(from, from, name, depth).ok();
         let around = || match &self.modules[from] {
@@ -84,7 +92,7 @@ impl Names {
         own.or_else(around)
     }
 
-    /// What a module has by that name; if nothing, whether it is there and private.
+    /// Finds what a module has by that name; if nothing, whether it is there and private.
     fn member(&self, from: usize, module: usize, name: &str, depth: u32) -> Result<Named, bool> {
         let own = &self.modules[module];
         if let Some(entry) = own.names.get(name) {
@@ -109,14 +117,14 @@ impl Names {
         found.next().ok_or(false)
     }
 
-    /// Whether methods of the trait may be called in the module: it has it by its name.
+    /// Finds whether a module knows a trait by its name, so that its methods may be called.
     fn has_in_scope(&self, module: usize, of: usize) -> bool {
         let name = &self.traits[of].name;
         matches!(self.seen(module, name, 0), Some(Named::Trait(it)) if it == of)
     }
 
-    /// Whether a method may be called in a module: it is public there, or its trait is known by
-    /// name.
+    /// Finds whether a method may be called in a module: it is public there, or its trait is
+    /// known by name.
     pub(crate) fn shows(&self, module: usize, function: usize) -> bool {
         let own = &self.functions[function];
         match own.in_trait {
@@ -125,7 +133,7 @@ impl Names {
         }
     }
 
-    /// Whether what is of that type has the trait.
+    /// Finds whether what is of that type has the trait.
     pub(crate) fn implements(&self, head: Head, of: usize) -> bool {
         head == Head::Dyn(of)
             || self.traits[of]
@@ -134,14 +142,20 @@ impl Names {
                 .any(|it| it.0 == head)
     }
 
-    /// The function of that name in an `impl` for the type.
+    /// Returns the number of a struct.
+    pub(crate) fn kind(&self, name: &str) -> Option<u32> {
+        let kind = self.kinds.iter().position(|it| it.name == name)?;
+        Some(kind as u32)
+    }
+
+    /// Returns the function of that name in an `impl` for the type.
     pub(crate) fn method(&self, head: Head, name: &str) -> Option<usize> {
         let is_it =
             |it: &Signature| it.name == name && it.of.as_ref().is_some_and(|of| of.0 == head);
         self.functions.iter().position(is_it)
     }
 
-    /// All functions of that name in `impl`s, and whose they are.
+    /// Lists all functions of that name in `impl`s, and whose they are.
     pub(crate) fn methods(&self, name: &str) -> impl Iterator<Item = (Head, usize)> {
         let all = self.functions.iter().enumerate();
         all.filter_map(move |(n, it)| Some((it.of.as_ref().filter(|_| it.name == name)?.0, n)))

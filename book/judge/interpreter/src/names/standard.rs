@@ -5,7 +5,7 @@ use std::f64::consts;
 use super::Named;
 use crate::types::{Head, Int, Type};
 
-/// What `use common::rtweekend::*` brings.
+/// The names that `use common::rtweekend::*` brings.
 pub(super) const PRELUDE: [(&str, Named); 7] = [
     ("Vec3", Named::Type(Type(Head::Vec3, Vec::new()))),
     ("Point3", Named::Type(Type(Head::Vec3, Vec::new()))),
@@ -22,7 +22,7 @@ pub(super) fn prelude(name: &str) -> Option<Named> {
     known.or_else(|| (name == "Camera").then(|| Named::Standard(name.to_owned())))
 }
 
-/// What every file knows.
+/// Finds what every file knows by that name.
 pub(super) fn everywhere(name: &str) -> Option<Named> {
     let plain = |head: Head| Some(Named::Type(head.into()));
     match name {
@@ -41,7 +41,7 @@ pub(super) fn everywhere(name: &str) -> Option<Named> {
     }
 }
 
-/// What a path leads to that begins outside of the crate.
+/// Finds what a path leads to that begins outside of the crate.
 pub(super) fn by_path(path: &[String]) -> Option<Named> {
     let path: Vec<&str> = path.iter().map(String::as_str).collect();
     match path.as_slice() {
@@ -53,7 +53,7 @@ pub(super) fn by_path(path: &[String]) -> Option<Named> {
     }
 }
 
-/// What a module of the standard library has by that name.
+/// Finds what a module of the standard library has by that name.
 pub(super) fn within(module: &str, name: &str) -> Option<Named> {
     match module {
         "consts" => constant(name),
@@ -87,18 +87,6 @@ pub(crate) fn number(name: &str) -> Option<f64> {
         "MIN_POSITIVE" => f64::MIN_POSITIVE,
         "EPSILON" => f64::EPSILON,
         "NAN" => f64::NAN,
-        _ => return None,
-    })
-}
-
-/// Returns a constant of `f32`.
-pub(crate) fn single(name: &str) -> Option<f32> {
-    Some(match name {
-        "INFINITY" => f32::INFINITY,
-        "NEG_INFINITY" => f32::NEG_INFINITY,
-        "MAX" => f32::MAX,
-        "EPSILON" => f32::EPSILON,
-        "NAN" => f32::NAN,
         _ => return None,
     })
 }

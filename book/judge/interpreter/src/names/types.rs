@@ -2,6 +2,7 @@
 
 use syn::punctuated::Punctuated;
 
+use super::words::unexpected;
 use super::{Context, Named, Names, Signature, names};
 use crate::read::at;
 use crate::refusal::Refusal;
@@ -10,7 +11,7 @@ use crate::types::{Head, Type};
 type Read<T> = Result<T, Refusal>;
 
 impl Names {
-    /// A signature whose type parameters stand for what has their traits.
+    /// Reads a signature, whose type parameters stand for what has their traits.
     pub(crate) fn signature(&self, context: &Context, it: &syn::Signature) -> Read<Signature> {
         let file = self.modules[context.module].file;
         let mut context = context.clone();
@@ -61,7 +62,7 @@ impl Names {
         }
     }
 
-    /// The type that is written there.
+    /// Reads a type.
     pub(crate) fn ty(&self, context: &Context, ty: &syn::Type) -> Read<Type> {
         let one = |head, of: &syn::Type| Ok(Type::of(head, self.ty(context, of)?));
         let place = || at(self.modules[context.module].file, ty);
@@ -105,12 +106,10 @@ impl Names {
     }
 
     fn path(&self, context: &Context, path: &syn::Path) -> Read<Type> {
-        let module = context.module;
-        let place = at(self.modules[module].file, path);
+        let place = at(self.modules[context.module].file, path);
         let last = path.segments.last().expect("a path has a name");
         let names = names(path);
-        let own = context.own.as_ref().filter(|_| names == ["Self"]);
-        if let Some(ty) = own.or_else(|| context.parameters.get(&names.join("::"))) {
+        if let Some(ty) = context.parameters.get(&names.join("::")) {
             return Ok(ty.clone());
         }
         let arguments = match &last.arguments {
@@ -123,35 +122,28 @@ impl Names {
             }
             _ => Vec::new(),
         };
-        match self.found(module, &names) {
-            Ok(Named::Type(ty)) => Ok(ty),
-            Ok(Named::Generic(head)) if arguments.len() == 1 => Ok(Type(head, arguments)),
-            Ok(Named::Generic(_)) => {
+        match self.expected(context, &names, "type", place)? {
+            Named::Type(ty) => Ok(ty),
+            Named::Generic(head) if arguments.len() == 1 => Ok(Type(head, arguments)),
+            Named::Generic(_) => {
                 let message = format!("missing generics for `{}`", last.ident);
-                let help = format!("`{}<T>`", last.ident);
-                Err(Refusal::new(
-                    place,
-                    message,
+                let (label, help) = (
                     "expected 1 generic argument",
-                    &help,
-                ))
+                    format!("`{}<T>`", last.ident),
+                );
+                Err(Refusal::new(place, message, label, &help))
             }
-            Ok(Named::Trait(found)) => {
+            Named::Trait(found) => {
                 let name = &self.traits[found].name;
                 let message = format!("expected a type, found the trait `{name}`");
                 let help = format!("`&dyn {name}`, or `Box<dyn {name}>`");
                 Err(Refusal::new(place, message, "", &help))
             }
-            Ok(Named::Standard(name)) => Err(Refusal::unread(place, &format!("`{name}`"))),
-            Ok(_) => {
-                let message = format!("expected type, found `{}`", last.ident);
-                Err(Refusal::new(place, message, "not a type", ""))
-            }
-            Err(lost) => Err(self.not_found(module, place, "type", &names, lost)),
+            _ => Err(unexpected("type", &names, place)),
         }
     }
 
-    /// What has these traits: functions, and whatever has a trait of the reader's.
+    /// Reads the type of what has these traits: functions, and what has one of the reader's.
     fn bounded(
         &self,
         context: &Context,
@@ -167,15 +159,17 @@ impl Names {
                     let inputs = it.inputs.iter().map(|it| &it.ty);
                     return self.function_type(context, inputs, &it.output);
                 }
-                _ => match self.found(context.module, &names(&bound.path)) {
-                    Ok(Named::Trait(found)) => return Ok(Head::Dyn(found).into()),
-                    Ok(_) => {}
-                    Err(lost) => {
-                        let (module, path) = (context.module, names(&bound.path));
-                        let place = at(self.modules[module].file, &bound.path);
-                        return Err(self.not_found(module, place, "trait", &path, lost));
+                _ => {
+                    let place = at(self.modules[context.module].file, &bound.path);
+                    let path = names(&bound.path);
+                    if matches!(self.meant(context, &path), Ok(Named::Standard(_))) {
+                        continue;
                     }
-                },
+                    let Named::Trait(found) = self.expected(context, &path, "trait", place)? else {
+                        return Err(unexpected("trait", &path, place));
+                    };
+                    return Ok(Head::Dyn(found).into());
+                }
             }
         }
         Ok(Type::UNKNOWN)

@@ -2,7 +2,7 @@
 
 use strsim::levenshtein;
 
-use super::{Lost, Names, standard};
+use super::{Context, Lost, Named, Names, standard};
 use crate::refusal::{At, Refusal};
 use crate::types::{Head, Int, Type};
 
@@ -24,6 +24,21 @@ impl Names {
             String::new()
         };
         Refusal::new(at, message, &label, &help)
+    }
+
+    /// Finds what a path means that should be the name of something, or says what is wrong.
+    pub(crate) fn expected(
+        &self,
+        context: &Context,
+        path: &[String],
+        what: &str,
+        at: At,
+    ) -> Result<Named, Refusal> {
+        match self.meant(context, path) {
+            Ok(Named::Standard(name)) => Err(Refusal::unread(at, &format!("`{name}`"))),
+            Ok(named) => Ok(named),
+            Err(lost) => Err(self.not_found(context.module, at, what, path, lost)),
+        }
     }
 
     /// Says that there is no such name, and which one was meant.
@@ -69,7 +84,7 @@ impl Names {
         }
     }
 
-    /// That nothing has a field of that name, or that what is of this type has none.
+    /// Says that nothing has a field of that name, or that what is of this type has none.
     pub(crate) fn no_field(&self, name: &str, ty: &Type, at: At) -> Refusal {
         let help = if self.methods(name).next().is_some() {
             format!("`{name}` is a method: `.{name}(…)`")
@@ -84,14 +99,14 @@ impl Names {
         Refusal::new(at, format!("no field `{name}`{on}"), "unknown field", &help)
     }
 
-    /// That something else is declared than is found, which is said in these words.
+    /// Says that something else is declared than is found, which is said in these words.
     pub(crate) fn mismatch(&self, wanted: &Type, found: &Type, said: &str, at: At) -> Refusal {
         let label = format!("expected {}, found {said}", wanted.said(self));
         Refusal::new(at, "mismatched types", &label, help(wanted, found))
     }
 }
 
-/// What to do where a type is not what is wanted.
+/// Says what to do where a type is not what is wanted.
 fn help(wanted: &Type, found: &Type) -> &'static str {
     let is_like = |wanted: &Type| {
         wanted.is_unknown() || wanted.0 == found.0 || matches!(wanted.0, Head::Dyn(_))
@@ -115,7 +130,7 @@ fn help(wanted: &Type, found: &Type) -> &'static str {
 }
 
 impl Type {
-    /// The type as the compiler says it in a label: in its quotes if it has a name.
+    /// Returns the type as the compiler says it in a label: in its quotes if it has a name.
     pub(crate) fn said(&self, names: &Names) -> String {
         match self.0 {
             Head::Int(Int::Any) => "integer".to_owned(),
@@ -123,7 +138,7 @@ impl Type {
         }
     }
 
-    /// The same in a message.
+    /// Returns the name of the type as the compiler has it in a message.
     pub(crate) fn name(&self, names: &Names) -> String {
         let all: Vec<String> = self.1.iter().map(|it| it.name(names)).collect();
         let of = |name: &str| format!("{name}<{}>", all.join(", "));
@@ -165,19 +180,25 @@ impl Type {
     }
 }
 
-/// That something is there, but not to be used here.
+/// Says that a path means something else than it should.
+pub(crate) fn unexpected(what: &str, path: &[String], at: At) -> Refusal {
+    let message = format!("expected {what}, found `{}`", path.join("::"));
+    Refusal::new(at, message, &format!("not a {what}"), "")
+}
+
+/// Says that something is there, but not to be used here.
 pub(crate) fn private(what: &str, name: &str, at: At) -> Refusal {
     let message = format!("{what} `{name}` is private");
     let help = "`pub` before it shows it to other files";
     Refusal::new(at, message, &format!("private {what}"), help)
 }
 
-/// Which name was meant, if one is like it.
+/// Says which name was meant, if one is like it.
 pub(crate) fn there_is<'a>(name: &str, among: impl Iterator<Item = &'a str>) -> String {
     similar(name, among).map_or(String::new(), |it| format!("there is `{it}`"))
 }
 
-/// The name that is most like this one, if one is.
+/// Finds the name that is most like this one, if one is.
 fn similar<'a>(name: &str, among: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     let near = |other: &&str| {
         let distance = levenshtein(name, other);

@@ -1,0 +1,97 @@
+//! `match`: arms that are tried one after the other, and what none of them matches.
+
+use super::patterns::{Pattern, Shape};
+use super::{Expr, Lowered, Lowerer};
+use crate::machine::{Form, Run};
+use crate::types::Type;
+
+struct Arm {
+    pattern: Pattern,
+    guard: Option<Run>,
+    body: Run,
+}
+
+impl Lowerer<'_> {
+    /// Lowers `match`, whose arms come to a value of that type.
+    pub(super) fn matching(&mut self, it: &syn::ExprMatch, ty: &Type) -> Lowered {
+        let of = self.expr(&it.expr)?.run;
+        let (mut arms, mut is_left) = (Vec::new(), !it.arms.is_empty());
+        for arm in &it.arms {
+            let (pattern, guard) = match &arm.pat {
+                syn::Pat::Guard(it) => (&*it.pat, Some(&it.guard)),
+                pattern => (pattern, None),
+            };
+            let (pattern, guard, mut body) = self.scoped(|own| {
+                let pattern = own.pattern(pattern, false)?;
+                let guard = guard.map(|it| own.given(it, &Type::BOOL)).transpose()?;
+                Ok((pattern, guard.map(|it| it.run), own.given(&arm.body, ty)?))
+            })?;
+            is_left &= body.never_ends();
+            if !matches!(*arm.body, syn::Expr::Block(_)) {
+                body = self.marked(body, self.at(&arm.body));
+            }
+            let body = body.run;
+            arms.push(Arm {
+                pattern,
+                guard,
+                body,
+            });
+        }
+        let shapes = arms
+            .iter()
+            .map(|it| (&it.pattern.shape, it.guard.is_none()));
+        if let Some(missing) = missing(&shapes.collect::<Vec<_>>()) {
+            let message = format!("non-exhaustive patterns: `{missing}` not covered");
+            return self.refused(self.at(&it.expr), message);
+        }
+        let at = self.at_any(&it.match_token);
+        let made = Expr::new(at, move |m| {
+            let value = of.eval(m)?;
+            for arm in &arms {
+                let is_it = arm.pattern.binds(m, &value)?;
+                if is_it
+                    && arm
+                        .guard
+                        .as_ref()
+                        .map_or(Ok(true), |it| Ok(it.eval(m)?.truth()))?
+                {
+                    return arm.body.eval(m);
+                }
+            }
+            m.wrong(at, "non-exhaustive patterns: no arm matches this value", "")
+        });
+        Ok(if is_left {
+            made.shown(Form::Never)
+        } else {
+            made
+        })
+    }
+}
+
+/// Finds what no arm matches, where that is plain: of options, of what is true or not, of
+/// numbers. Of each arm it is known whether it has no guard.
+fn missing(arms: &[(&Shape, bool)]) -> Option<&'static str> {
+    fn flat<'s>(shape: &'s Shape, is_sure: bool, all: &mut Vec<(&'s Shape, bool)>) {
+        match shape {
+            Shape::Or(ways) => ways.iter().for_each(|it| flat(it, is_sure, all)),
+            shape => all.push((shape, is_sure)),
+        }
+    }
+    let mut all = Vec::new();
+    for &(shape, is_sure) in arms {
+        flat(shape, is_sure, &mut all);
+    }
+    let has = |wanted: Shape| all.iter().any(|it| *it.0 == wanted);
+    let sure = |wanted: &Shape| all.iter().any(|it| it.1 && it.0 == wanted);
+    let ways = if sure(&Shape::Any) || all.is_empty() {
+        return None;
+    } else if has(Shape::Bool(true)) || has(Shape::Bool(false)) {
+        [(Shape::Bool(true), "true"), (Shape::Bool(false), "false")]
+    } else if has(Shape::None) || has(Shape::Some) {
+        [(Shape::None, "None"), (Shape::Some, "Some(_)")]
+    } else {
+        let is_number = |it: &(&Shape, bool)| *it.0 == Shape::Number;
+        return all.iter().all(is_number).then_some("_");
+    };
+    ways.into_iter().find(|it| !sure(&it.0)).map(|it| it.1)
+}
