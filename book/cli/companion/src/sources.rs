@@ -2,87 +2,244 @@
 
 use std::ffi::OsString;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::time::SystemTime;
 
+use check::names;
 use check::sources::Sources;
+use language::Language;
 use slips::{Chapter, Edition, Letters};
 
 use crate::short;
 
+/// What was found of a program.
+#[derive(Default)]
+pub(crate) struct Found {
+    /// Its files, as far as they are known.
+    pub(crate) sources: Sources,
+    /// Their language.
+    pub(crate) language: Option<Language>,
+    /// Why none was read, though some lie there, and which would be.
+    pub(crate) why_none: Option<String>,
+}
+
+impl Found {
+    /// The letters in which a slip can be said.
+    pub(crate) fn letters(&self) -> Option<Letters> {
+        match self.language? {
+            Language::Rust => Some(Letters::Rust),
+            Language::Python => Some(Letters::Python(Edition::V4)),
+            _ => None,
+        }
+    }
+}
+
 /// Reads the files of a crate that `start` made, beside those of the chapter.
 pub(crate) fn of_crate(folder: &Path, chapter: Chapter) -> Sources {
-    Sources::of_chapter(files_in(&folder.join("src"), "src/"), chapter)
+    let files = all_in(folder, Path::new("src"));
+    Sources::of_chapter(texts(folder, &files), chapter)
 }
 
-/// Reads the files of a program of the reader's own, and finds their language: the one that its
-/// command names, or else those of the folder, unless it has several programs.
-pub(crate) fn of_program(words: &[OsString], folder: &Path) -> (Sources, Option<Letters>) {
-    let named = words.iter().map(|word| folder.join(word));
-    let named: Vec<_> = named.filter(|path| is_source(path)).collect();
-    let files = match &named[..] {
-        [] => [files_in(folder, ""), files_in(&folder.join("src"), "src/")].concat(),
-        paths => paths.iter().filter_map(|path| file(path, "")).collect(),
-    };
-    let is_program = |(_, text): &&(String, String)| text.contains(" main(");
-    if files.iter().filter(is_program).count() > 1 {
-        return (Sources::default(), None);
-    }
-    let first = files.first().and_then(|(name, _)| language(name.as_ref()));
-    (Sources::new(files, Vec::new()), first.flatten())
+/// Finds the files of a program of the reader's own: those that its command names, or that are
+/// called as the program is, or all, if they are one program.
+pub(crate) fn of_program(words: &[OsString], folder: &Path) -> Found {
+    let command = words.iter().filter_map(|it| it.to_str());
+    let is_end = |c: char| c.is_whitespace() || "'\"=;&|".contains(c);
+    let words: Vec<&str> = command.flat_map(|it| it.split(is_end)).collect();
+    found(folder, all_in(folder, Path::new("")), &words)
 }
 
-/// Reads the only source in a picture's folder, and finds its language, unless it was changed after
-/// the picture was drawn.
-pub(crate) fn beside(picture: &Path) -> (Sources, Option<Letters>) {
-    let changed = |path: &Path| fs::metadata(path).and_then(|it| it.modified()).ok();
+/// Finds the files in a picture's folder from which it was drawn: none that was changed later.
+pub(crate) fn beside(picture: &Path) -> Found {
     let folder = picture.parent().unwrap_or(Path::new(""));
     let folder = if folder.as_os_str().is_empty() {
         Path::new(".")
     } else {
         folder
     };
-    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
-    let sources = entries
-        .map(|entry| entry.path())
-        .filter(|path| is_source(path));
-    match &sources.collect::<Vec<_>>()[..] {
-        [source] if changed(source) <= changed(picture) => {
-            of_program(&[source.into()], Path::new(""))
-        }
-        _ => (Sources::default(), None),
+    let drawn = changed(picture);
+    let (files, newer): (Vec<_>, Vec<_>) = all_in(folder, Path::new(""))
+        .into_iter()
+        .partition(|it| changed(&folder.join(it)) <= drawn);
+    let name = picture.file_name().and_then(|it| it.to_str());
+    match &newer[..] {
+        [] => found(folder, files, &[name.unwrap_or_default()]),
+        [first, ..] => Found {
+            why_none: Some(format!(
+                "No source was read: {} was changed after the picture was drawn.",
+                names::spelled(first)
+            )),
+            ..Found::default()
+        },
     }
 }
 
-/// Returns true if the file is a source in a language that is known here.
+fn changed(path: &Path) -> Option<SystemTime> {
+    fs::metadata(path).and_then(|it| it.modified()).ok()
+}
+
+/// Chooses among the files those of one program, by the words with which it is run.
+fn found(folder: &Path, files: Vec<PathBuf>, words: &[&str]) -> Found {
+    let is_named = |it: &&PathBuf| {
+        words
+            .iter()
+            .any(|word| Path::new(word.trim_start_matches("./")) == **it)
+    };
+    let stems: Vec<&str> = words
+        .iter()
+        .filter_map(|word| Path::new(word).file_stem()?.to_str())
+        .collect();
+    let is_called_so = |it: &&PathBuf| stem(it).is_some_and(|stem| stems.contains(&stem));
+    let texts = texts(folder, &files);
+    let is_main = |it: &&PathBuf| {
+        let text = texts.iter().find(|(name, _)| Path::new(name) == **it);
+        text.is_some_and(|(_, text)| begins(text))
+    };
+    let choose =
+        |is: &dyn Fn(&&PathBuf) -> bool| files.iter().filter(|it| is(it)).collect::<Vec<_>>();
+    let mut chosen = choose(&is_named);
+    if chosen.is_empty() {
+        chosen = choose(&is_called_so);
+    }
+    let programs = choose(&is_main);
+    let all = match (chosen.is_empty(), programs.len()) {
+        (true, 2..) => {
+            let names: Vec<_> = programs
+                .iter()
+                .take(3)
+                .map(|it| names::spelled(it).to_string())
+                .collect();
+            return Found {
+                why_none: Some(format!(
+                    "No source was read: {} are programs of their own. One that is called as your program is would be, or that your command names.",
+                    names.join(", ")
+                )),
+                ..Found::default()
+            };
+        }
+        (true, _) => texts,
+        (false, _) => with_imports(&chosen, &programs, texts),
+    };
+    let language = all.first().and_then(|(name, _)| Language::of_file(name));
+    Found {
+        sources: Sources::new(all, Vec::new()),
+        language,
+        why_none: None,
+    }
+}
+
+/// Adds to the chosen files those that they take in, directly or not: by the stem in a line that
+/// does so, or, where a folder is a package, all that are no program.
+fn with_imports(
+    chosen: &[&PathBuf],
+    programs: &[&PathBuf],
+    texts: Vec<(String, String)>,
+) -> Vec<(String, String)> {
+    let is = |name: &str, all: &[&PathBuf]| all.iter().any(|it| it.as_path() == Path::new(name));
+    let (mut taken, mut rest): (Vec<_>, Vec<_>) =
+        texts.into_iter().partition(|(name, _)| is(name, chosen));
+    let mut next = 0;
+    while next < taken.len() {
+        let (name, text) = taken[next].clone();
+        let language = Language::of_file(&name);
+        let (more, others) = rest.into_iter().partition(|(other, _)| {
+            Language::of_file(other) == language
+                && (imports(&text, other) || takes_its_folder(language) && !is(other, programs))
+        });
+        taken.extend::<Vec<_>>(more);
+        (rest, next) = (others, next + 1);
+    }
+    taken
+}
+
+fn takes_its_folder(language: Option<Language>) -> bool {
+    use Language::{CSharp, Go, Java, Kotlin, Rust, Swift};
+    matches!(language, Some(CSharp | Go | Java | Kotlin | Rust | Swift))
+}
+
+/// Returns true if a line of the text takes in the file of that name.
+fn imports(text: &str, name: &str) -> bool {
+    let is_import = |line: &&str| {
+        let words = ["#include", "import", "from", "export"];
+        words.iter().any(|it| line.starts_with(it)) || line.contains("require(")
+    };
+    let is_word = |c: char| c.is_alphanumeric() || c == '_';
+    let stem = Path::new(name).file_stem().and_then(|it| it.to_str());
+    let lines = text.lines().map(str::trim).filter(is_import);
+    lines
+        .flat_map(|line| line.split(|c| !is_word(c)))
+        .any(|word| Some(word) == stem)
+}
+
+/// Returns true if a program begins in the text.
+fn begins(text: &str) -> bool {
+    [" main(", "__main__", "Main(string"]
+        .iter()
+        .any(|it| text.contains(it))
+}
+
+fn stem(path: &Path) -> Option<&str> {
+    path.file_stem()?.to_str()
+}
+
+/// Returns true if the file is a source in a language that is read here.
 pub(crate) fn is_source(path: &Path) -> bool {
     language(path).is_some()
 }
 
-/// No program of these chapters has more files.
+/// Returns the language of a source file.
+pub(crate) fn language(path: &Path) -> Option<Language> {
+    Language::of_file(path.file_name()?.to_str()?)
+}
+
+/// No program of these chapters has more files, or deeper folders.
 const MOST_FILES: usize = 40;
+const DEEPEST: usize = 3;
+/// Folders of others, and of what was built.
+const OTHERS: [&str; 7] = [
+    "target",
+    "build",
+    "node_modules",
+    "venv",
+    "dist",
+    "out",
+    "bin",
+];
 
-/// Reads the sources in the folder itself, by their names, with `before` before them.
-fn files_in(folder: &Path, before: &str) -> Vec<(String, String)> {
-    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
-    let mut paths: Vec<_> = entries.map(|entry| entry.path()).collect();
-    paths.sort();
-    let sources = paths.iter().filter(|path| is_source(path));
-    let files = sources.filter_map(|path| file(path, before));
-    files.take(MOST_FILES).collect()
-}
-
-fn file(path: &Path, before: &str) -> Option<(String, String)> {
-    let text = short::text(path).ok()?;
-    Some((format!("{before}{}", path.file_name()?.display()), text))
-}
-
-/// Finds the language of a source file, in which a slip can be said if it has a name here; `None`
-/// for any other file.
-pub(crate) fn language(path: &Path) -> Option<Option<Letters>> {
-    match path.extension()?.to_str()? {
-        "rs" => Some(Some(Letters::Rust)),
-        "py" => Some(Some(Letters::Python(Edition::V4))),
-        "cc" | "cpp" | "cxx" | "c" | "h" | "hpp" => Some(None),
-        _ => None,
+/// Lists the sources in the folder and below, as seen from there, the nearest first.
+fn all_in(folder: &Path, below: &Path) -> Vec<PathBuf> {
+    let mut all = Vec::new();
+    let mut folders = vec![below.to_owned()];
+    for _ in 0..=DEEPEST {
+        let mut next = Vec::new();
+        for below in folders {
+            let entries = fs::read_dir(folder.join(&below))
+                .into_iter()
+                .flatten()
+                .flatten();
+            let mut paths: Vec<_> = entries.map(|it| below.join(it.file_name())).collect();
+            paths.sort();
+            for path in paths.into_iter().filter(|it| !is_of_others(it)) {
+                match folder.join(&path).symlink_metadata() {
+                    Ok(it) if it.is_dir() => next.push(path),
+                    Ok(_) if is_source(&path) => all.push(path),
+                    _ => {}
+                }
+            }
+        }
+        folders = next;
     }
+    all.truncate(MOST_FILES);
+    all
+}
+
+fn is_of_others(path: &Path) -> bool {
+    let name = path.file_name().and_then(|it| it.to_str());
+    name.is_none_or(|it| it.starts_with(['.', '_']) || OTHERS.contains(&it))
+}
+
+/// Reads the files, as far as they are texts that are not too long.
+fn texts(folder: &Path, files: &[PathBuf]) -> Vec<(String, String)> {
+    let text = |it: &PathBuf| Some((it.to_str()?.to_owned(), short::text(&folder.join(it)).ok()?));
+    files.iter().filter_map(text).collect()
 }

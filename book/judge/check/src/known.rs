@@ -10,7 +10,7 @@ use crate::reading::Reading;
 use crate::scene::Scene;
 use crate::search::{self, Drawn, Repair};
 pub(crate) use crate::sources::Said;
-use crate::sources::{Line, Sources};
+use crate::sources::{Found, Sources};
 
 /// How many answers were given, and how many of them a program would not give.
 pub type Asked<'a> = dyn Fn(&Program) -> (usize, usize) + 'a;
@@ -74,27 +74,19 @@ impl Known<'_> {
 
     /// Whether the slip's line is right in the reader's files once they are repaired.
     pub(crate) fn is_mended(&self, slip: &Slip, scene: &Scene, repair: &Repair) -> bool {
-        let words = self.words(slip, scene);
         let repaired = Sources::new(repair.files.clone(), Vec::new());
-        self.sources.say(&words) == Said::Wrong && repaired.say(&words) == Said::Right
+        self.sources.say(slip, scene).0 == Said::Wrong && repaired.say(slip, scene).0 == Said::Right
     }
 
     /// What the reader's files say of the slip. A line that an older edition has is wrong in
     /// a mixture only, which no single line tells.
     pub(crate) fn said(&self, slip: &Slip, scene: &Scene) -> Said {
-        let is_mixture =
-            slip.is_of_another_edition(scene.chapter) && self.letters != Some(Letters::Rust);
-        match self.sources.say(&self.words(slip, scene)) {
-            Said::Wrong if is_mixture => Said::Neither,
-            said => said,
-        }
+        self.sources.say(slip, scene).0
     }
 
     /// The reader's line that makes the slip, if it is found.
-    pub(crate) fn line_of(&self, slip: &Slip, scene: &Scene) -> Option<Line> {
-        let is_wrong = self.said(slip, scene) == Said::Wrong;
-        let line = || self.sources.line_of(self.words(slip, scene));
-        is_wrong.then(line).flatten()
+    pub(crate) fn line_of(&self, slip: &Slip, scene: &Scene) -> Option<Found> {
+        self.sources.say(slip, scene).1
     }
 
     /// Whether the reader's functions answer as the program would.

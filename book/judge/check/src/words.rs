@@ -1,6 +1,6 @@
 //! The sentences of a finding, once for terminal, page and report.
 
-use std::{fmt, iter};
+use std::iter;
 
 use slips::{Chapter, Letters, Probe, Slip};
 
@@ -9,7 +9,7 @@ use crate::candidate::{Conversion, Left};
 use crate::known::Known;
 use crate::scene::Scene;
 use crate::search::{Change, Drawn, Mutant, Repair, Right};
-use crate::sources::Line;
+use crate::sources::{Found, Line};
 use crate::verdict::{Finding, Mistakes, Near};
 
 /// So many mistakes that draw the same are named.
@@ -27,7 +27,7 @@ impl Finding {
                 .map(|slip| known.words(slip, &self.scene).why);
             let why = why.filter(|why| !why.is_empty());
             let why = why.map(|why| ("why", why.to_owned()));
-            return repair.rows(known, &self.scene).chain(why).collect();
+            return repair.rows().chain(why).collect();
         }
         if self.near.is_some() {
             return Vec::new();
@@ -122,15 +122,20 @@ impl Mistakes {
     fn in_full(&self, mistake: &[&'static Slip], known: &Known) -> Vec<Row> {
         let rows = mistake.iter().flat_map(|slip| {
             let words = known.words(slip, &self.scene);
-            let wrong = match known.line_of(slip, &self.scene) {
-                Some(line) => ("yours", line.to_string()),
-                None if self.is_in_text => ("probably", words.wrong.into_owned()),
-                None => ("perhaps", words.wrong.into_owned()),
+            let label = if self.is_in_text {
+                "probably"
+            } else {
+                "perhaps"
             };
-            let lines = [wrong, ("should be", words.right.into_owned())];
-            let lines = lines.into_iter().filter(|(_, said)| !said.is_empty());
-            let why = Some(words.why).filter(|why| !why.is_empty());
-            lines.chain(why.map(|why| ("why", why.to_owned())))
+            let lines = match known.line_of(slip, &self.scene) {
+                Some(found) => found.rows(),
+                None => vec![
+                    (label, words.wrong.into_owned()),
+                    ("should be", words.right.into_owned()),
+                ],
+            };
+            let lines = lines.into_iter().chain([("why", words.why.to_owned())]);
+            lines.filter(|(_, said)| !said.is_empty())
         });
         rows.collect()
     }
@@ -154,12 +159,18 @@ impl Drawn {
             if it.wrong.is_empty() {
                 return vec![("missing", typed(&it.right))];
             }
-            let label = if it.is_in_text { "probably" } else { "perhaps" };
-            return vec![(label, typed(&it.wrong)), ("should be", typed(&it.right))];
+            return match &it.yours {
+                Some(yours) => yours.rows(),
+                None => vec![
+                    ("perhaps", typed(&it.wrong)),
+                    ("should be", typed(&it.right)),
+                ],
+            };
         }
-        let said = |it: &Mutant| match &*it.wrong {
-            "" => format!("{}  left out", typed(&it.right)),
-            wrong => typed(wrong),
+        let said = |it: &Mutant| match (&*it.wrong, &it.yours) {
+            (_, Some(yours)) => yours.line.to_string(),
+            ("", None) => format!("{}  left out", typed(&it.right)),
+            (wrong, None) => typed(wrong),
         };
         let labels = iter::once("perhaps").chain(iter::repeat("or"));
         let rows = labels.zip(self.all.iter().map(said));
@@ -220,7 +231,7 @@ pub fn names_of(mistake: &[&'static Slip]) -> String {
 
 impl Repair {
     /// The reader's lines and what should be there, and that it was tried.
-    fn rows(&self, known: &Known, scene: &Scene) -> impl Iterator<Item = Row> {
+    fn rows(&self) -> impl Iterator<Item = Row> {
         let with = match &self.changes[..] {
             [_] => "with it",
             _ => "with all of this",
@@ -228,7 +239,7 @@ impl Repair {
         let is_foreign = matches!(
             &self.changes[..],
             [Change {
-                right: Right::InRust(_),
+                right: Right::Spelled(_),
                 ..
             }]
         );
@@ -239,34 +250,28 @@ impl Repair {
         } else {
             format!("{with} your program draws the picture")
         };
-        let letters = known.letters.unwrap_or(Letters::Book(scene.edition));
-        let changes = self.changes.iter();
-        let changes = changes.flat_map(move |it| it.rows(letters, scene.chapter));
+        let changes = self.changes.iter().flat_map(Change::rows);
         changes.chain([("tried", tried)])
     }
 }
 
 impl Change {
-    fn rows(&self, letters: Letters, chapter: Chapter) -> Vec<Row> {
+    fn rows(&self) -> Vec<Row> {
         let Line { file, number, .. } = &self.yours;
         let right = match &self.right {
             Right::More(line) => {
                 return vec![("missing", format!("above {file}:{number}  {line}"))];
             }
-            Right::Line(line) => line.clone(),
+            Right::Line(line) | Right::Spelled(line) => line.clone(),
             Right::Nothing => "left out".to_owned(),
-            Right::InRust(line) => {
-                let line = letters.spelled(line, chapter);
-                let line = line.trim_start_matches("let ");
-                line.trim_start_matches("mut ").to_owned()
-            }
         };
         vec![("yours", self.yours.to_string()), ("should be", right)]
     }
 }
 
-impl fmt::Display for Line {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}:{}  {}", self.file, self.number, self.text)
+impl Found {
+    fn rows(&self) -> Vec<Row> {
+        let yours = ("yours", self.line.to_string());
+        vec![yours, ("should be", self.right.clone())]
     }
 }

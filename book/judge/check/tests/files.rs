@@ -129,7 +129,6 @@ int main() {
 fn a_mistake_is_only_a_perhaps_beside_a_text_that_does_not_have_its_line() {
     let scene = scene(Chapter::HittableList);
     for name in [
-        "ground-not-added",
         "h-sign",
         "integer-viewport-ratio",
         "column-and-row-swapped",
@@ -141,7 +140,10 @@ fn a_mistake_is_only_a_perhaps_beside_a_text_that_does_not_have_its_line() {
         let rows = rows(&scene, &picture, &in_cpp(LIST));
         let is_named = |(label, _): &Row| ["probably", "yours"].contains(label);
         assert!(!rows.iter().any(is_named), "{name}: {rows:?}");
-        assert_eq!(rows[0].0, "perhaps", "{name}: {rows:?}");
+        assert!(
+            rows.first().is_some_and(|it| it.0 == "perhaps"),
+            "{name}: {rows:?}"
+        );
     }
 }
 

@@ -16,7 +16,6 @@ use check::known::Known;
 use check::names::{self, companion};
 use check::reading::{self, Reading};
 use check::scene::Scene;
-use check::sources::Sources;
 use check::verdict::{self, Check};
 use clap::Args;
 use clap::builder::TypedValueParser;
@@ -28,6 +27,7 @@ pub(crate) use text::Style;
 
 use crate::chapter::{ChapterOrPicture, First, named};
 use crate::misuse::complain;
+use crate::sources::Found;
 use crate::{files, sources};
 
 /// The words behind `cargo rtrace check`.
@@ -87,15 +87,16 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
         .map(|chapter| arguments.scene(chapter))
         .transpose()?;
     // What a program is made of may lie beside it.
-    let (sources, letters) = match source {
+    let found = match source {
         Source::File(picture) => sources::beside(picture),
-        Source::Stdin => (Sources::default(), None),
+        Source::Stdin => Found::default(),
         Source::Program(words) => sources::of_program(words, Path::new(".")),
     };
+    let letters = found.letters();
     let can_be_made = |slip: &Slip| letters.is_none_or(|letters| slip.can_be_made_in(letters));
     let known = Known {
         letters,
-        sources,
+        sources: found.sources,
         can_be_made: Some(&can_be_made),
         ..Known::default()
     };
@@ -105,7 +106,10 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
         .map(|folder| page::write(folder, &judged))
         .transpose();
     let page = report.as_ref().ok().and_then(Option::as_deref);
-    let said = text::text(&judged, page, Style::of_stdout());
+    let mut said = text::text(&judged, page, Style::of_stdout());
+    if let Some(why) = found.why_none.filter(|_| judged.check.finding().is_some()) {
+        said += &format!("\n{why}\n");
+    }
     output::to_stdout(|out| out.write_all(said.as_bytes()))?;
     // The picture is judged all the same.
     report.map(|_| judged.check.exit_code())

@@ -17,6 +17,7 @@ use check::names;
 use clap::Args;
 use common::engine::output;
 use common::rtweekend::*;
+use language::Language;
 use slips::{Chapter, Edition, Letters, lawful};
 
 use crate::chapter::OneOf;
@@ -132,7 +133,11 @@ impl<'a> Asked<'a> {
     fn letters(&self) -> Letters {
         let mut words = self.arguments.program.iter();
         let named = words.find_map(|word| sources::language(word.as_ref()));
-        named.flatten().unwrap_or(Letters::Book(Edition::V4))
+        match named {
+            Some(Language::Rust) => Letters::Rust,
+            Some(Language::Python) => Letters::Python(Edition::V4),
+            _ => Letters::Book(Edition::V4),
+        }
     }
 
     /// Asks first what is short to feed by hand: a ray from the eye past the ball, so that the word

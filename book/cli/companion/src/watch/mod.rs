@@ -242,7 +242,9 @@ impl Subject {
             let sources = sources::of_crate(&self.folder, chapter);
             (sources, Some(Letters::Rust))
         } else {
-            sources::of_program(&self.program, &self.folder)
+            let found = sources::of_program(&self.program, &self.folder);
+            let letters = found.letters();
+            (found.sources, letters)
         };
         let has_own_prelude = self.folder.join("src/rtweekend.rs").exists();
         let can_be_made = |slip: &Slip| {

@@ -8,14 +8,13 @@ use laws::answers::Answers;
 use slips::{Output, Program};
 
 use super::edit::Edit;
-use super::foreign::{Lines, Transplant};
 use super::functions::Function;
 use super::goal::answers;
 use super::mutation;
 use super::tree::squeezed;
 use crate::pixels::{distance, spread};
 use crate::reading::Reading;
-use crate::sources::{Line, Said};
+use crate::sources::{Difference, Found, Lines, Said, Transplant};
 
 /// So many wrong and right pixels are looked at first, and then so many of all.
 const FIRST: u32 = 24;
@@ -43,8 +42,8 @@ pub struct Mutant {
     pub right: String,
     /// The same with the edit, or nothing if it is left out.
     pub wrong: String,
-    /// Whether it stands in the reader's files.
-    pub(crate) is_in_text: bool,
+    /// The reader's line that has it, and what should be there.
+    pub(crate) yours: Option<Found>,
     does: Option<Does>,
 }
 
@@ -88,21 +87,17 @@ impl<'a> Forwards<'a> {
 
     /// Finds the reader's line with which the chapter draws the picture. Where several do, as with
     /// one that shows only sky, it is one that stands for what the chapter's stands for.
-    pub(super) fn transplanted(&self) -> Option<(Line, String)> {
+    pub(super) fn transplanted(&self) -> Option<Found> {
         let all = self.lines.transplants().into_iter();
         let found: Vec<_> = all.filter(|it| self.is_drawn_with(it)).collect();
-        let is_one = |all: &[Transplant]| all.iter().all(|it| it.line == all[0].line);
+        let is_one = |all: &[Transplant]| all.iter().all(|it| it.yours.line == all[0].yours.line);
         let mut same = found.iter().filter(|it| it.has_same_role);
-        let it = same
-            .next()
-            .or_else(|| found.first().filter(|_| is_one(&found)))?;
-        let right = Mutant::new(it.function, &it.edit).right;
-        Some((it.line.clone(), right))
+        let only = || found.first().filter(|_| is_one(&found));
+        same.next().or_else(only).map(|it| it.yours.clone())
     }
 
     fn is_drawn_with(&self, it: &Transplant) -> bool {
-        let text = it.edit.applied_to(&it.function.text);
-        let program = self.right.with_text(&it.function.name, &text);
+        let program = self.right.with_text(&it.function, &it.text);
         program.is_some_and(|it| self.may_draw(&it) && self.draws(&it))
     }
 
@@ -120,15 +115,17 @@ impl<'a> Forwards<'a> {
             if !seen.insert((&function.name, text.clone())) {
                 continue;
             }
-            let said = self.lines.say(function, &text);
+            let change = Difference::of([(&*function.name, &*function.text, &*text)].into_iter());
+            let said = self.lines.say(&change);
             if said == Said::Right {
                 continue;
             }
+            let yours = (said == Said::Wrong).then(|| self.lines.found(&change));
             let Some(program) = self.right.with_text(&function.name, &text) else {
                 continue;
             };
             drawn.add(Mutant {
-                is_in_text: said == Said::Wrong,
+                yours: yours.flatten(),
                 does: Some(Does::of(program)),
                 ..Mutant::new(function, &edit)
             });
@@ -183,7 +180,7 @@ impl Drawn {
     fn add(&mut self, mutant: Mutant) {
         let mut known = self.all.iter_mut();
         match known.find(|it| it.does_as(&mutant)) {
-            Some(known) if mutant.is_in_text && !known.is_in_text => *known = mutant,
+            Some(known) if mutant.yours.is_some() && known.yours.is_none() => *known = mutant,
             Some(_) => {}
             None => self.all.push(mutant),
         }
@@ -192,8 +189,8 @@ impl Drawn {
     /// Keeps those that stand in the reader's files, if some do; and of few those that draw all of
     /// the picture.
     fn checked(mut self, draws: impl Fn(&Program) -> bool) -> Self {
-        if self.all.iter().any(|it| it.is_in_text) {
-            self.all.retain(|it| it.is_in_text);
+        if self.all.iter().any(|it| it.yours.is_some()) {
+            self.all.retain(|it| it.yours.is_some());
         }
         self.count = self.all.len();
         if self.is_told() {
@@ -213,7 +210,7 @@ impl Mutant {
         Self {
             right: lines(&function.text, edit.at.start, after),
             wrong: lines(&wrong, edit.at.start, after),
-            is_in_text: false,
+            yours: None,
             does: None,
         }
     }

@@ -6,7 +6,6 @@
 
 mod backwards;
 mod edit;
-mod foreign;
 mod forwards;
 mod functions;
 mod goal;
@@ -16,8 +15,6 @@ mod nearer;
 mod parsed;
 mod repair;
 mod roots;
-mod spelling;
-mod statements;
 mod tree;
 
 use std::cmp::Reverse;
@@ -26,8 +23,7 @@ use slips::Edition;
 
 use crate::reading::Reading;
 use crate::scene::Scene;
-use crate::sources::Sources;
-use foreign::Lines;
+use crate::sources::{Lines, Sources};
 use forwards::Forwards;
 pub(crate) use forwards::{Drawn, Mutant};
 use functions::functions;
@@ -52,8 +48,7 @@ fn searched<T>(
     sources: &Sources,
     search: impl Fn(&Forwards) -> Option<T>,
 ) -> Option<T> {
-    let statements = foreign::read(&sources.files());
-    let programs = match statements.is_empty() {
+    let programs = match sources.typed().is_empty() {
         true => vec![scene.program(&[])],
         false => [Edition::V4, Edition::V3]
             .map(|it| it.program(scene.chapter))
@@ -63,7 +58,9 @@ fn searched<T>(
         .iter()
         .map(|it| functions(it.interpreted()))
         .collect();
-    let lines = functions.iter().map(|it| Lines::new(it, &statements));
+    let lines = programs
+        .iter()
+        .map(|it| Lines::new(it.functions(), sources.typed()));
     let all = programs.iter().zip(&functions).zip(lines);
     let ((right, functions), lines) = all.min_by_key(|(_, lines)| Reverse(lines.count()))?;
     search(&Forwards::new(right, functions, reading, &lines))

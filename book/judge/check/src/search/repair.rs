@@ -47,8 +47,8 @@ pub enum Right {
     More(String),
     /// Nothing.
     Nothing,
-    /// What the chapter has there, where the reader writes another language.
-    InRust(String),
+    /// This instead, in the reader's own language: the chapter was tried with the reader's line.
+    Spelled(String),
 }
 
 impl Repair {
@@ -58,10 +58,10 @@ impl Repair {
         changes.all(|it| matches!(it.right, Right::Line(_)))
     }
 
-    /// Finds what the chapter has in the place of a line in another language.
-    fn in_rust(scene: &Scene, reading: &Reading, sources: &Sources) -> Option<Self> {
-        let (yours, right) = searched(scene, reading, sources, |it| it.transplanted())?;
-        let right = Right::InRust(right);
+    /// Finds the line in another language with which the chapter draws the picture.
+    fn transplanted(scene: &Scene, reading: &Reading, sources: &Sources) -> Option<Self> {
+        let found = searched(scene, reading, sources, |it| it.transplanted())?;
+        let (yours, right) = (found.line, Right::Spelled(found.right));
         Some(Self {
             changes: vec![Change { yours, right }],
             files: Files::new(),
@@ -83,7 +83,7 @@ impl Repair {
             return None;
         }
         if files.is_empty() {
-            return Self::in_rust(scene, reading, sources);
+            return Self::transplanted(scene, reading, sources);
         }
         let (yours, loops) = drawing(&files, reading)?;
         let chapter = slips::Program::right(scene.chapter);

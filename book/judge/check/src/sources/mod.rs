@@ -1,21 +1,30 @@
-//! Token alignment: the reader's own lines beside those of the chapter.
-//!
-//! Two programs are compared as sequences of words and signs, so that spaces, comments,
-//! and how a language declares a variable don't matter.
+//! What a reader wrote: files in ten languages, and the statements in them.
 
-mod tokens;
+mod lines;
 
-use slips::{Chapter, Words};
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::fmt;
 
-pub(crate) use tokens::lexed;
-use tokens::{Token, is_name, tokens};
+use language::{Language, Role, Statement, Tree, canonical, normal, statements};
+use slips::{Chapter, Edition, Slip};
+
+use crate::scene::Scene;
+
+pub(crate) use lines::{Difference, Found, Lines, Transplant};
 
 /// What a reader wrote, and the chapter as it should be.
 #[derive(Clone, Debug, Default)]
 pub struct Sources {
-    yours: Vec<File>,
-    chapter: Vec<File>,
+    yours: Vec<(String, String)>,
+    chapter: Vec<(String, String)>,
+    typed: Vec<Typed>,
+    /// What was said of slips in scenes, which is asked again and again.
+    said: RefCell<BTreeMap<Key, (Said, Option<Found>)>>,
 }
+
+/// A slip by its name and its place in memory, in a chapter of an edition.
+type Key = (&'static str, usize, Chapter, Edition, Option<usize>);
 
 /// A line that somebody typed.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -39,31 +48,79 @@ pub(crate) enum Said {
     Neither,
 }
 
-/// What is looked for in a file.
-struct Snippet {
-    tokens: Vec<Token>,
-    /// Whether it is what some name is given, or what is returned.
-    is_value: bool,
+/// A statement that somebody typed.
+#[derive(Clone, Debug)]
+pub(crate) struct Typed {
+    pub(crate) line: Line,
+    language: Language,
+    role: Role,
+    /// The expression as it stands there, and its normal form.
+    value: Tree,
+    normal: Tree,
 }
 
-#[derive(Clone, Debug)]
-struct File {
-    name: String,
-    text: String,
-    tokens: Vec<Token>,
-}
+/// So many nodes of trees are less than a statement.
+const STATEMENT: usize = 4;
 
 impl Sources {
     /// The files by their names and texts: the reader's, and those of the chapter if the
     /// reader types just these.
     pub fn new(yours: Vec<(String, String)>, chapter: Vec<(String, String)>) -> Self {
-        let files = |files: Vec<(String, String)>| {
-            let files = files.into_iter();
-            files.map(|(name, text)| File::new(name, text)).collect()
+        // Some editors begin a file with a byte order mark.
+        let without_mark = |(name, text): (String, String)| {
+            let text = text.trim_start_matches('\u{feff}').to_owned();
+            (name, text)
         };
+        let yours: Vec<_> = yours.into_iter().map(without_mark).collect();
         Self {
-            yours: files(yours),
-            chapter: files(chapter),
+            typed: yours
+                .iter()
+                .flat_map(|(name, text)| typed(name, text))
+                .collect(),
+            yours,
+            chapter,
+            said: RefCell::default(),
+        }
+    }
+
+    /// Returns what they say of a slip in a scene, and the line that makes it, if that is found.
+    pub(crate) fn say(&self, slip: &Slip, scene: &Scene) -> (Said, Option<Found>) {
+        if self.typed.is_empty() {
+            return (Said::Neither, None);
+        }
+        let scene = scene.unchanged();
+        let key = (
+            slip.name,
+            std::ptr::from_ref(slip) as usize,
+            scene.chapter,
+            scene.edition,
+            scene.step(),
+        );
+        if let Some(said) = self.said.borrow().get(&key) {
+            return said.clone();
+        }
+        let said = self.says(slip, &scene);
+        self.said.borrow_mut().insert(key, said.clone());
+        said
+    }
+
+    fn says(&self, slip: &Slip, scene: &Scene) -> (Said, Option<Found>) {
+        let (right, wrong) = (scene.program(&[]), scene.program(&[slip]));
+        let pairs = right.functions().zip(wrong.functions());
+        let changed = pairs.filter(|((_, right), (_, wrong))| right != wrong);
+        let change =
+            Difference::of(changed.map(|((name, right), (_, wrong))| (name, right, wrong)));
+        let lines = Lines::new(right.functions(), &self.typed);
+        match lines.say(&change) {
+            // What an older edition has is wrong in a mixture only, which no single line tells.
+            Said::Wrong
+                if change.is_in(Edition::V3.program(scene.chapter).functions())
+                    && self.in_rust().is_empty() =>
+            {
+                (Said::Neither, None)
+            }
+            Said::Wrong => (Said::Wrong, lines.found(&change)),
+            said => (said, None),
         }
     }
 
@@ -73,289 +130,142 @@ impl Sources {
         Self::new(yours, chapter.files().iter().map(owned).collect())
     }
 
-    /// Whether they are those of the chapter and no other program.
+    /// Returns true if they are those of the chapter and no other program.
     pub(crate) fn are_of_the_chapter(&self) -> bool {
         !self.chapter.is_empty()
     }
 
-    /// Those in Rust but for the program's own, the root first.
+    /// Returns those in Rust but for the program's own, the root first.
     pub(crate) fn in_rust(&self) -> Vec<(String, String)> {
-        let is_read = |it: &&File| it.name.ends_with(".rs") && !it.name.ends_with("main.rs");
-        let files = self.yours.iter().filter(is_read);
-        let mut files: Vec<_> = files.map(|it| (it.name.clone(), it.text.clone())).collect();
+        let is_read =
+            |(name, _): &&(String, String)| name.ends_with(".rs") && !name.ends_with("main.rs");
+        let mut files: Vec<_> = self.yours.iter().filter(is_read).cloned().collect();
         files.sort_by_key(|(name, _)| !name.ends_with("lib.rs"));
         files
     }
 
-    /// All of them, by their names and texts.
-    pub(crate) fn files(&self) -> Vec<(String, String)> {
-        let files = self.yours.iter();
-        files.map(|it| (it.name.clone(), it.text.clone())).collect()
+    /// Returns all of them, by their names and texts.
+    pub(crate) fn files(&self) -> &[(String, String)] {
+        &self.yours
     }
 
-    /// Whether nothing is known of them.
+    /// Returns true if nothing is known of them.
     pub(crate) fn is_empty(&self) -> bool {
         self.yours.is_empty()
     }
 
-    /// What they say of a slip: of a snippet in another one the longer counts.
-    pub(crate) fn say(&self, words: &Words) -> Said {
-        // A cast, for example, is no token.
-        let same = |one: &[Token], other: &[Token]| {
-            let text = |it: &Token| it.text.clone();
-            one.iter().map(text).eq(other.iter().map(text))
-        };
-        if same(&tokens(&words.wrong), &tokens(&words.right)) {
-            return Said::Neither;
-        }
-        // By another name the wrong line of one formula is the right one of another.
-        let longest = |snippets: &str, free: &[&str]| {
-            let snippets = self.snippets(snippets).into_iter();
-            let found = snippets.filter(|it| self.find(it, free).is_some());
-            found.map(|it| it.tokens.len()).max()
-        };
-        match (
-            longest(&words.wrong, &[]),
-            longest(&words.right, &VARIABLES),
-        ) {
-            (None, None) => Said::Neither,
-            // A line is wrong only in the place of one that could be found, and is no part of it.
-            (Some(_), None) if !self.is_told_apart(words) => Said::Neither,
-            (wrong, right) if wrong > right => Said::Wrong,
-            _ => Said::Right,
-        }
+    /// Lists what was typed, statement by statement.
+    pub(crate) fn typed(&self) -> &[Typed] {
+        &self.typed
     }
 
-    /// The reader's line that makes the slip, if it is found.
-    pub(crate) fn line_of(&self, words: Words) -> Option<Line> {
-        self.snippets(&words.wrong)
-            .iter()
-            .find_map(|it| self.find(it, &[]))
-    }
-
-    /// What can be looked for: each alternative as it is, and without the name that it gives.
-    fn snippets(&self, alternatives: &str) -> Vec<Snippet> {
-        let whole = alternatives.split(", or ").filter(|it| !it.contains('…'));
-        let whole = whole.map(|it| self.without_colors(it));
-        let with_values = whole.flat_map(|tokens| {
-            let value = value(&tokens).to_vec();
-            let is_shorter = VALUE < value.len() && value.len() < tokens.len();
-            let value = is_shorter.then_some(Snippet {
-                tokens: value,
-                is_value: true,
-            });
-            let is_value = false;
-            [Some(Snippet { tokens, is_value }), value]
-        });
-        with_values
-            .flatten()
-            .filter(|it| it.tokens.len() > 2)
-            .collect()
-    }
-
-    /// The tokens with the two colors of the sky in their places, if they have no names.
-    fn without_colors(&self, snippet: &str) -> Vec<Token> {
-        let mut snippet = snippet.to_owned();
-        for (name, color) in COLORS {
-            if !self.has(name) {
-                snippet = snippet.replace(name, color);
-            }
-        }
-        tokens(&snippet)
-    }
-
-    /// Whether the word is in one of the files.
-    fn has(&self, word: &str) -> bool {
-        let mut tokens = self.yours.iter().flat_map(|file| &file.tokens);
-        tokens.any(|token| token.text == word)
-    }
-
-    /// Where the snippet is, with the variables by other names where a program has these.
-    fn find(&self, snippet: &Snippet, variables: &[&str]) -> Option<Line> {
-        let is_free =
-            |name: &str| PARAMETERS.contains(&name) || variables.contains(&name) && !self.has(name);
-        let mut free: Vec<&str> = snippet.tokens.iter().map(|it| it.text.as_str()).collect();
-        free.retain(|name| is_free(name));
-        self.yours.iter().find_map(|file| file.find(snippet, &free))
-    }
-
-    /// Whether the right line can be looked for, and does not have the wrong one in it.
-    fn is_told_apart(&self, words: &Words) -> bool {
-        let joined = |text: &str| {
-            let tokens = tokens(text).into_iter().map(|token| token.text);
-            tokens.collect::<Vec<_>>().join(" ")
-        };
-        let is_searched = !self.snippets(&words.right).is_empty();
-        // Where nothing is said of it, it is a whole line of the chapter.
-        let is_line = words.why.is_empty();
-        is_searched && (is_line || !joined(&words.right).contains(&joined(&words.wrong)))
-    }
-
-    /// Whether the chapter's functions are as long as there, right or wrong, but for less than a
-    /// statement. What stands in functions of the reader's own counts with them.
+    /// Returns true if the chapter's functions are as long as there, right or wrong, but for less
+    /// than a statement. What stands in functions of the reader's own counts with them.
     pub(crate) fn is_written(&self) -> bool {
         let [chapter, yours] = [&self.chapter, &self.yours].map(|files| {
             let files = files.iter();
-            files.map(File::functions).collect::<Vec<_>>()
+            files.map(|(_, text)| functions(text)).collect::<Vec<_>>()
         });
         let is_of_chapter = |name: &str| chapter.iter().flatten().any(|(it, _)| *it == name);
         // A prelude has none of the chapter's functions, and `start` gives a sky.
-        let counts = |functions: &&Vec<(&str, &[Token])>| {
-            functions
-                .iter()
-                .any(|(name, _)| *name != "new" && is_of_chapter(name))
+        let counts = |functions: &&Vec<(&str, usize)>| {
+            let mut functions = functions.iter();
+            functions.any(|(name, _)| *name != "new" && is_of_chapter(name))
         };
-        let yours = yours.iter().filter(counts).flatten();
-        let yours = yours.filter(|(name, _)| *name != "sky");
-        let [theirs, own] = [
-            chapter
-                .iter()
-                .flatten()
-                .map(|(_, it)| it.len())
-                .sum::<usize>(),
-            yours.map(|(_, it)| it.len()).sum(),
-        ];
-        self.are_of_the_chapter() && own + STATEMENT > theirs
+        let own = yours.iter().filter(counts).flatten();
+        let own = own.filter(|(name, _)| *name != "sky").map(|(_, size)| size);
+        let theirs = chapter.iter().flatten().map(|(_, size)| size);
+        self.are_of_the_chapter() && own.sum::<usize>() + STATEMENT > theirs.sum()
     }
 }
 
-/// So many tokens are a statement.
-const STATEMENT: usize = 6;
-/// Signs before and after a part of a formula.
-const GOES_ON: [&str; 10] = ["+", "-", "*", "/", "<", ">", ".", "and", "&", "|"];
-
-/// A value of so few tokens may stand anywhere.
-const VALUE: usize = 4;
-/// The colors of the sky, where they have no names.
-const COLORS: [(&str, &str); 2] = [("white", "Color(1, 1, 1)"), ("blue", "Color(0.5, 0.7, 1)")];
-/// Words of a snippet that stand for any other one, always or where a program has other names.
-const PARAMETERS: [&str; 2] = ["u", "v"];
-const VARIABLES: [&str; 6] = ["a", "b", "h", "c", "oc", "unit_direction"];
-
-/// What is returned, or given to a name.
-fn value(snippet: &[Token]) -> &[Token] {
-    let is = |n: usize, text: &str| snippet.get(n).is_some_and(|it| it.text == text);
-    let end = snippet.len();
-    match snippet.iter().position(|it| it.text == "=") {
-        Some(at) if is_name(&snippet[0].text) && at < 5 && !is(at + 1, "=") => &snippet[at + 1..],
-        _ if is(0, "return") => &snippet[1..],
-        _ if is(0, "Some") && is(1, "(") && is(end - 1, ")") => &snippet[2..end - 1],
-        _ => snippet,
-    }
+/// Lists the functions of a text in Rust, with the number of nodes in their statements.
+fn functions(text: &str) -> Vec<(&str, usize)> {
+    let size = |text: &str| -> usize {
+        let all = statements(text, Language::Rust);
+        all.iter().map(|it| it.value.nodes().len()).sum()
+    };
+    let parts = text.split("fn ").skip(1);
+    let parts = parts.filter_map(|part| Some((part.split(['(', '<']).next()?, size(part))));
+    parts.collect()
 }
 
-impl File {
-    fn new(name: String, text: String) -> Self {
-        // Some editors begin a file with a byte order mark.
-        let text = text.trim_start_matches('\u{feff}').to_owned();
-        let tokens = tokens(&with_brackets(&name, &text));
-        Self { name, text, tokens }
-    }
-
-    /// The line on which these tokens begin, with other names for the free ones.
-    fn find(&self, snippet: &Snippet, free: &[&str]) -> Option<Line> {
-        let part = &snippet.tokens[..];
-        // A part of a longer formula is another one.
-        let goes_on = |n: Option<usize>| {
-            let token = n.and_then(|n| self.tokens.get(n));
-            token.is_some_and(|it| GOES_ON.contains(&it.text.as_str()))
-        };
-        // A value is given to a name, or returned.
-        let is_given = |n: usize| {
-            let before = n.checked_sub(1).map(|n| self.tokens[n].text.as_str());
-            matches!(before, Some("=" | "return" | ";" | "{" | "}"))
-        };
-        let is_whole = |n: &usize| {
-            let is_alone = !goes_on(n.checked_sub(1)) && !goes_on(Some(n + part.len()));
-            is_alone && (!snippet.is_value || is_given(*n))
-        };
-        let places = self.tokens.windows(part.len()).enumerate();
-        let mut found = places.filter(|(_, tokens)| is_same(part, tokens, free));
-        let (at, _) = found.find(|(n, _)| is_whole(n))?;
-        Some(self.line(self.tokens[at].line))
-    }
-
-    fn line(&self, line: usize) -> Line {
-        Line {
-            file: self.name.clone(),
-            number: line + 1,
-            text: self
-                .text
-                .lines()
-                .nth(line)
-                .unwrap_or_default()
-                .trim()
-                .to_owned(),
+/// Reads the statements of a file, if its language is known.
+fn typed(name: &str, text: &str) -> Vec<Typed> {
+    let Some(language) = Language::of_file(name) else {
+        return Vec::new();
+    };
+    let all = with_values(read(text, language)).into_iter();
+    let typed = all.map(|it| {
+        let before = &text[..it.at.start];
+        let lines = text[it.at.clone()].matches('\n').count() + 1;
+        let first = before.matches('\n').count();
+        let words = text
+            .lines()
+            .skip(first)
+            .take(lines)
+            .flat_map(str::split_whitespace);
+        Typed {
+            line: Line {
+                file: name.to_owned(),
+                number: first + 1,
+                text: words.collect::<Vec<_>>().join(" "),
+            },
+            language,
+            role: it.role,
+            normal: normal(&it.value),
+            value: it.value,
         }
-    }
-
-    /// Each function of Rust with a body, by its name, from there to the closing brace.
-    fn functions(&self) -> Vec<(&str, &[Token])> {
-        let is_fn = |n: &usize| self.tokens[*n].text == "fn";
-        let starts = (0..self.tokens.len()).filter(is_fn);
-        let function = |start: usize| {
-            let name = &self.tokens.get(start + 1)?.text;
-            let mut depth = 0;
-            for (n, token) in self.tokens.iter().enumerate().skip(start) {
-                match token.text.as_str() {
-                    ";" if depth == 0 => return None,
-                    "{" => depth += 1,
-                    "}" if depth == 1 => return Some((name.as_str(), &self.tokens[start..=n])),
-                    "}" => depth -= 1,
-                    _ => {}
-                }
-            }
-            None
-        };
-        starts.filter_map(function).collect()
-    }
+    });
+    typed.collect()
 }
 
-/// What C++ makes in braces as it is made in brackets, line for line.
-pub(crate) fn with_brackets(name: &str, text: &str) -> String {
-    if name.ends_with(".py") || name.ends_with(".rs") {
-        return text.to_owned();
-    }
-    let mut open = Vec::new();
-    let mut before = String::new();
-    for letter in text.chars() {
-        let is_value = || {
-            let ends_with = |c: char| c.is_alphanumeric() || ",(={".contains(c);
-            let last = before.trim_end();
-            before.ends_with(ends_with)
-                || last.ends_with([',', '(', '='])
-                || last.ends_with("return")
-        };
-        let letter = match letter {
-            '{' => {
-                open.push(is_value());
-                if is_value() { '(' } else { letter }
-            }
-            '}' if open.pop() == Some(true) => ')',
-            _ => letter,
-        };
-        before.push(letter);
-    }
-    before
+/// Reads the statements of a text. What is added to a world is one of its own, however that is
+/// done.
+fn read(text: &str, language: Language) -> Vec<Statement> {
+    let all = statements(text, language).into_iter();
+    let parts = all.flat_map(|it| {
+        let nodes = it.value.nodes().into_iter();
+        let spheres = nodes.filter(|node| normal(node).is_call("sphere"));
+        let added: Vec<Statement> = spheres
+            .map(|value| Statement {
+                role: Role::Done,
+                value: value.clone(),
+                at: it.at.clone(),
+            })
+            .collect();
+        if added.is_empty() { vec![it] } else { added }
+    });
+    parts.collect()
 }
 
-/// Whether the tokens are the same, but for names that stand for the free ones.
-fn is_same(part: &[Token], tokens: &[Token], free: &[&str]) -> bool {
-    let mut names: Vec<(&str, &str)> = Vec::new();
-    part.iter().zip(tokens).all(|(part, token)| {
-        let (part, token) = (part.text.as_str(), token.text.as_str());
-        if !free.contains(&part) {
-            return part == token && names.iter().all(|(_, own)| *own != token);
-        }
-        match names
-            .iter()
-            .find(|(name, own)| *name == part || *own == token)
-        {
-            Some(known) => *known == (part, token),
-            None => {
-                names.push((part, token));
-                is_name(token)
-            }
-        }
-    })
+/// Puts what has a name of its own only to be shorter, `d = r.direction`, in the place of it.
+fn with_values(all: Vec<Statement>) -> Vec<Statement> {
+    let given = |name: &str| {
+        let is_it = |it: &&Statement| matches!(&it.role, Role::Given(own) if own == name);
+        let mut found = all.iter().filter(is_it);
+        found.next().filter(|_| found.next().is_none())
+    };
+    let short = |tree: &Tree| {
+        let value = &given(tree.name()?)?.value;
+        let is_field = matches!(&value.parts[..], [of] if of.name().is_some());
+        let is_of_ray = |it: &Tree| matches!(&normal(it).op, language::Op::Call(name) if name == "direction" || name == "origin");
+        (is_field && is_of_ray(value)).then(|| value.clone().at(tree.at.clone()))
+    };
+    let with = all.iter().map(|it| Statement {
+        value: it.value.mapped(&short),
+        ..it.clone()
+    });
+    with.collect()
+}
+
+/// Returns true if two names are the same but for capitals and `_`.
+fn is_same_name(one: &str, other: &str) -> bool {
+    canonical(one) == canonical(other)
+}
+
+impl fmt::Display for Line {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}  {}", self.file, self.number, self.text)
+    }
 }

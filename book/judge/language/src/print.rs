@@ -1,0 +1,295 @@
+//! Pretty-printing: an expression in the spelling of a language, and a line of our Rust in it.
+
+use crate::Language;
+use crate::normal::function;
+use crate::parse::{Parser, REAL};
+use crate::tree::{Op, Tree};
+
+/// How functions are spelled in Rust and in the book: `.name` is a field, `.name()` a method,
+/// `name()` a function. The book's C++ has functions for its fields, which others have not.
+const SPELLINGS: [(&str, [&str; 2]); 22] = [
+    ("unit", [".normalize()", "unit_vector()"]),
+    ("dot", [".dot()", "dot()"]),
+    ("length", [".length()", ".length()"]),
+    ("lengthsquared", [".length_squared()", ".length_squared()"]),
+    ("sqrt", [".sqrt()", "sqrt()"]),
+    ("abs", [".abs()", "abs()"]),
+    ("round", [".round()", "round()"]),
+    ("max", [".max()", "max()"]),
+    ("min", [".min()", "min()"]),
+    ("at", [".at()", ".at()"]),
+    ("hit", [".hit()", ".hit()"]),
+    (
+        "setfacenormal",
+        [".set_face_normal()", ".set_face_normal()"],
+    ),
+    ("vec", ["Vec3::new()", "vec3()"]),
+    ("sphere", ["Sphere::new()", "sphere()"]),
+    ("ray", ["Ray::new()", "ray()"]),
+    ("x", [".x", ".x()"]),
+    ("y", [".y", ".y()"]),
+    ("z", [".z", ".z()"]),
+    ("origin", [".origin", ".origin()"]),
+    ("direction", [".direction", ".direction()"]),
+    ("point", [".point", ".p"]),
+    ("frontface", [".front_face", ".front_face"]),
+];
+/// Names of our Rust that the book has otherwise.
+const NAMES: [(&str, &str); 4] = [
+    ("ray", "r"),
+    ("record", "rec"),
+    ("f64::INFINITY", "infinity"),
+    ("INFINITY", "infinity"),
+];
+
+impl Language {
+    /// Prints a line of our Rust as it is typed in this language; as it is, where it has no like.
+    pub fn spelled(self, line: &str) -> String {
+        if self == Self::Rust {
+            return line.to_owned();
+        }
+        let parts = line.split_inclusive(';').map(str::trim);
+        let printed: Option<Vec<String>> = parts.map(|part| self.statement(part)).collect();
+        printed.map_or(line.to_owned(), |parts| parts.join(" "))
+    }
+
+    /// Prints a statement: what is returned, asked, or given to a name.
+    fn statement(self, text: &str) -> Option<String> {
+        let (text, end) = match text.strip_suffix(';') {
+            Some(text) => (text, if self.ends_at_lines() { "" } else { ";" }),
+            None => (text, ""),
+        };
+        let text = text.strip_prefix("let ").unwrap_or(text);
+        let text = text.strip_prefix("mut ").unwrap_or(text);
+        if let Some(value) = text.strip_prefix("return ") {
+            return Some(format!("return {}{end}", self.printed(value)?));
+        }
+        if let Some(condition) = text
+            .strip_prefix("if ")
+            .and_then(|it| it.strip_suffix(" {"))
+        {
+            let condition = self.printed(condition)?;
+            return Some(match self {
+                Self::Python => format!("if {condition}:"),
+                Self::Go | Self::Swift => format!("if {condition} {{"),
+                _ => format!("if ({condition}) {{"),
+            });
+        }
+        let is_name = |it: &str| {
+            it.chars()
+                .all(|c| c.is_alphanumeric() || c == '_' || c == '.')
+        };
+        match text.split_once(" = ").filter(|(name, _)| is_name(name)) {
+            Some((name, value)) => Some(format!(
+                "{} = {}{end}",
+                self.printed(name)?,
+                self.printed(value)?
+            )),
+            None => Some(self.printed(text)? + end),
+        }
+    }
+
+    fn printed(self, rust: &str) -> Option<String> {
+        let mut parser = Parser::new(rust, Self::Rust);
+        let tree = parser.expression()?;
+        let is_whole = parser.next == parser.tokens.len() && parser.fields.is_empty();
+        let tree = match &tree.parts[..] {
+            [value] if tree.is_call("Some") => value,
+            _ => &tree,
+        };
+        is_whole.then(|| self.print(tree)).flatten()
+    }
+
+    /// Prints an expression, if the language has its like.
+    pub fn print(self, tree: &Tree) -> Option<String> {
+        self.within(tree, 0)
+    }
+
+    /// Prints an expression, in brackets where its place wants a firmer one.
+    fn within(self, tree: &Tree, least: u8) -> Option<String> {
+        // These languages turn one number into another without a word.
+        if let (Op::Call(name), [value]) = (&tree.op, &tree.parts[..])
+            && matches!(self, Self::Python | Self::JavaScript)
+            && REAL.contains(&name.as_str())
+        {
+            return self.within(value, least);
+        }
+        let level = level(&tree.op);
+        let text = self.text(tree, level)?;
+        Some(if level < least {
+            format!("({text})")
+        } else {
+            text
+        })
+    }
+
+    fn text(self, tree: &Tree, level: u8) -> Option<String> {
+        let part = |n: usize, least: u8| self.within(&tree.parts[n], least);
+        Some(match &tree.op {
+            Op::Name(name) => self.name(name),
+            Op::Number(value, true) if self != Self::Rust => format!("{value}"),
+            Op::Number(value, _) => format!("{value:?}"),
+            Op::Text(text) => text.clone(),
+            Op::Minus => format!("-{}", part(0, level)?),
+            Op::Not if self == Self::Python => format!("not {}", part(0, level)?),
+            Op::Not => format!("!{}", part(0, level)?),
+            Op::Sign(sign) => {
+                let sign = match (*sign, self) {
+                    ("&&", Self::Python) => "and",
+                    ("||", Self::Python) => "or",
+                    ("//", it) if it != Self::Python => "/",
+                    (sign, _) => sign,
+                };
+                let sides = (part(0, level)?, part(1, level + 1)?);
+                format!("{} {sign} {}", sides.0, sides.1)
+            }
+            Op::Choice => {
+                let [asked, then, other] = [part(0, 2)?, part(1, 2)?, part(2, 1)?];
+                match self {
+                    Self::Python => format!("{then} if {asked} else {other}"),
+                    Self::Rust => format!("if {asked} {{ {then} }} else {{ {other} }}"),
+                    Self::Kotlin => format!("if ({asked}) {then} else {other}"),
+                    _ => format!("{asked} ? {then} : {other}"),
+                }
+            }
+            Op::List => format!("[{}]", self.all(&tree.parts)?),
+            Op::Index => format!("{}[{}]", part(0, ATOM)?, part(1, 0)?),
+            Op::Call(name) => return self.call(name, &tree.parts),
+            Op::Over => return None,
+        })
+    }
+
+    fn all(self, parts: &[Tree]) -> Option<String> {
+        let parts = parts.iter().map(|it| self.within(it, 0));
+        Some(parts.collect::<Option<Vec<_>>>()?.join(", "))
+    }
+
+    fn name(self, name: &str) -> String {
+        match (name, self) {
+            (it, Self::Rust) if it.eq_ignore_ascii_case("infinity") => "f64::INFINITY".to_owned(),
+            ("ONE", _) => self.vector("1.0"),
+            ("ZERO", _) => self.vector("0.0"),
+            ("true", Self::Python) => "True".to_owned(),
+            ("false", Self::Python) => "False".to_owned(),
+            ("INFINITY", Self::Python) => "math.inf".to_owned(),
+            (it, Self::Rust) => it.to_owned(),
+            (it, _) => {
+                let other = NAMES.iter().find(|(one, _)| *one == it);
+                other.map_or(it, |(_, other)| other).to_owned()
+            }
+        }
+    }
+
+    fn call(self, name: &str, parts: &[Tree]) -> Option<String> {
+        let id = function(name, parts.len());
+        if let ("+" | "-" | "*" | "/", [one, other]) = (&*id, parts) {
+            let sign = Op::Sign(["+", "-", "*", "/"].into_iter().find(|it| *it == id)?);
+            return self.print(&Tree::new(sign, vec![one.clone(), other.clone()]));
+        }
+        if let [value] = parts
+            && REAL.contains(&name)
+        {
+            return self.cast(value);
+        }
+        if id == "lambda" {
+            return None;
+        }
+        let rust = self == Self::Rust;
+        let row = SPELLINGS.iter().find(|(it, _)| *it == id);
+        let spelling = match row {
+            Some((_, [_, book])) if self != Self::Cpp && rust_field(&id) => {
+                book.trim_end_matches("()")
+            }
+            Some((_, both)) => both[usize::from(!rust)],
+            None => "",
+        };
+        let spelling = if rust_field(&id) && rust {
+            row?.1[0]
+        } else {
+            spelling
+        };
+        let spelling = if spelling.is_empty() && parts.len() == 1 && is_field(name) {
+            format!(".{name}")
+        } else if spelling.is_empty() {
+            format!("{name}()")
+        } else {
+            spelling.to_owned()
+        };
+        let spelling = match (&*spelling, self) {
+            ("sqrt()", Self::Python) => "math.sqrt()",
+            ("sqrt()", Self::JavaScript | Self::Java) => "Math.sqrt()",
+            ("sqrt()", Self::CSharp) => "Math.Sqrt()",
+            ("sqrt()", Self::Go) => "math.Sqrt()",
+            (it, _) => it,
+        };
+        let Some(method) = spelling.strip_prefix('.') else {
+            return Some(format!(
+                "{}({})",
+                spelling.trim_end_matches("()"),
+                self.all(parts)?
+            ));
+        };
+        let (of, given) = parts.split_first()?;
+        let of = self.within(of, ATOM)?;
+        match method.strip_suffix("()") {
+            Some(method) => Some(format!("{of}.{method}({})", self.all(given)?)),
+            None => Some(format!("{of}.{method}")),
+        }
+    }
+
+    /// Prints a number that is made a real one.
+    fn cast(self, value: &Tree) -> Option<String> {
+        let text = self.within(value, 0)?;
+        Some(match self {
+            Self::Rust => format!("f64::from({text})"),
+            Self::Go => format!("float64({text})"),
+            Self::Swift => format!("Double({text})"),
+            Self::Kotlin => format!("({text}).toDouble()"),
+            _ => format!("double({text})"),
+        })
+    }
+
+    fn vector(self, number: &str) -> String {
+        let name = if self == Self::Rust {
+            "Vec3::new"
+        } else {
+            "vec3"
+        };
+        format!("{name}({number}, {number}, {number})")
+    }
+}
+
+/// Returns true if our Rust has a field for it.
+fn rust_field(id: &str) -> bool {
+    SPELLINGS
+        .iter()
+        .any(|(it, [rust, _])| *it == id && !rust.ends_with(')'))
+}
+
+/// Returns true if it is a field of our records or cameras.
+fn is_field(name: &str) -> bool {
+    matches!(
+        name,
+        "t" | "normal" | "center" | "radius" | "pixel00" | "objects" | "min" | "max"
+    )
+}
+
+const ATOM: u8 = 12;
+
+/// How firmly a node holds together.
+fn level(op: &Op) -> u8 {
+    match op {
+        Op::Choice => 1,
+        Op::Sign(sign) => match *sign {
+            "=" | "in" => 1,
+            "||" => 3,
+            "&&" => 4,
+            "==" | "!=" | "<" | ">" | "<=" | ">=" => 6,
+            "+" | "-" => 9,
+            "*" | "/" | "//" | "%" => 10,
+            _ => 2,
+        },
+        Op::Not | Op::Minus => 11,
+        _ => ATOM,
+    }
+}
