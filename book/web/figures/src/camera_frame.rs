@@ -158,7 +158,7 @@ fn draw_axes(svg: &mut Svg, view: &View, eye: Point3) {
         let beyond = view.point(eye + 0.85 * axis);
         svg.label("ink", beyond.down(5.0), Middle, name);
     }
-    svg.dot("ink", view.point(eye), Below, "eye");
+    svg.dot("ink", view.point(eye), UpperLeft, "eye");
 }
 
 /// Draws the cross on which the knob slides.
