@@ -61,8 +61,7 @@ fn the_companion_explains_itself_when_asked_and_when_misunderstood() {
          rtrace check gradient --timeout nan -- true
          rtrace check gradient mine.ppm --probe inside
          rtrace watch gradient --in nowhere
-         rtrace done \"\"
-         rtrace book --source nowhere"
+         rtrace done \"\""
     ));
 }
 

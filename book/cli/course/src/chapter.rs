@@ -23,7 +23,7 @@ pub enum Chapter {
 
 /// How many spheres a scene has room for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Room {
+pub enum SphereCount {
     /// There is only a background.
     None,
     /// A center and a radius.
@@ -94,11 +94,11 @@ impl Chapter {
     }
 
     /// Returns how many spheres its scene has room for.
-    pub fn room(self) -> Room {
+    pub fn sphere_count(self) -> SphereCount {
         match self {
-            Self::BuildTest | Self::Gradient => Room::None,
-            Self::RedSphere | Self::Normals | Self::HalfBSphere => Room::One,
-            Self::HittableList | Self::SpeedVsAccuracy => Room::Many,
+            Self::BuildTest | Self::Gradient => SphereCount::None,
+            Self::RedSphere | Self::Normals | Self::HalfBSphere => SphereCount::One,
+            Self::HittableList | Self::SpeedVsAccuracy => SphereCount::Many,
         }
     }
 

@@ -21,10 +21,6 @@ pub struct Arguments {
     /// A folder for the book [default: target/book]
     #[arg(long, short, value_name = "DIR")]
     output: Option<PathBuf>,
-
-    /// The folder with the book.toml of another book
-    #[arg(long, value_name = "DIR")]
-    source: Option<PathBuf>,
 }
 
 /// Weaves the book, says where it is, and opens it on request.
@@ -32,10 +28,10 @@ pub struct Arguments {
 /// # Errors
 /// If it can't be built or opened. What the weaver complains of, it says itself.
 pub fn book(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
-    let usual = |name| draw::workspace().map(|it| it.join(name));
-    let named = |folder: &Option<PathBuf>, name| folder.clone().map_or_else(|| usual(name), Ok);
-    let source = named(&arguments.source, "book")?;
-    let folder = named(&arguments.output, "target/book")?;
+    let workspace = draw::workspace()?;
+    let usual = || workspace.join("target/book");
+    let folder = arguments.output.clone().unwrap_or_else(usual);
+    let source = workspace.join("book");
     let woven = WEAVER.built()?.args([&source, &folder]).status();
     let woven = woven.map_err(|cause| format!("the weaver does not start: {cause}"))?;
     if !woven.success() {

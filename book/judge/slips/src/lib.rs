@@ -42,7 +42,7 @@ pub mod steps;
 use course::chapter;
 
 pub use catalogue::{all, find, unnamed};
-pub use course::chapter::{Chapter, Room};
+pub use course::chapter::{Chapter, SphereCount};
 pub use edit::Edit;
 pub use edition::Edition;
 pub use interpreter::{Ball, Hit};

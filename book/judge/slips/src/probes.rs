@@ -3,7 +3,7 @@
 use interpreter::Ball;
 
 use super::program::Program;
-use crate::chapter::{Chapter, Room};
+use crate::chapter::{Chapter, SphereCount};
 use crate::edit::Edit;
 use crate::letters::Letters;
 
@@ -103,10 +103,10 @@ impl Probe {
     /// Whether the chapter has [room](Chapter::room) for its spheres.
     pub fn fits(&self, chapter: Chapter) -> bool {
         let count = self.spheres.map_or(0, <[Ball]>::len);
-        match chapter.room() {
-            Room::None => count == 0,
-            Room::One => count <= 1,
-            Room::Many => true,
+        match chapter.sphere_count() {
+            SphereCount::None => count == 0,
+            SphereCount::One => count <= 1,
+            SphereCount::Many => true,
         }
     }
 
@@ -172,11 +172,11 @@ impl Probe {
         let spheres = self.spheres.into_iter().flatten().enumerate();
         lines.extend(spheres.map(|(n, Ball { center, radius })| {
             let [x, y, z] = center.to_array();
-            match chapter.room() {
-                Room::Many if n == 0 => {
+            match chapter.sphere_count() {
+                SphereCount::Many if n == 0 => {
                     format!("in place of all spheres, world.add(sphere(({x}, {y}, {z}), {radius}))")
                 }
-                Room::Many => format!("world.add(sphere(({x}, {y}, {z}), {radius}))"),
+                SphereCount::Many => format!("world.add(sphere(({x}, {y}, {z}), {radius}))"),
                 _ => format!("the sphere gets center = ({x}, {y}, {z}), radius = {radius}"),
             }
         }));

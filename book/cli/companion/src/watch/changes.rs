@@ -18,7 +18,7 @@ pub(super) struct Changes {
     /// The files as they were when the last run began, or when they were last waited for.
     judged: Files,
     /// The files that were edited while no program ran.
-    typed: HashSet<PathBuf>,
+    edited: HashSet<PathBuf>,
     last_look: Instant,
 }
 
@@ -39,7 +39,7 @@ impl Changes {
         Self {
             folder: folder.to_owned(),
             judged: files_in(folder),
-            typed: HashSet::new(),
+            edited: HashSet::new(),
             last_look: Instant::now(),
         }
     }
@@ -51,14 +51,14 @@ impl Changes {
         }
         self.last_look = Instant::now();
         let now = files_in(&self.folder);
-        changed(&self.judged, &now).any(|path| self.is_typed(path))
+        changed(&self.judged, &now).any(|path| self.is_the_readers(path))
     }
 
     /// Waits for a save, or until `has_ended` says that there is nothing to wait for; returns at
     /// once if there was a save since the program was started. `false` if the folder is gone.
     pub(super) fn wait(&mut self, has_ended: &mut dyn FnMut() -> bool) -> bool {
         let now = files_in(&self.folder);
-        let mut again = changed(&self.judged, &now).any(|path| self.is_typed(path));
+        let mut again = changed(&self.judged, &now).any(|path| self.is_the_readers(path));
         self.judged = now;
         while !again {
             thread::sleep(LOOK);
@@ -68,14 +68,14 @@ impl Changes {
             }
             let saved: Vec<PathBuf> = changed(&self.judged, &now).cloned().collect();
             again = !saved.is_empty() || has_ended();
-            self.typed.extend(saved);
+            self.edited.extend(saved);
             self.judged = now;
         }
         true
     }
 
-    fn is_typed(&self, path: &Path) -> bool {
-        sources::is_source(path) || self.typed.contains(path)
+    fn is_the_readers(&self, path: &Path) -> bool {
+        sources::is_source(path) || self.edited.contains(path)
     }
 }
 

@@ -9,7 +9,7 @@ mod tinted;
 mod view;
 
 use common::rtweekend::Picture;
-use slips::Room;
+use slips::SphereCount;
 
 use crate::Row;
 use crate::pixels::distance;
@@ -70,7 +70,7 @@ impl View<'_> {
     }
 
     fn only_sky(&self) -> Option<String> {
-        if self.scene.chapter.room() != Room::One || self.scene.probe.is_some() {
+        if self.scene.chapter.sphere_count() != SphereCount::One || self.scene.probe.is_some() {
             return None;
         }
         let (width, height) = (self.reading.width, self.reading.height);
@@ -116,7 +116,7 @@ impl View<'_> {
         let (spheres, sky): (Vec<u32>, Vec<u32>) =
             self.wrong.iter().partition(|&&n| self.is_hit(n));
         let said = match (spheres.len(), sky.len()) {
-            _ if self.scene.chapter.room() == Room::None => return None,
+            _ if self.scene.chapter.sphere_count() == SphereCount::None => return None,
             (_, 0) => "Only where spheres should be is anything wrong by more than a level.",
             (0, _) => "Where spheres should be all is right; only beside them it is wrong.",
             _ => return None,

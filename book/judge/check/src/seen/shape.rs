@@ -1,6 +1,6 @@
 //! Where things are: a picture that is turned, a disc that is too large or too small.
 
-use slips::Room;
+use slips::SphereCount;
 
 use super::view::View;
 use crate::pixels::distance;
@@ -39,7 +39,7 @@ impl View<'_> {
     /// From where to where the one sphere reaches, if the sky around it is right.
     pub(super) fn disc(&self) -> Option<String> {
         let is_sphere_right = !self.wrong.iter().any(|n| self.is_hit(*n));
-        if self.scene.chapter.room() != Room::One || is_sphere_right {
+        if self.scene.chapter.sphere_count() != SphereCount::One || is_sphere_right {
             return None;
         }
         let sky = self.scene.of_sky(self.reading.width, self.reading.height);
