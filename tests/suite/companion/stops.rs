@@ -24,11 +24,11 @@ yes >/dev/null &
 
 /// How a program is stopped, if it does not stop by itself, and how it is run.
 const STOPS: &str = "\
-its time is over         | itself   | check normals --timeout 0.3 -- sh waits.sh
+its time is over         | itself   | check normals --timeout 5 -- sh waits.sh
 it ends                  | itself   | check normals -- sh draws.sh
 it prints too much       | itself   | check normals -- sh floods.sh
-it is judged once        | itself   | watch normals --once --timeout 0.3 -- sh waits.sh
-it does not answer       | itself   | laws normals --timeout 0.1 -- sh waits.sh
+it is judged once        | itself   | watch normals --once --timeout 5 -- sh waits.sh
+it does not answer       | itself   | laws normals --timeout 3 -- sh waits.sh
 Ctrl-C                   | INT      | check normals -- sh waits.sh
 SIGTERM                  | TERM     | watch normals -- sh waits.sh
 SIGTERM in a dialogue    | TERM     | laws normals -- sh waits.sh
