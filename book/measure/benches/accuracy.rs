@@ -26,7 +26,7 @@ struct Arguments {
     #[arg(long, conflicts_with_all = ["cases", "seed"])]
     record: bool,
 
-    /// What `cargo bench` says to every benchmark
+    /// The word that `cargo bench` says to every benchmark
     #[arg(long, hide = true)]
     bench: bool,
 }

@@ -26,7 +26,7 @@ struct Arguments {
     #[arg(long)]
     record: bool,
 
-    /// What `cargo bench` says to every benchmark
+    /// The word that `cargo bench` says to every benchmark
     #[arg(long, hide = true)]
     bench: bool,
 }
@@ -91,7 +91,7 @@ fn build_chapters() -> Result<PathBuf, Box<dyn Error>> {
 
 /// Returns the milliseconds of each run: of our program, and of the C++ program.
 ///
-/// What is traced is kept as bytes in memory, on one thread. The C++ program prints nothing
+/// A traced picture is kept as bytes in memory, on one thread. The C++ program prints nothing
 /// but their sum then. Its process takes a millisecond or two to start.
 fn run_race(
     chapter: Chapter,

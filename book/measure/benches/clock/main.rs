@@ -32,7 +32,7 @@ struct Arguments {
     #[arg(long, hide = true)]
     runs: Option<usize>,
 
-    /// What `cargo bench` says to every benchmark
+    /// The word that `cargo bench` says to every benchmark
     #[arg(long, hide = true)]
     bench: bool,
 }

@@ -38,7 +38,7 @@ impl<Row: Record> Table<Row> {
     /// Reads the table in `text`.
     ///
     /// # Errors
-    /// What is wrong in which line and column of the file.
+    /// A message that names the line and the column that is wrong.
     pub fn read(text: &str) -> Result<Self, String> {
         let rows: Result<Vec<Row>, Error> = reader(text).deserialize().collect();
         let rows = rows.map_err(|error| format!("{}: {error}", Row::FILE))?;

@@ -23,7 +23,7 @@ pub struct Chart {
     /// Draws it from the text of these files, in this order.
     ///
     /// # Errors
-    /// What is wrong in which line of which file.
+    /// A message that names the file and the line that is wrong.
     pub draw: fn(&[&str]) -> Result<DrawnChart, String>,
 }
 
