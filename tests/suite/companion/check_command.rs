@@ -125,7 +125,7 @@ fn a_report_is_a_page_that_needs_nothing_else() {
     let page = desk.read("page/index.html");
     for part in [
         escaped,
-        "minus-h",
+        "oc-reversed",
         "type=\"range\"",
         "(-h - sqrt(discriminant)) / a",
     ] {

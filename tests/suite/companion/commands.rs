@@ -56,6 +56,8 @@ fn every_command_that_an_answer_names_is_understood() {
             said += &(text(&output.stdout) + &text(&output.stderr));
         }
     }
+    // A line of an answer goes on below its label.
+    let said = said.replace("\n           ", " ");
     let end = |c: char| ",`\n;".contains(c);
     let rest = said.split("rtrace ").skip(1);
     let lines: Vec<String> = rest

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use check::whole::Line;
+use check::answer::{Kind, Row};
 use page::home::archive;
 use page::typed::Text;
 use slips::Chapter;
@@ -57,14 +57,13 @@ fn said(text: &Text) -> Vec<String> {
     let picture = text
         .draw(&program, text.chapter.book_width())
         .expect("it draws");
-    let verdict = text.verdict(&program, &picture);
-    let row = |line: &Line| match line {
-        Line::Labeled(label, _) if label == "probe" => None,
-        Line::Labeled(label, text) => Some(squeezed(&format!("{label} {text}"))),
-        Line::Printed(text) => Some(squeezed(text)),
+    let answer = text.answer(&program, &picture);
+    let row = |row: &Row| match row.kind {
+        Kind::Probe(_) => None,
+        kind => Some(squeezed(&format!("{} {}", kind.label(), row.text))),
     };
-    let rows = verdict.cause.iter().filter_map(row);
-    [squeezed(&verdict.headline)]
+    let rows = answer.rows.iter().filter_map(row);
+    [squeezed(&answer.headline.to_string())]
         .into_iter()
         .chain(rows)
         .collect()

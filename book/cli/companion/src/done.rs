@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
 use check::names::{self, from_here};
-use check::whole::{picture_is_right, step_is_done};
+use check::sentences::{picture_is_right, step_is_done};
 use clap::Args;
 use clap::builder::NonEmptyStringValueParser;
 use common::engine::output;

@@ -1,6 +1,10 @@
-//! Line breaking: text as wide as the terminal.
+//! Line breaking: text as wide as the terminal, bold and colored if that can be.
 
-use textwrap::{Options, WordSplitter};
+use check::answer::Answer;
+pub(crate) use check::text::filled;
+use check::text::{self, Style};
+
+use crate::terminal::Palette;
 
 /// Returns how wide text should be, in characters: as the terminal, but no wider than is easy to
 /// read.
@@ -14,15 +18,16 @@ pub(crate) fn hanging(text: &str, indent: usize) -> String {
     filled(text, text_width(), "", &" ".repeat(indent))
 }
 
-/// Breaks `text` into lines of this width, but for a word that is longer, with `first` before the
-/// first of them, and `rest` before the others.
-pub(crate) fn filled(text: &str, width: usize, first: &str, rest: &str) -> String {
-    let options = Options::new(width)
-        .initial_indent(first)
-        .subsequent_indent(rest)
-        .break_words(false)
-        .word_splitter(WordSplitter::NoHyphenation);
-    // A size stays on one line.
-    let text = text.replace(" × ", "\u{a0}×\u{a0}");
-    textwrap::fill(&text, options).replace('\u{a0}', " ")
+/// Returns the style of standard output: plain where there is no terminal, where it can't, and
+/// where the reader does not want color.
+pub(crate) fn style() -> Style {
+    Style {
+        is_colored: Palette::of_stdout().is_some(),
+    }
+}
+
+/// Lays out an answer, a line each with its end.
+pub(crate) fn laid_out(answer: &Answer) -> String {
+    let lines = text::lines(answer, style(), text_width(), text::MOST_LINES);
+    lines.iter().map(|line| format!("{line}\n")).collect()
 }

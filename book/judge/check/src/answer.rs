@@ -1,321 +1,386 @@
-//! The answer to a picture, part by part: what the command and the page lay out.
+//! The answer to a reader as data: a headline, rows, pictures, and what to do next.
+//!
+//! [`Attempt::answer`] makes it, with the sentences of [`sentences`](crate::sentences); `text` and
+//! `html` lay it out, for `check`, `watch`, the pages, the report and the laws.
 
-use slips::{Chapter, Edition, Slip};
+use std::fmt;
 
-use crate::Row;
-use crate::blind_spots::{self, Next};
-use crate::causes;
+use common::rtweekend::Picture;
+use laws::Report;
+use slips::{Chapter, Probe, Slip};
+
 use crate::known::Known;
 use crate::reading::Cause;
 use crate::scene::Scene;
-use crate::verdict::{Check, Finding, Right};
-use crate::words::names_of;
+use crate::sentences::{law, refused};
+use crate::verdict::{Check, Finding};
 
-/// A picture after it has been judged.
-pub struct Judged<'a> {
-    /// What it should show.
-    pub scene: Scene,
-    /// Whether that was guessed from the picture.
-    pub is_guessed: bool,
-    /// What the picture is called.
-    pub name: String,
-    /// What keeps viewers from it.
-    pub encoding: Option<Cause>,
-    /// What is known besides the picture.
-    pub known: Known<'a>,
-    /// What was found.
-    pub check: Check,
+/// All that a reader is told of a picture or a program.
+#[derive(Debug, Default)]
+pub struct Answer {
+    /// The verdict in a sentence.
+    pub headline: Headline,
+    /// What explains the verdict, the most important row first.
+    pub rows: Vec<Row>,
+    /// The reader's picture beside the right one, if there is one to see.
+    pub pictures: Option<Pictures>,
+    /// Slips whose pages tell how the line is right.
+    pub read: Vec<&'static Slip>,
+    /// What to do now; empty if the rows say it.
+    pub next: String,
+    /// What came out right, for the reader's list of done things.
+    pub done: Vec<String>,
 }
 
-/// The first lines of an answer.
+/// A sentence with the verdict in it: `sign.png is wrong: 3 of 90 pixels …`.
+#[derive(Debug, Default)]
 pub struct Headline {
-    /// What comes before the verdict: the name of the picture.
-    pub before: String,
-    /// The verdict.
-    pub verdict: &'static str,
-    /// Whether it says right.
-    pub is_right: bool,
-    /// What comes after it.
-    pub after: String,
-    /// Further lines.
-    pub notes: Vec<String>,
+    /// How the verdict is shown.
+    pub mark: Mark,
+    /// What is judged, as the name of a file; empty where the place of the answer says that.
+    pub subject: String,
+    /// The verdict itself: after `subject is`, or a whole sentence.
+    pub verdict: String,
+    /// The rest of the sentence, and what follows it.
+    pub rest: String,
 }
 
-/// What follows the headline, in the order in which it is read.
-pub enum Part {
-    /// What explains the picture.
-    Title(String),
-    /// The name of what explains it.
-    Name(String),
-    /// What there is to say of it.
-    Rows(Vec<Row>),
-    /// Where to read how it is right.
-    Read(&'static Slip),
-    /// The next picture to draw.
-    Next(Box<Next>),
+/// The kind of a verdict, by which it is colored.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Mark {
+    /// Nothing is left to do.
+    Right,
+    /// Nothing is wrong so far: a step, an unfinished text, a right picture but for something.
+    OnTheWay,
+    /// Something is wrong.
+    #[default]
+    Wrong,
+    /// There is no picture to judge.
+    NoPicture,
 }
 
-impl Judged<'_> {
-    /// Right, wrong, or why it is no picture; and what it was taken for.
-    pub fn headline(&self) -> Headline {
-        let mut headline = match self.unrecognized() {
-            Some(seen) => Headline {
-                before: format!("{} is ", self.name),
-                verdict: "not recognized",
-                is_right: false,
-                after: format!(": {seen}."),
-                notes: vec!["To compare it with one, name the chapter.".to_owned()],
-            },
-            None => self.recognized(),
+/// The two pictures of an answer, of the same size.
+#[derive(Debug)]
+pub struct Pictures {
+    /// The reader's, as a viewer shows it.
+    pub yours: Picture,
+    /// What it should be.
+    pub right: Picture,
+}
+
+/// A labeled line of an answer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Row {
+    /// What the line is.
+    pub kind: Kind,
+    /// The line, which may be long.
+    pub text: String,
+}
+
+/// What a row tells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A line as a compiler or a program has printed it.
+    Printed,
+    /// The first complaint of the compiler that is no error.
+    Warned,
+    /// The reader's line, which is wrong.
+    Yours,
+    /// A wrong line that the reader probably has.
+    Probably,
+    /// A wrong line that the reader may have, the first of several.
+    Perhaps,
+    /// Another one.
+    Or,
+    /// A line that goes on with the row before.
+    More,
+    /// The right line.
+    ShouldBe,
+    /// A line that is not there.
+    Missing,
+    /// Why the wrong line is wrong.
+    Why,
+    /// By what the rows above were tried.
+    Tried,
+    /// An observation about the picture.
+    Seen,
+    /// The first pixel that differs.
+    First,
+    /// The numbers of its ray, as they should be.
+    Numbers,
+    /// For what the laws hold.
+    Laws,
+    /// The law that is broken.
+    Law,
+    /// What a function answered.
+    Found,
+    /// What it may answer.
+    Allowed,
+    /// A mistake with the same answers.
+    SameAs,
+    /// Where that is explained.
+    Read,
+    /// A command that asks the same again.
+    ByHand,
+    /// What a program answers to it.
+    Says,
+    /// Something that does not change the verdict.
+    Besides,
+    /// A further picture to draw, with the name of its probe if it has one.
+    Probe(&'static str),
+}
+
+impl Answer {
+    /// Says what the subject is, or what is judged if that has no name, and the rest of the
+    /// sentence.
+    pub fn of(mark: Mark, subject: &str, verdict: &str, rest: impl Into<String>) -> Self {
+        let headline = Headline {
+            mark,
+            subject: subject.to_owned(),
+            verdict: verdict.to_owned(),
+            rest: rest.into(),
         };
-        headline.notes.extend(self.encoding.iter().flat_map(|it| {
-            let besides = format!("Besides, {}.", it.problem);
-            [besides, it.fix.clone()]
-        }));
-        headline
-    }
-
-    /// The verdict, and what the picture was taken for.
-    fn recognized(&self) -> Headline {
-        let mut headline = self.verdict();
-        let is_no_picture = matches!(self.check, Check::NotAPicture { finding: None, .. });
-        if self.is_guessed && !is_no_picture {
-            let also = self.scene.with_the_other_formula();
-            let also = also.map_or("", |other| match other.chapter {
-                Chapter::Normals => " or normals",
-                _ => " or half_b_sphere",
-            });
-            let taken = format!("It was taken for {}{also}.", self.scene_name());
-            headline.notes.insert(0, taken);
+        Self {
+            headline,
+            ..Self::default()
         }
-        headline
     }
 
-    fn verdict(&self) -> Headline {
-        let is = |verdict, is_right, after: String, notes| Headline {
-            before: format!("{} is ", self.name),
-            verdict,
-            is_right,
-            after,
-            notes,
-        };
-        let notes = |scene: &Scene, shape: &[&Slip]| {
-            let given_by = self.known.shape_given_by(scene, shape);
-            given_by.into_iter().chain(notes_on(scene)).collect()
-        };
-        match &self.check {
+    /// Says a whole sentence.
+    pub fn sentence(mark: Mark, verdict: impl Into<String>) -> Self {
+        Self::of(mark, "", &verdict.into(), "")
+    }
+
+    /// Adds rows.
+    pub fn with(mut self, rows: impl IntoIterator<Item = Row>) -> Self {
+        self.rows.extend(rows);
+        self
+    }
+
+    /// Adds what to do next.
+    pub fn then(self, next: impl Into<String>) -> Self {
+        let next = next.into();
+        Self { next, ..self }
+    }
+
+    /// Returns true if nothing is left to do.
+    pub fn is_right(&self) -> bool {
+        self.headline.mark == Mark::Right
+    }
+}
+
+impl Pictures {
+    /// Takes those of a verdict, if it has some.
+    fn of(check: Check) -> Option<Self> {
+        let finding = match check {
             Check::Right(right) => {
-                let after = format!("{}: {}.", right.by(), self.how_right(right));
-                let notes = notes(&right.scene, &right.shape_given_by);
-                is("right", true, after, notes)
+                let picture = || right.scene.right(right.width, right.height);
+                return (right.levels == 0).then(|| Self {
+                    yours: picture(),
+                    right: picture(),
+                });
             }
-            Check::Near(finding) => {
-                let by = Edition::said(&finding.editions);
-                let after = format!("{by}, but {}.", finding.but());
-                let (width, height) = (finding.yours.width(), finding.yours.height());
-                let shape = causes::slips_giving(&self.scene, width, height);
-                is("right", true, after, notes(&finding.scene, &shape))
-            }
-            Check::Wrong(finding) => {
-                let verdict = if finding.levels() <= 1 {
-                    "right within one level, but not to the last bit"
-                } else {
-                    "wrong"
-                };
-                let after = format!(": {}.", self.counts(finding));
-                is(verdict, false, after, notes_on(&finding.scene))
-            }
-            Check::Another { cause, .. }
-            | Check::WrongShape { cause, .. }
-            | Check::NotAPicture { cause, .. } => {
-                let verdict = match &self.check {
-                    Check::NotAPicture { finding: None, .. } => "not a picture",
-                    Check::NotAPicture { .. } => "not a valid picture",
-                    _ => "wrong",
-                };
-                let after = format!(": {}.", cause.problem);
-                is(verdict, false, after, vec![cause.fix.clone()])
-            }
-        }
-    }
-
-    /// What follows.
-    pub fn parts(&self) -> Vec<Part> {
-        if let Check::Right(right) = &self.check {
-            return self.next_probe(right).into_iter().collect();
-        }
-        let finding = self.check.finding();
-        match finding.filter(|_| self.unrecognized().is_none()) {
-            Some(finding) => self.explained(finding),
-            None => Vec::new(),
-        }
-    }
-
-    /// Of a right picture, the one to draw next, in which mistakes would show that this one
-    /// hides.
-    fn next_probe(&self, right: &Right) -> Option<Part> {
-        if right.levels > 0 {
-            return None;
-        }
-        let next = blind_spots::next(&right.scene, right.width, |_| true);
-        next.map(|next| Part::Next(Box::new(next)))
-    }
-
-    fn explained(&self, finding: &Finding) -> Vec<Part> {
-        let pixels = finding.right.rgb().len() / 3;
-        let mut parts = Vec::new();
-        if finding.repair.is_some() {
-            // The lines say it.
-        } else if let Some(mistakes) = &finding.mistakes {
-            parts.push(Part::Title(mistakes.title(pixels)));
-            let single = finding.single();
-            if single.iter().any(|slip| !slip.name.is_empty()) {
-                parts.push(Part::Name(names_of(single)));
-            }
-        } else if finding.near.is_none() && finding.difference.is_some() {
-            parts.extend(whereabouts(finding));
-            if let Some(title) = finding.drawn.title() {
-                parts.push(Part::Title(title.to_owned()));
-            } else if finding.sights.len() != 1 {
-                let unknown = match self.scene.probe {
-                    None if self.known.sources.files().is_empty() => {
-                        "No mistake in the catalogue draws this picture.".to_owned()
-                    }
-                    None => "No mistake in the catalogue explains this picture and your files."
-                        .to_owned(),
-                    Some(_) => format!(
-                        "No known mistake draws this picture and the chapter's own right. Is that right? {}",
-                        self.scene.without_probe().command()
-                    ),
-                };
-                parts.push(Part::Title(unknown));
-            }
-        }
-        parts.push(Part::Rows(finding.rows(&self.known)));
-        let single = finding.single().iter();
-        let with_a_page = single.filter(|slip| !slip.page.is_empty());
-        parts.extend(with_a_page.map(|slip| Part::Read(slip)));
-        let next = finding.next(self.known.letters, |probe| self.scene.probed_command(probe));
-        parts.extend(next.map(|next| Part::Rows(vec![("next", next)])));
-        parts
-    }
-
-    /// What is seen, where the chapter was guessed and the picture says too little of it.
-    fn unrecognized(&self) -> Option<String> {
-        // Levels that are none are said first.
-        if !self.is_guessed || matches!(self.check, Check::NotAPicture { .. }) {
-            return None;
-        }
-        if let Check::WrongShape { finding: None, .. } = self.check {
-            return Some("it has the shape of none of these chapters' pictures".to_owned());
-        }
-        let finding = self.check.finding()?;
-        let mut colors = finding.yours.rgb().chunks_exact(3);
-        let first = colors.next()?;
-        if colors.all(|color| color == first) {
-            return Some(format!(
-                "it has one color everywhere, {first:?}, and many mistakes draw that"
-            ));
-        }
-        let difference = finding.difference.as_ref()?;
-        let is_explained = finding.near.is_some() || finding.mistakes.is_some();
-        let is_unlike = !is_explained && 2 * difference.count > difference.total;
-        (is_unlike && finding.levels() > 1).then(|| {
-            "it is not found among the pictures of these chapters, right or with a mistake"
-                .to_owned()
+            Check::Near(finding) | Check::Wrong(finding) => finding,
+            Check::WrongShape { finding, .. } | Check::NotAPicture { finding, .. } => *finding?,
+            Check::Another { .. } => return None,
+        };
+        Some(Self {
+            yours: finding.yours,
+            right: finding.right,
         })
     }
+}
 
-    fn scene_name(&self) -> String {
-        let chapter = self.scene.chapter.name();
-        match self.scene.probe {
-            None => chapter.to_owned(),
-            Some(probe) => format!("{chapter} with the probe {}", probe.name),
-        }
-    }
-
-    fn how_right(&self, right: &Right) -> String {
-        let name = self.scene_name();
-        let all = u64::from(right.width) * u64::from(right.height);
-        let (width, height, off) = (right.width, right.height, right.off);
-        match right.levels {
-            0 if all == 1 => format!("the one pixel of {name}, to the last bit"),
-            0 => format!("all {all} pixels of {name} at {width} × {height}, to the last bit"),
-            levels => format!(
-                "{off} of {all} pixels of {name} are off, by no more than {levels}, which is tolerated"
-            ),
-        }
-    }
-
-    fn counts(&self, finding: &Finding) -> String {
-        let name = self.scene_name();
-        let (width, height) = (finding.right.width(), finding.right.height());
-        let Some(difference) = &finding.difference else {
-            return format!("no pixel differs from {name} at {width} × {height}");
+impl Headline {
+    /// Returns what stands before the verdict, the verdict, and what follows it.
+    pub fn parts(&self) -> [String; 3] {
+        let (before, verdict) = match &*self.subject {
+            "" => (String::new(), capital(&self.verdict)),
+            subject => (format!("{subject} is "), self.verdict.clone()),
         };
-        let (count, total) = (difference.count, difference.total);
-        let share = 100.0 * count as f64 / total as f64;
-        format!(
-            "{count} of {total} pixels ({share:.1} %) are not those of {name} at {width} × {height}{}",
-            Edition::said(&finding.editions)
+        [before, verdict, self.rest.clone()]
+    }
+}
+
+impl fmt::Display for Headline {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.parts().concat())
+    }
+}
+
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().map(char::to_uppercase);
+    first.into_iter().flatten().chain(letters).collect()
+}
+
+impl Row {
+    /// Makes a row.
+    pub fn new(kind: Kind, text: impl Into<String>) -> Self {
+        let text = text.into();
+        Self { kind, text }
+    }
+}
+
+impl Kind {
+    /// Returns the label before the row.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Printed | Self::More => "",
+            Self::Warned => "warned",
+            Self::Yours => "yours",
+            Self::Probably => "probably",
+            Self::Perhaps => "perhaps",
+            Self::Or => "or",
+            Self::ShouldBe => "should be",
+            Self::Missing => "missing",
+            Self::Why => "why",
+            Self::Tried => "tried",
+            Self::Seen => "seen",
+            Self::First => "first",
+            Self::Numbers => "numbers",
+            Self::Laws => "the laws",
+            Self::Law => "the law",
+            Self::Found => "found",
+            Self::Allowed => "allowed",
+            Self::SameAs => "same as",
+            Self::Read => "read",
+            Self::ByHand => "by hand",
+            Self::Says => "it says",
+            Self::Besides => "besides",
+            Self::Probe(_) => "probe",
+        }
+    }
+
+    /// Returns true if the row is a line of code or a command.
+    pub fn is_code(self) -> bool {
+        matches!(
+            self,
+            Self::Yours
+                | Self::Probably
+                | Self::Perhaps
+                | Self::Or
+                | Self::ShouldBe
+                | Self::Missing
+                | Self::ByHand
         )
     }
 }
 
-impl Finding {
-    /// What it is instead of the book's picture, after "right, but".
-    pub fn but(&self) -> String {
-        let pixels = self.right.rgb().len() / 3;
-        let near = self.near.as_ref();
-        near.map_or(String::new(), |near| near.clause(pixels))
-    }
+/// What the laws say of the functions that a reader typed.
+#[derive(Debug)]
+pub enum Laws {
+    /// All of them hold.
+    Obeyed,
+    /// One is broken.
+    Broken(Box<Report>),
+    /// One is broken by the reader's own prelude, on which all else stands.
+    BrokenPrelude(Box<Report>),
+    /// A function has a `todo!()` at this place.
+    NotWritten(String),
+    /// A function of the reader's own prelude has one.
+    UnwrittenPrelude(String),
+    /// They were not tried to the end, and this was printed.
+    Unknown(String),
+    /// They are still being built.
+    Coming,
 }
 
-impl Right {
-    /// After "right": by which editions, and whose its shape is if not theirs.
-    pub(crate) fn by(&self) -> String {
-        let by = Edition::said(&self.editions);
-        let shape = if !self.scene.has_another_shape() {
-            ""
-        } else if self.scene.is_in_a_later_shape(self.width, self.height) {
-            " in the shape of later ones"
-        } else {
-            " in this shape, which is not the book's"
+/// A picture that a reader hands in, and what is known of it.
+pub struct Attempt<'a> {
+    /// The scene that the picture should show.
+    pub scene: Scene,
+    /// True if that was guessed from the picture.
+    pub is_guessed: bool,
+    /// What the picture is called, or nothing.
+    pub name: String,
+    /// What keeps viewers from the file.
+    pub encoding: Option<Cause>,
+    /// What is known of the reader.
+    pub known: &'a Known<'a>,
+    /// What the laws say, where functions can be asked.
+    pub laws: Option<&'a Laws>,
+    /// What the reader can do next.
+    pub commands: Commands<'a>,
+}
+
+/// What a reader can type, or do on a page.
+pub struct Commands<'a> {
+    /// Judges a picture of the chapter, or of a probe of it.
+    pub judge: Box<dyn Fn(Option<Probe>) -> String + 'a>,
+    /// Goes on to another chapter, where chapters are typed.
+    pub start: Option<Box<dyn Fn(Chapter) -> String + 'a>>,
+    /// Shows more of a broken law, or says nothing.
+    pub test: &'static str,
+}
+
+impl Commands<'_> {
+    /// Makes those for pictures alone, which `check` judges.
+    pub fn of_pictures(scene: Scene) -> Self {
+        let judge = move |probe: Option<Probe>| match probe {
+            Some(probe) => scene.probed_command(probe),
+            None => scene.without_probe().command(),
         };
-        format!("{by}{shape}")
+        Self {
+            judge: Box::new(judge),
+            start: None,
+            test: "",
+        }
     }
 }
 
-/// What the edition of a scene has otherwise than the one that this workspace follows.
-fn notes_on(scene: &Scene) -> Vec<String> {
-    let [with_rays, build_test] = scene.edition.differs_by();
-    let differs = match scene.chapter {
-        Chapter::BuildTest => build_test,
-        _ => with_rays,
-    };
-    match scene.edition {
-        Edition::V4 => Vec::new(),
-        _ => vec![
-            format!(
-                "It is compared with {}. That has otherwise than version 4, which this workspace follows: {differs}.",
-                scene.edition
-            ),
-            "To be judged by version 4 alone: --edition 4.".to_owned(),
-        ],
+impl Attempt<'_> {
+    /// Answers what was found in the picture.
+    pub fn answer(&self, check: Check) -> Answer {
+        let mut answer = match (self.unrecognized(&check), self.laws) {
+            (Some(answer), _) => answer,
+            (None, Some(Laws::BrokenPrelude(report))) => Answer {
+                rows: law(report),
+                ..self.judged(&check)
+            }
+            .then("put this right first: what else is wrong may stand on it"),
+            (None, _) => self.judged(&check),
+        };
+        if self.is_guessed && answer.headline.verdict != "not recognized" {
+            answer.rows.push(self.taken_for());
+        }
+        let besides = |it: &Cause| Row::new(Kind::Besides, format!("{}. {}", it.problem, it.fix));
+        answer.rows.extend(self.encoding.iter().map(besides));
+        answer.pictures = Pictures::of(check);
+        answer
     }
-}
 
-/// The box of what differs, if that is not the whole picture.
-fn whereabouts(finding: &Finding) -> Option<Part> {
-    let difference = finding.difference.as_ref()?;
-    let (columns, rows) = (difference.columns, difference.rows);
-    let last = (finding.right.width() - 1, finding.right.height() - 1);
-    if (columns, rows) == ((0, last.0), (0, last.1)) {
-        return None;
+    fn judged(&self, check: &Check) -> Answer {
+        match check {
+            Check::Right(right) => self.right(right),
+            Check::Near(finding) => match (&finding.near, finding.scene.step()) {
+                (Some(near), Some(step)) if near.is_exact() => self.step(step, finding),
+                (near, _) => {
+                    let left = near.as_ref().map(|it| it.left).unwrap_or_default();
+                    self.nearly_right(finding, &left)
+                }
+            },
+            Check::Wrong(finding) => self.wrong(finding),
+            Check::Another { cause, .. } => refused(&self.name, "wrong", cause),
+            Check::WrongShape { cause, finding } => {
+                let answer = refused(&self.name, "wrong", cause);
+                self.with_pixels(answer, finding.as_deref())
+            }
+            Check::NotAPicture { cause, finding } => {
+                let verdict = match finding {
+                    Some(_) => "not a valid picture",
+                    None => "not a picture",
+                };
+                let answer = refused(&self.name, verdict, cause);
+                self.with_pixels(answer, finding.as_deref())
+            }
+        }
     }
-    let said = format!(
-        "columns {} to {}, rows {} to {}",
-        columns.0, columns.1, rows.0, rows.1
-    );
-    Some(Part::Rows(vec![("where", said)]))
+
+    fn with_pixels(&self, answer: Answer, finding: Option<&Finding>) -> Answer {
+        match finding {
+            Some(finding) => self.explained(answer, finding),
+            None => answer,
+        }
+    }
 }

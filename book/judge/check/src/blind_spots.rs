@@ -3,7 +3,7 @@
 //! At the book's width a table tells them; at another one they are drawn: a slip is hidden if
 //! its program draws the right picture.
 
-use slips::{Letters, Output, PROBES, Slip, Unseen};
+use slips::{Output, PROBES, Slip, Unseen};
 
 use crate::pixels::spread;
 use crate::scene::Scene;
@@ -39,7 +39,7 @@ pub fn hidden(scene: &Scene, width: u32) -> Vec<&'static Slip> {
 
 /// The picture to draw after the right one of `scene`, so many pixels wide, of those that show
 /// mistakes which may have been made. They follow each other in one order, so that no probe is
-/// asked for twice: the one that shows most of what is left comes first.
+/// asked for twice.
 pub fn next(scene: &Scene, width: u32, may_be: impl Fn(&Slip) -> bool) -> Option<Next> {
     let (own, book) = (scene.without_probe(), scene.chapter.book_width());
     let drawn = if scene.probe.is_some() { book } else { width };
@@ -57,7 +57,8 @@ pub fn next(scene: &Scene, width: u32, may_be: impl Fn(&Slip) -> bool) -> Option
     order.into_iter().nth(passed.map_or(0, |at| at + 1))
 }
 
-/// The picture that shows most of these mistakes, of equals the cheapest change.
+/// Chooses the cheapest change that shows a mistake in the chapter's own lines, which were typed
+/// last; or else the picture that shows most of these mistakes, of equals the cheapest.
 fn most_telling(own: &Scene, drawn: u32, hidden: &[&'static Slip]) -> Option<Next> {
     let book = own.chapter.book_width();
     let larger = (drawn < book).then_some((*own, book));
@@ -75,28 +76,17 @@ fn most_telling(own: &Scene, drawn: u32, hidden: &[&'static Slip]) -> Option<Nex
             slips,
         })
     });
+    let is_own = |slip: &&Slip| slip.chapters().next() == Some(own.chapter);
+    let shows_own = |next: &Next| next.slips.iter().any(is_own);
     // Of equals `max_by_key` takes the last one.
     let nexts: Vec<Next> = nexts.collect();
-    nexts.into_iter().rev().max_by_key(|next| next.slips.len())
-}
-
-impl Next {
-    /// What to change in a program, on one line. A program may have its height as a number.
-    pub fn change(&self, letters: Option<Letters>) -> String {
-        let width = format!("image_width = {}", self.width);
-        let height = self.scene.height(self.width);
-        let both = format!("{width}, so that image_height is {height}");
-        let change = self.scene.change(self.width, letters).replace('\n', "; ");
-        change.replacen(&width, &both, 1)
-    }
-
-    /// What to draw, and why.
-    pub fn why(&self) -> String {
-        match self.scene.probe {
-            Some(probe) => format!("To test more, draw the probe {}", probe.name),
-            None => format!("To test more, draw it {} wide", self.width),
-        }
-    }
+    let most = nexts.into_iter().rev();
+    most.max_by_key(|next| {
+        (
+            shows_own(next),
+            if shows_own(next) { 0 } else { next.slips.len() },
+        )
+    })
 }
 
 /// A picture that a program has to draw, and those of its pixels that are looked at.

@@ -1,6 +1,6 @@
 //! The programs that may have drawn a picture: right ones, and those with known mistakes.
 
-use slips::{Chapter, Edition, PROBES, Slip};
+use slips::{Chapter, Edition, PROBES, Probe, Slip, SphereCount};
 
 use crate::candidate::{Candidate, Conversion};
 use crate::known::Evidence;
@@ -22,12 +22,17 @@ pub(crate) fn elsewhere(evidence: &Evidence) -> Vec<Candidate> {
     if evidence.known.sources.are_of_the_chapter() {
         return Vec::new();
     }
-    let probes = PROBES.into_iter().filter(|probe| probe.spheres.is_some());
+    let (width, height) = (evidence.reading.width, evidence.reading.height);
+    let is_sky = own.chapter.sphere_count() != SphereCount::None
+        && evidence.reading.picture() == own.of_sky(width, height);
+    // Only sky is the picture of many things: of a probe only in its own width.
+    let may_be = |probe: &Probe| probe.spheres.is_some() && (!is_sky || probe.width == width);
+    let probes = PROBES.into_iter().filter(may_be);
     let scenes = [None].into_iter().chain(probes.map(Some));
     let scenes = scenes.filter(|probe| *probe != own.probe);
     let scenes = scenes.filter_map(|probe| Scene::new(own.chapter, probe));
     let chapters = Chapter::OF_THE_BOOK.into_iter();
-    let chapters = chapters.filter(|&chapter| chapter != own.chapter);
+    let chapters = chapters.filter(|&chapter| chapter != own.chapter && !is_sky);
     let all = scenes.chain(chapters.map(|chapter| own.of_chapter(chapter)));
     let all = all.flat_map(|scene| by_editions(evidence, scene));
     let all = all.filter(|scene| !scene.has_another_shape());
@@ -97,6 +102,7 @@ fn steps(evidence: &Evidence) -> Vec<Scene> {
     let own = evidence.scene;
     let before = evidence.known.steps.len().saturating_sub(1);
     let steps = (0..before).map(|step| own.at_step(step));
+    let steps = steps.filter(|step| !evidence.is_past(step));
     let scenes = steps.filter_map(|scene| by_editions(evidence, scene).into_iter().next());
     scenes.collect()
 }

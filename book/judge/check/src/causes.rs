@@ -93,21 +93,26 @@ pub(crate) fn no_levels(reading: &Reading) -> Option<Cause> {
         (true, false) => format!("below 0, down to {lowest}"),
         _ => format!("above 255, up to {highest}"),
     };
-    let far = if outside.lowest == i16::MIN {
-        " This is what NaN turns into: is 0 / 0 taken, the root of a negative number, or a number that was never set?"
-    } else {
-        ""
+    let pixels = match outside.count {
+        1 => "1 pixel has".to_owned(),
+        all => format!("{all} pixels have"),
+    };
+    let fix = match (outside.lowest, outside.highest) {
+        (i16::MIN, _) => {
+            "This is what NaN turns into: is 0 / 0 taken, the root of a negative number, or a number that was never set?"
+        }
+        (0.., 256) => {
+            "256 comes of a factor of 256, or of rounding: int(255.999 * r) is at most 255."
+        }
+        _ => "A component of a color must be from 0 to 1 before it is scaled: int(255.999 * r).",
     };
     Some(Cause::new(
         "levels-outside",
         format!(
-            "{} pixels have numbers {range}; the first is column {column}, row {row}: [{}]",
-            outside.count,
+            "{pixels} numbers {range}; the first is column {column}, row {row}: [{}]",
             outside.pixel.map(said).join(", ")
         ),
-        format!(
-            "A component of a color must be from 0 to 1 before it is scaled: int(255.999 * r). If a mistake is named, it gives these very numbers.{far}"
-        ),
+        fix,
     ))
 }
 
@@ -122,19 +127,20 @@ pub(crate) fn another(wanted: &Scene, others: &[Scene], letters: Option<Letters>
         let other = others[0];
         let by = match other.edition {
             Edition::V4 => String::new(),
-            edition => format!(", by {edition}"),
+            edition => format!(" by version {}", edition.name()),
+        };
+        let (other, command) = (other.chapter, other.command());
+        let missing = match other < wanted.chapter {
+            true => format!("What {own} adds is not seen: is it called, and is its answer used? "),
+            false => String::new(),
         };
         return Cause::new(
             "another-chapter",
             format!(
                 "this is a picture of the chapter {}{by}, not of {own}",
-                other.chapter.name()
+                other.name()
             ),
-            format!(
-                "What {own} adds is not seen: is it called, and is its answer used? If you meant {}: {}",
-                other.chapter.name(),
-                other.command()
-            ),
+            format!("{missing}If you meant {}: {command}", other.name()),
         );
     }
     let (problem, fix) = match (wanted.probe, others[0].probe) {
@@ -144,8 +150,8 @@ pub(crate) fn another(wanted: &Scene, others: &[Scene], letters: Option<Letters>
                 probe.name
             ),
             format!(
-                "Change your program to\n  {}\nand then: {}",
-                wanted.change(probe.width, letters).replace('\n', "\n  "),
+                "change your program: {}; then {}",
+                wanted.change(probe.width, letters).replace('\n', "; "),
                 wanted.command()
             ),
         ),

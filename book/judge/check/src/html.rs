@@ -1,50 +1,88 @@
-//! HTML: the rows of an answer, in the elements of a page of the book.
+//! The layout of an answer in a page: the elements of the book.
 
-use std::fmt::Display;
+use std::fmt;
 
-use slips::Slip;
+use crate::answer::{Answer, Headline, Kind, Mark, Row};
 
-use crate::answer::Part;
-use crate::report::escaped;
-
-/// What is code in an answer is the second in a row with one of these labels.
-const CODE: [&str; 6] = ["probably", "perhaps", "should be", "or", "yours", "missing"];
-
-/// A part of an answer but for the next picture.
-pub fn part(part: &Part) -> String {
-    match part {
-        Part::Title(said) => format!("<h3>{}</h3>", escaped(said)),
-        Part::Name(name) => format!("<p><code>{}</code></p>", escaped(name)),
-        Part::Rows(rows) => list(rows),
-        Part::Read(slip) => read(slip),
-        Part::Next(_) => String::new(),
-    }
+/// Where an answer is shown as HTML.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// In a page of the book, whose other pages can be opened.
+    Book,
+    /// In the page that judges the picture of a probe, too.
+    CheckPage,
+    /// In a page alone, as a report is.
+    Report,
 }
 
-/// Labeled rows; nothing, if there are none.
-pub fn list(rows: &[(&str, impl Display)]) -> String {
-    if rows.is_empty() {
-        return String::new();
-    }
-    let row = |(label, said): &(&str, _)| {
-        let said = if CODE.contains(label) {
-            format!("<code>{}</code>", escaped(said))
-        } else {
-            escaped(said)
-        };
-        format!("<dt>{}</dt><dd>{said}</dd>", escaped(label))
+/// Lays out the verdict; its class is the kind.
+pub fn headline(headline: &Headline) -> String {
+    // The name `right` is taken: mdBook lets what has it float.
+    let class = match headline.mark {
+        Mark::Right => "is-right",
+        Mark::OnTheWay => "is-calm",
+        Mark::Wrong => "is-wrong",
+        Mark::NoPicture => "is-none",
     };
-    let rows: String = rows.iter().map(row).collect();
-    format!("<dl>{rows}</dl>")
+    let [before, verdict, rest] = headline.parts().map(escaped);
+    format!("{before}<strong class=\"{class}\">{verdict}</strong>{rest}")
 }
 
-/// Where to read how it is right.
-pub fn read(slip: &Slip) -> String {
-    if slip.page.is_empty() {
-        return String::new();
-    }
-    format!(
-        "<p><a href=\"{}\">How it is right</a></p>",
-        escaped(slip.address())
-    )
+/// Lays out what follows the verdict: what was printed, the rows, what to do next, and pages.
+pub fn below(answer: &Answer, place: Place) -> String {
+    let is_printed = |it: &&Row| it.kind == Kind::Printed;
+    let (printed, rows): (Vec<&Row>, Vec<&Row>) = answer.rows.iter().partition(is_printed);
+    let printed = printed
+        .iter()
+        .map(|it| format!("<p class=\"printed\">{}</p>", escaped(&it.text)));
+    let rows = rows.iter().map(|it| row(it, place));
+    let next = (!answer.next.is_empty()).then(|| item("next", &with_code(&answer.next)));
+    let rows: String = rows.chain(next).collect();
+    let list = match &*rows {
+        "" => String::new(),
+        rows => format!("<dl>{rows}</dl>"),
+    };
+    let pages = answer.read.iter().filter(|_| place != Place::Report);
+    let pages = pages.map(|slip| {
+        format!(
+            "<p><a href=\"{}\">How it is right</a></p>",
+            escaped(slip.address())
+        )
+    });
+    printed.chain([list]).chain(pages).collect()
+}
+
+/// Returns a text as HTML shows it.
+pub fn escaped(text: impl fmt::Display) -> String {
+    text.to_string()
+        .replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+        .replace('"', "&quot;")
+}
+
+fn row(row: &Row, place: Place) -> String {
+    let said = match row.kind {
+        kind if kind.is_code() => format!("<code>{}</code>", escaped(&row.text)),
+        Kind::Probe(name) if place == Place::CheckPage => format!(
+            "{} <button type=\"button\" data-probe=\"{name}\">Judge it here</button>",
+            with_code(&row.text)
+        ),
+        _ => with_code(&row.text),
+    };
+    item(row.kind.label(), &said)
+}
+
+fn item(label: &str, said: &str) -> String {
+    format!("<dt>{label}</dt><dd>{said}</dd>")
+}
+
+/// Shows what stands between backticks as code.
+fn with_code(text: &str) -> String {
+    let parts = text.split('`').enumerate();
+    let part = |(n, part): (usize, &str)| match n % 2 {
+        0 => escaped(part),
+        _ => format!("<code>{}</code>", escaped(part)),
+    };
+    parts.map(part).collect()
 }

@@ -59,14 +59,6 @@ impl Known<'_> {
         slip.words(letters, scene.chapter)
     }
 
-    /// What may have given a picture its shape, if the reader did not choose it.
-    pub(crate) fn shape_given_by(&self, scene: &Scene, slips: &[&Slip]) -> Option<String> {
-        let said = |slip: &&Slip| format!("{} ({})", slip.name, self.words(slip, scene).wrong);
-        let said: Vec<String> = slips.iter().map(said).collect();
-        let said = said.join(", or ");
-        (!slips.is_empty()).then(|| format!("If you did not choose this shape, look for {said}."))
-    }
-
     /// Whether the reader can have made the slip, as far as it is known.
     pub fn can_be_made(&self, slip: &Slip, scene: &Scene) -> bool {
         self.can_be_made.is_none_or(|can_be| can_be(slip)) && self.said(slip, scene) != Said::Right
@@ -181,6 +173,16 @@ impl<'a> Evidence<'a> {
                     let (asked, unlike) = unlike(&it.scene.unchanged().program(&it.slips));
                     unlike * REFUTING > asked
                 })
+    }
+
+    /// Returns true if the reader's functions answer more like the whole chapter's than like those
+    /// of this step: the reader is past it.
+    pub(crate) fn is_past(&self, step: &Scene) -> bool {
+        self.known.answers.is_some_and(|unlike| {
+            let [whole, step] =
+                [self.scene, *step].map(|it| unlike(&it.unchanged().program(&[])).1);
+            whole < step
+        })
     }
 
     /// Whether the wrong line of each of its slips stands in the reader's files.

@@ -2,10 +2,9 @@
 //!
 //! In the order in which a file passes through it: [`reading`] makes a picture of bytes that
 //! may be anything, the judge asks which program draws it, `search` tries what makes the
-//! reader's own program right, and the [`verdict`] is laid out as an [`answer`] to a picture,
-//! as the [`whole`] verdict on a program that is being typed, or as a [`report`] on a page. If
-//! the picture is right, [`blind_spots`] knows what it hides. Of a picture without a chapter's
-//! name [`guess`] says which chapter it is. [`any_language`] puts a function under the laws that is
+//! reader's own program right, and the [`verdict`] becomes an [`answer`] in the words of [`sentences`],
+//! which [`text`] and [`html`] lay out. If the picture is right, [`blind_spots`] knows what it
+//! hides. Of a picture without a chapter's name [`guess`] says which chapter it is. [`any_language`] puts a function under the laws that is
 //! asked by lines of text.
 
 pub mod answer;
@@ -26,16 +25,13 @@ pub mod report;
 pub mod scene;
 mod search;
 mod seen;
+pub mod sentences;
 pub mod sources;
 mod telling;
+pub mod text;
 pub mod verdict;
-pub mod whole;
-mod words;
 pub mod workspace;
 
 pub use candidate::{Conversion, Left};
 pub use course::names;
-pub use words::names_of;
-
-/// A label and what it is about; without a label it goes on with the row before.
-pub type Row = (&'static str, String);
+pub use sentences::names_of;

@@ -4,11 +4,13 @@
 //! Everything is in the page or beside it, so that it also works from a disk and
 //! without a network.
 
-use std::{fmt, iter};
+use std::iter;
 
 use common::rtweekend::Picture;
 
+use crate::answer::Pictures;
 use crate::comparison::{Comparison, differing_pixels};
+use crate::html::escaped;
 use crate::png;
 
 /// What a report page shows.
@@ -16,10 +18,10 @@ use crate::png;
 pub struct Report<'a> {
     /// What it is about: the name of a chapter.
     pub title: &'a str,
-    /// What there is to say first; a line of it becomes a line of the page.
+    /// The verdict, as HTML.
     pub headline: &'a str,
     /// The right picture and yours, if there is anything to see.
-    pub pictures: Option<[&'a Picture; 2]>,
+    pub pictures: Option<&'a Pictures>,
     /// What follows the pictures, as HTML.
     pub remarks: &'a str,
 }
@@ -33,18 +35,18 @@ impl Report<'_> {
             .replace("{figures}", &self.figures(&mut files))
             .replace("{remarks}", self.remarks)
             .replace("{title}", &escaped(self.title))
-            .replace("{headline}", &escaped(self.headline).replace('\n', "<br>"));
+            .replace("{headline}", self.headline);
         files.push(("index.html".to_owned(), html.into_bytes()));
         files
     }
 
     /// Adds the pictures to `files`, and returns the figures that show them.
     fn figures(&self, files: &mut Vec<(String, Vec<u8>)>) -> String {
-        let Some([expected, yours]) = self.pictures else {
+        let Some(Pictures { yours, right }) = self.pictures else {
             return String::new();
         };
-        let difference = difference_picture(expected, yours);
-        let panels = [("expected", expected), ("yours", yours)]
+        let difference = difference_picture(right, yours);
+        let panels = [("expected", right), ("yours", yours)]
             .into_iter()
             .chain(difference.iter().map(|picture| ("difference", picture)));
         let mut figures = String::from("<div class=\"panels\">\n");
@@ -78,15 +80,6 @@ pub fn difference_picture(expected: &Picture, actual: &Picture) -> Option<Pictur
         rgb[at..at + 3].copy_from_slice(&[220, 0, 0]);
     }
     Picture::from_rgb(width, height, rgb)
-}
-
-/// `text` as HTML shows it.
-pub fn escaped(text: impl fmt::Display) -> String {
-    text.to_string()
-        .replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
-        .replace('"', "&quot;")
 }
 
 const ONION: &str = "\

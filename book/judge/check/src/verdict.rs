@@ -1,8 +1,9 @@
 //! The verdict on a picture: right, wrong, or no picture, with what explains it.
 
 use common::rtweekend::Picture;
-use slips::{Edition, Probe, Slip};
+use slips::{Edition, Probe, Slip, SphereCount};
 
+use crate::answer::Row;
 use crate::candidate::{Candidate, Conversion, Left};
 use crate::comparison::{Comparison, Difference};
 use crate::judge::{Explanation, Fit, explain};
@@ -90,7 +91,7 @@ pub struct Finding {
     /// What can be seen, where nothing known draws it.
     pub sights: Vec<String>,
     /// The numbers of the first pixel that differs, as they should be, likewise.
-    pub first: Vec<(&'static str, String)>,
+    pub first: Vec<Row>,
     /// What makes the reader's program right, if that was found.
     pub repair: Option<Repair>,
     /// Whether it explains all answers of the reader's functions, too.
@@ -178,7 +179,13 @@ pub fn judge(scene: &Scene, reading: &Reading, tolerance: u8, known: &Known) -> 
                 cause: causes::another(scene, &scenes, known.letters),
                 scenes,
             },
-            (Answer::Of(finding), _) if finding.near.is_some() => Check::Near(*finding),
+            // In a shape that nobody chooses, a right picture is none.
+            (Answer::Of(finding), None) if finding.near.is_some() => Check::Near(*finding),
+            (Answer::Of(finding), Some(_))
+                if finding.near.as_ref().is_some_and(Near::has_odd_pixels) =>
+            {
+                Check::Near(*finding)
+            }
             (Answer::Of(finding), Some(cause)) if finding.mistakes.is_none() => Check::WrongShape {
                 cause,
                 finding: Some(finding),
@@ -350,6 +357,26 @@ impl Finding {
         }
     }
 
+    /// Returns true if nothing explains a picture most of which is another.
+    pub(crate) fn is_unlike(&self) -> bool {
+        let is_explained = self.near.is_some() || self.mistakes.is_some();
+        let difference = self.difference.as_ref();
+        let is_most = difference.is_some_and(|it| 2 * it.count > it.total);
+        !is_explained && is_most && self.levels() > 1
+    }
+
+    /// Counts the pixels of the picture.
+    pub(crate) fn total(&self) -> usize {
+        self.right.rgb().len() / 3
+    }
+
+    /// Returns true if the reader's picture shows the sky of the scene and no sphere.
+    pub(crate) fn shows_only_sky(&self) -> bool {
+        let (width, height) = (self.yours.width(), self.yours.height());
+        self.scene.chapter.sphere_count() != SphereCount::None
+            && self.yours == self.scene.of_sky(width, height)
+    }
+
     /// The farthest that a component is off, in levels.
     pub fn levels(&self) -> u8 {
         self.difference.as_ref().map_or(0, |it| it.levels)
@@ -403,13 +430,22 @@ impl Mistakes {
 }
 
 impl Near {
-    /// Whether it is right to the last bit: a step on the way.
+    /// Returns true if it is right to the last bit: a step on the way.
     pub(crate) fn is_exact(&self) -> bool {
         self.left.is_nothing()
+    }
+
+    fn has_odd_pixels(&self) -> bool {
+        !self.is_exact()
     }
 }
 
 impl Right {
+    /// Counts the pixels of the picture.
+    pub(crate) fn total(&self) -> usize {
+        self.width as usize * self.height as usize
+    }
+
     /// The first edition that draws the picture to the last bit, or else the first that
     /// draws it within the tolerance.
     fn of(scene: &Scene, reading: &Reading, tolerance: u8) -> Option<Self> {

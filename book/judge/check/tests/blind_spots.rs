@@ -59,6 +59,15 @@ fn a_picture_that_is_too_small_is_to_be_drawn_as_large_as_in_the_book() {
     assert_eq!((next.scene.probe, next.width), (None, 400));
 }
 
+/// The other changes show mistakes of chapters before, or take more to type.
+#[test]
+fn chapter_5_begins_with_the_probe_that_shows_the_first_hit_returned() {
+    let own = scene(Chapter::HittableList, None);
+    let next = blind_spots::next(&own, 400, |_| true).expect("a picture");
+    assert_eq!(next.scene.probe, slips::find_probe("reversed"));
+    assert!(next.slips.iter().any(|slip| slip.name == "first-hit-wins"));
+}
+
 #[test]
 fn a_forgotten_change_is_recognized() {
     const WIDTH: u32 = 57;
@@ -74,7 +83,7 @@ fn a_forgotten_change_is_recognized() {
             panic!("{} in {chapter:?}: {check:?}", probe.name);
         };
         assert_eq!(scenes[0].probe, None);
-        let lines = probe.lines(chapter, None).replace('\n', "\n  ");
+        let lines = probe.lines(chapter, None).replace('\n', "; ");
         assert!(cause.fix.contains(&lines), "{cause}");
     }
 }

@@ -1,7 +1,7 @@
 //! Mutation testing, turned round: a table of pictures that no known mistake draws, and the line
 //! that is named for each.
 
-use check::Row;
+use check::answer::{Kind, Row};
 use check::known::Known;
 use check::reading::Reading;
 use check::scene::Scene;
@@ -63,9 +63,9 @@ const MISTAKES: [(Chapter, &str, &str); 12] = [
 fn the_edit_that_draws_a_picture_is_among_at_most_three_that_are_named() {
     for (chapter, right, wrong) in MISTAKES {
         let rows = rows(chapter, &picture(chapter, right, wrong), Sources::default());
-        let named = |(label, _): &&Row| ["probably", "perhaps", "or"].contains(label);
+        let named = |it: &&Row| [Kind::Probably, Kind::Perhaps, Kind::Or].contains(&it.kind);
         let named: Vec<&Row> = rows.iter().filter(named).collect();
-        let is_it = |(_, said): &&Row| said.contains(wrong);
+        let is_it = |it: &&Row| it.text.contains(wrong);
         assert!(
             named.len() <= 3 && named.iter().any(is_it),
             "{wrong}: {rows:#?}"
@@ -100,7 +100,7 @@ function hitSphere(center, radius, r) {
         };
         let sources = Sources::new(vec![("red.js".to_owned(), typed)], Vec::new());
         let rows = rows(RED_SPHERE, &picture(RED_SPHERE, right, wrong), sources);
-        assert!(rows[0].1.contains(line), "{rows:#?}");
+        assert!(rows[0].text.contains(line), "{rows:#?}");
     }
 }
 

@@ -1,6 +1,6 @@
 //! A reader's own program beside the picture: its lines are named, and no innocent ones.
 
-use check::Row;
+use check::answer::{Kind, Row};
 use check::known::Known;
 use check::png;
 use check::scene::Scene;
@@ -86,11 +86,11 @@ fn is_named_alone(picture: &[u8], right: &str, wrong: &str) {
     let scene = scene(Chapter::HalfBSphere);
     assert!(PROGRAM.contains(right), "{right}");
     let rows = rows(&scene, picture, &in_python(&PROGRAM.replace(right, wrong)));
-    let yours: Vec<&Row> = rows.iter().filter(|(label, _)| *label == "yours").collect();
-    let is_it = matches!(yours[..], [(_, said)] if said.contains(wrong));
+    let yours: Vec<&Row> = rows.iter().filter(|it| it.kind == Kind::Yours).collect();
+    let is_it = matches!(yours[..], [it] if it.text.contains(wrong));
     assert!(is_it, "{wrong}: {rows:?}");
     let rows = self::rows(&scene, picture, &in_python(PROGRAM));
-    assert!(rows.iter().all(|(label, _)| *label != "yours"), "{rows:?}");
+    assert!(rows.iter().all(|it| it.kind != Kind::Yours), "{rows:?}");
 }
 
 /// Only sky is drawn by dozens of mistakes: of these none is named whose right line is there.
@@ -100,10 +100,10 @@ fn what_a_readers_line_refutes_is_not_named() {
     let miss = [Edit::new("discriminant < 0.0", "true")];
     let sky = scene.program(&[]).with(&miss).expect("it stands there");
     let picture = png::encode(&sky.run(100).picture());
-    for (label, said) in rows(&scene, &picture, &in_python(PROGRAM)) {
+    for Row { kind, text } in rows(&scene, &picture, &in_python(PROGRAM)) {
         let innocent = ["discriminant", "oc =", "a =", "h =", "c =", "viewport"];
-        let is_innocent = innocent.iter().any(|it| said.starts_with(it));
-        assert!(label == "seen" || !is_innocent, "{label} {said}");
+        let is_innocent = innocent.iter().any(|it| text.starts_with(it));
+        assert!(kind == Kind::Seen || !is_innocent, "{kind:?} {text}");
     }
 }
 
@@ -138,12 +138,9 @@ fn a_mistake_is_only_a_perhaps_beside_a_text_that_does_not_have_its_line() {
         let slip = slips::find(name).expect("a slip");
         let picture = png::encode(&scene.program(&[slip]).run(100).picture());
         let rows = rows(&scene, &picture, &in_cpp(LIST));
-        let is_named = |(label, _): &Row| ["probably", "yours"].contains(label);
+        let is_named = |it: &Row| [Kind::Probably, Kind::Yours].contains(&it.kind);
         assert!(!rows.iter().any(is_named), "{name}: {rows:?}");
-        assert!(
-            rows.first().is_some_and(|it| it.0 == "perhaps"),
-            "{name}: {rows:?}"
-        );
+        assert_eq!(rows[0].kind, Kind::Perhaps, "{name}: {rows:?}");
     }
 }
 
@@ -157,8 +154,8 @@ fn whole_numbers_are_divided_as_cpp_does() {
     let line = "world.add(make_shared<sphere>(point3{0,0,-1}, 1 / 2));";
     let text = LIST.replace("world.add(make_shared<sphere>(point3(0,0,-1), 0.5));", line);
     let rows = rows(&scene, &picture, &in_cpp(&text));
-    let yours = rows.iter().find(|(label, _)| *label == "yours");
-    let is_it = yours.is_some_and(|(_, said)| *said == format!("main.cpp:10  {line}"));
+    let yours = rows.iter().find(|it| it.kind == Kind::Yours);
+    let is_it = yours.is_some_and(|it| it.text == format!("main.cpp:10  {line}"));
     assert!(is_it, "{rows:?}");
 }
 

@@ -4,6 +4,7 @@
 use std::collections::HashSet;
 use std::thread;
 
+use check::answer::{Kind, Row};
 use check::known::Known;
 use check::reading::Reading;
 use check::scene::Scene;
@@ -227,10 +228,12 @@ fn missed(&(text, right, wrong): &(Text, &str, &str)) -> Option<String> {
     }
     let said = said(text.chapter, &changed, true);
     let named = said.iter();
-    let named = named.filter(|(label, _)| ["should be", "missing"].contains(label));
+    let named = named.filter(|it| [Kind::ShouldBe, Kind::Missing].contains(&it.kind));
     let is_named = |line: &String| {
-        said.iter().any(|(label, it)| {
-            *label == "should be" && it == line || *label == "missing" && it.ends_with(line)
+        said.iter().any(|it| match it.kind {
+            Kind::ShouldBe => it.text == *line,
+            Kind::Missing => it.text.ends_with(line),
+            _ => false,
         })
     };
     let is_right = expected.iter().all(is_named) && named.count() == expected.len();
@@ -242,7 +245,7 @@ fn a_right_program_in_another_form_gets_no_remark() {
     for text in [OTHER_GRADIENT, OTHER_NORMALS, OTHER_LIST, OWN_PRELUDE] {
         assert_eq!(
             said(text.chapter, &text.files(), false),
-            [("right", String::new())]
+            [Row::new(Kind::Laws, "right")]
         );
     }
 }
@@ -269,7 +272,7 @@ impl Text {
 
 /// The rows about a program that draws its picture in the interpreter. If it is wrong, it breaks
 /// a law where the picture is right.
-fn said(chapter: Chapter, files: &[(String, String)], is_wrong: bool) -> Vec<check::Row> {
+fn said(chapter: Chapter, files: &[(String, String)], is_wrong: bool) -> Vec<Row> {
     let mut read: Vec<(&str, &str)> = files
         .iter()
         .map(|(name, text)| (&**name, &**text))
@@ -292,7 +295,7 @@ fn said(chapter: Chapter, files: &[(String, String)], is_wrong: bool) -> Vec<che
     let scene = Scene::new(chapter, None).expect("without a probe it is a scene");
     let check = judge(&scene, &Reading::of(&picture), 0, &known);
     match &check {
-        Check::Right(_) => vec![("right", String::new())],
+        Check::Right(_) => vec![Row::new(Kind::Laws, "right")],
         _ => check.finding().map_or(Vec::new(), |it| it.rows(&known)),
     }
 }

@@ -2,11 +2,13 @@
 //!
 //! For a longer campaign `PROPTEST_CASES` says how many files are spoiled.
 
+use check::answer::{Attempt, Commands};
 use check::known::Known;
 use check::png;
 use check::reading::{MOST_PIXELS, read};
 use check::scene::Scene;
-use check::verdict::{Check, Finding, check};
+use check::text::{MOST_LINES, Style, lines};
+use check::verdict::{Check, check};
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
 use proptest::{collection, option};
@@ -24,7 +26,7 @@ proptest! {
             damage.put_to(&mut bytes, at, length);
         }
         let answer = check(&scene, &bytes, 0);
-        assert_sane(&scene, &bytes, &answer);
+        assert_sane(scene, &bytes, answer);
     }
 }
 
@@ -110,8 +112,8 @@ impl Damage {
     }
 }
 
-fn assert_sane(scene: &Scene, bytes: &[u8], answer: &Check) {
-    match (answer, read(bytes)) {
+fn assert_sane(scene: Scene, bytes: &[u8], answer: Check) {
+    match (&answer, read(bytes)) {
         (
             Check::NotAPicture {
                 cause,
@@ -132,21 +134,30 @@ fn assert_sane(scene: &Scene, bytes: &[u8], answer: &Check) {
         assert_readable(&cause.problem);
         assert_readable(&cause.fix);
     }
-    if let Some(finding) = answer.finding() {
-        assert_says_something(scene, finding);
+    if let Some(mistakes) = answer.finding().and_then(|it| it.mistakes.as_ref()) {
+        assert!(mistakes.all.iter().all(|mistake| !mistake.is_empty()));
     }
+    assert_says_something(scene, answer);
 }
 
-fn assert_says_something(scene: &Scene, finding: &Finding) {
-    let pixels = finding.right.rgb().len() / 3;
-    if let Some(mistakes) = &finding.mistakes {
-        assert!(mistakes.all.iter().all(|mistake| !mistake.is_empty()));
-        assert_readable(&mistakes.title(pixels));
-    }
-    let next = finding.next(None, |probe| scene.probed_command(probe));
-    let rows = finding.rows(&Known::default()).into_iter();
-    let said = rows.map(|(_, said)| said).chain(next);
-    said.for_each(|said| assert_readable(&said));
+fn assert_says_something(scene: Scene, check: Check) {
+    let attempt = Attempt {
+        scene,
+        is_guessed: false,
+        name: "it".to_owned(),
+        encoding: None,
+        known: &Known::default(),
+        laws: None,
+        commands: Commands::of_pictures(scene),
+    };
+    let answer = attempt.answer(check);
+    assert_readable(&answer.headline.to_string());
+    let next = Some(&answer.next).filter(|next| !next.is_empty());
+    let rows = answer.rows.iter().map(|row| &row.text);
+    rows.chain(next).for_each(|said| assert_readable(said));
+    let style = Style { is_colored: false };
+    let lines = lines(&answer, style, 80, usize::MAX);
+    assert!(lines.len() <= MOST_LINES, "{}", lines.join("\n"));
 }
 
 fn assert_readable(sentence: &str) {

@@ -5,17 +5,18 @@
 
 use std::iter;
 
-use check::answer::Judged;
+use check::answer::{Answer, Attempt, Commands, Pictures};
 use check::guess;
+use check::html::{Place, below, escaped, headline};
 use check::known::Known;
 use check::reading::{self, Cause, MOST_PIXELS, Reading};
 use check::report::difference_picture;
 use check::scene::Scene;
+use check::sentences;
 use check::verdict::{self, Check};
-use common::rtweekend::Picture;
-use slips::{Chapter, Edition, PROBES, Probe};
+use slips::{Chapter, Edition, PROBES, Probe, Slip};
 
-use crate::{html, rgba};
+use crate::rgba;
 
 /// What a reader says of a picture.
 #[derive(Clone, Debug, Default)]
@@ -35,11 +36,19 @@ pub struct Answered {
     /// A line of facts for the script, with tabs between them; the verdict on a line; and
     /// below it the rest, as HTML.
     pub text: String,
-    judged: Judged<'static>,
-    /// The reader's picture, if there is one.
-    reading: Option<Reading>,
-    /// The right one, where the verdict has none.
-    right: Option<Picture>,
+    /// The pictures, if there is one to see.
+    pictures: Option<Pictures>,
+    /// The reader's numbers, and the programs beside which they are shown.
+    traced: Option<Traced>,
+}
+
+/// What the numbers of a pixel are asked of.
+struct Traced {
+    reading: Reading,
+    /// The scene by the edition that the picture is judged by.
+    scene: Scene,
+    /// The mistake that draws the picture, if one is known.
+    mistake: Option<Vec<&'static Slip>>,
 }
 
 impl Question {
@@ -118,101 +127,124 @@ pub fn decoded(question: Question, why: &[u8], size: (u32, u32), rgba: &[u8]) ->
 fn judged(question: Question, reading: Reading, foreign: Option<Cause>) -> Answered {
     let known = Known::default();
     let wanted = question.scene(Some(&reading));
-    let (scene, check) = if question.chapter.is_none() {
+    let is_guessed = question.chapter.is_none();
+    let (scene, check) = if is_guessed {
         verdict::judge_guessed(&wanted, &reading, 0, &known)
     } else {
         (wanted, verdict::judge(&wanted, &reading, 0, &known))
     };
-    let right = match &check {
-        Check::Right(right) => Some(right.scene.right(reading.width, reading.height)),
-        _ => None,
+    let loses_levels = |it: &Cause| {
+        ["JPEG", "WebP"]
+            .iter()
+            .any(|kind| it.problem.contains(kind))
     };
-    if let Some(cause) = &foreign
-        && right.is_none()
-        && ["JPEG", "WebP"].iter().any(|it| cause.problem.contains(it))
+    if let Some(cause) = foreign.as_ref().filter(|it| loses_levels(it))
+        && !matches!(check, Check::Right(_))
     {
         return refused(question, cause.clone());
     }
-    let judged = Judged {
+    let facts = facts(&scene, &check, &reading);
+    let mistakes = check.finding().and_then(|it| it.mistakes.as_ref());
+    let mistake = mistakes.map(|it| it.all[0].clone());
+    let judged_by = match &check {
+        Check::Right(right) => right.scene,
+        other => other.finding().map_or(scene, |finding| finding.scene),
+    };
+    let attempt = Attempt {
         scene,
-        is_guessed: question.chapter.is_none(),
+        is_guessed,
         name: question.name,
         encoding: reading.encoding.clone(),
-        known,
-        check,
+        known: &known,
+        laws: None,
+        commands: Commands::of_pictures(scene),
     };
+    let answer = attempt.answer(check);
     Answered {
-        text: html::answer(&judged, Some(&reading)) + &foreign.map_or(String::new(), html::foreign),
-        judged,
-        reading: Some(reading),
-        right,
+        text: laid_out(&facts, &answer) + &foreign.map_or(String::new(), |it| read_by_browser(&it)),
+        traced: Some(Traced {
+            scene: judged_by.fitting(reading.width, reading.height),
+            reading,
+            mistake,
+        }),
+        pictures: answer.pictures,
     }
 }
 
 fn refused(question: Question, cause: Cause) -> Answered {
-    let judged = Judged {
-        scene: question.scene(None),
-        is_guessed: false,
-        name: question.name,
-        encoding: None,
-        known: Known::default(),
-        check: Check::NotAPicture {
-            cause,
-            finding: None,
-        },
-    };
+    let answer = sentences::refused(&question.name, "not a picture", &cause);
     Answered {
-        text: html::answer(&judged, None),
-        judged,
-        reading: None,
-        right: None,
+        text: laid_out(&["", "", cause.name, "", "0"].join("\t"), &answer),
+        traced: None,
+        pictures: None,
     }
 }
 
-/// The scene by the edition that the picture is judged by.
-fn scene_by_edition(judged: &Judged) -> Scene {
-    match (&judged.check, judged.check.finding()) {
-        (Check::Right(right), _) => right.scene,
-        (_, finding) => finding.map_or(judged.scene, |finding| finding.scene),
-    }
+/// The facts that the script asks for: chapter, probe, cause, the size with the first pixel that
+/// differs, and how many differ.
+fn facts(scene: &Scene, check: &Check, reading: &Reading) -> String {
+    let difference = check.finding().and_then(|it| it.difference.as_ref());
+    let (column, row) = difference.map_or((0, 0), |it| it.first);
+    let facts = [
+        scene.chapter.name(),
+        scene.probe.map_or("", |probe| probe.name),
+        check.cause().map_or("", |cause| cause.name),
+        &format!("{} {} {column} {row}", reading.width, reading.height),
+        &difference.map_or(0, |it| it.count).to_string(),
+    ];
+    facts.join("\t")
+}
+
+/// The facts in the first line, the verdict in the second, since it is announced before the rest
+/// is read, and the rest below.
+fn laid_out(facts: &str, answer: &Answer) -> String {
+    let (headline, below) = (headline(&answer.headline), below(answer, Place::CheckPage));
+    format!("{facts}\n{headline}\n{below}")
+}
+
+/// Said below a picture that `check` can't read.
+fn read_by_browser(cause: &Cause) -> String {
+    format!(
+        "<p>Your browser has read this file: {}. It was judged as what the browser shows.</p>",
+        escaped(&cause.problem)
+    )
 }
 
 impl Answered {
     /// The right picture, the reader's, or the difference, as a canvas has them: four bytes
     /// a pixel. Nothing if there is none.
     pub fn rgba(&self, which: usize) -> Vec<u8> {
-        let yours = || self.reading.as_ref().map(Reading::picture);
-        let picture = match (which, self.right()) {
-            (0, Some(right)) => return rgba(right),
-            (1, _) => yours(),
-            (_, Some(right)) => yours().and_then(|yours| difference_picture(right, &yours)),
-            (_, None) => None,
-        };
-        picture.as_ref().map_or(Vec::new(), rgba)
-    }
-
-    fn right(&self) -> Option<&Picture> {
-        let finding = self.judged.check.finding();
-        let right = finding.map(|finding| &finding.right);
-        self.right.as_ref().or(right)
+        match (&self.pictures, which) {
+            (Some(it), 0) => rgba(&it.right),
+            (Some(it), 1) => rgba(&it.yours),
+            (Some(it), _) => {
+                let difference = difference_picture(&it.right, &it.yours);
+                difference.as_ref().map_or(Vec::new(), rgba)
+            }
+            (None, 1) => {
+                let yours = self.traced.as_ref().map(|it| it.reading.picture());
+                yours.as_ref().map_or(Vec::new(), rgba)
+            }
+            (None, _) => Vec::new(),
+        }
     }
 
     /// The numbers of a pixel, a line each: what it is, as it should be, and if a mistake is
     /// known, as that has it; and in the last line the reader's levels.
     pub fn inspect(&self, column: u32, row: u32) -> String {
-        let (Some(reading), Some(_)) = (&self.reading, self.right()) else {
+        let (Some(it), Some(_)) = (&self.traced, &self.pictures) else {
             return String::new();
         };
-        let (width, height) = (reading.width, reading.height);
-        let at = (row * width + column) as usize;
-        let [r, g, b] = reading.pixels.get(at).copied().unwrap_or_default();
-        let finding = self.judged.check.finding();
-        let mistakes = finding.and_then(|finding| finding.mistakes.as_ref());
-        let mistake = mistakes.map(|mistakes| &mistakes.all[0][..]);
-        let scene = scene_by_edition(&self.judged).fitting(width, height);
+        let at = (row * it.reading.width + column) as usize;
+        let [r, g, b] = it.reading.pixels.get(at).copied().unwrap_or_default();
         let traced = iter::once(&[][..])
-            .chain(mistake)
-            .map(|slips| scene.program(slips).run(width).traced(at as u32));
+            .chain(it.mistake.as_deref())
+            .map(|slips| {
+                it.scene
+                    .program(slips)
+                    .run(it.reading.width)
+                    .traced(at as u32)
+            });
         let lines = slips::side_by_side(&traced.collect::<Vec<_>>());
         format!("{lines}\nyours\t{r} {g} {b}")
     }

@@ -9,7 +9,6 @@ pub mod checked;
 #[cfg(target_family = "wasm")]
 mod exports;
 pub mod home;
-mod html;
 pub mod next;
 pub mod typed;
 

@@ -4,20 +4,20 @@
 //! says what it has come to, in the words that `watch` has for the same crate. Here these only
 //! become HTML.
 
+use check::answer::{Answer, Attempt, Commands, Kind, Laws, Mark, Row};
+use check::html::{self, Place};
 use check::known::Known;
 use check::names::companion;
 use check::reading::Reading;
 use check::scene::Scene;
+use check::sentences;
 use check::sources::Sources;
 use check::verdict;
-use check::whole::{Evidence, Laws, Line, Verdict};
 use common::rtweekend::*;
 use interpreter::{Fault, FaultKind};
 use laws::answers::Answers;
 use laws::{Complaint, Trial};
 use slips::{Chapter, Letters, Program, Slip, lawful, steps};
-
-use crate::html;
 
 /// What a reader has typed, by the names of the files.
 pub struct Text {
@@ -39,11 +39,11 @@ pub struct Said {
 }
 
 impl Said {
-    fn new(verdict: &Verdict, places: Vec<[usize; 4]>) -> Self {
+    fn new(answer: &Answer, places: Vec<[usize; 4]>) -> Self {
         Self {
             places,
-            headline: html::typed_headline(verdict),
-            rest: html::typed_rest(verdict),
+            headline: html::headline(&answer.headline),
+            rest: html::below(answer, Place::Book),
         }
     }
 }
@@ -107,15 +107,16 @@ impl Text {
 
     /// Judges it by its picture.
     pub fn judged(&self, program: interpreter::Program, picture: &Picture) -> Said {
-        let mut verdict = self.verdict(&program, picture);
+        let mut answer = self.answer(&program, picture);
         // A line that the picture never runs is run by the laws.
         if let Some(refused) = self.refused(&program) {
             return refused;
         }
-        if verdict.is_right {
-            verdict.headline += &self.unchecked(&program);
+        if answer.is_right() {
+            let unchecked = self.unchecked(&program);
+            answer.headline.rest += &format!("{unchecked} {}", interpreter::UNCHECKED);
         }
-        Said::new(&verdict, Vec::new())
+        Said::new(&answer, Vec::new())
     }
 
     /// The lines that neither the picture nor the laws have run.
@@ -142,7 +143,7 @@ impl Text {
     ///
     /// # Panics
     /// Never: without a probe each chapter is a scene.
-    pub fn verdict(&self, program: &interpreter::Program, picture: &Picture) -> Verdict {
+    pub fn answer(&self, program: &interpreter::Program, picture: &Picture) -> Answer {
         let scene = Scene::new(self.chapter, None).expect("without a probe it is a scene");
         let asked = self.in_place_of_ours(program);
         let laws = laws_of(&asked);
@@ -159,19 +160,25 @@ impl Text {
             warnings: Vec::new(),
             steps: vec![false; steps::of(self.chapter).len()],
         };
-        let evidence = Evidence {
-            scene: &scene,
+        let name = self.chapter.name();
+        let attempt = Attempt {
+            scene,
+            is_guessed: false,
+            name: String::new(),
+            encoding: None,
             known: &known,
             laws: laws.as_ref(),
-            watch: &|probe| {
-                let probe = probe.map_or("", |probe| probe.name);
-                let name = self.chapter.name();
-                format!("{} watch {name} --probe {probe}, at home", companion())
+            commands: Commands {
+                judge: Box::new(|probe| {
+                    let probe = probe.map_or("", |probe| probe.name);
+                    format!("{} watch {name} --probe {probe}, at home", companion())
+                }),
+                start: Some(Box::new(|_| "on its page".to_owned())),
+                test: "",
             },
-            start: &|_| "on its page".to_owned(),
         };
         let reading = Reading::of(picture);
-        evidence.of(verdict::judge(&scene, &reading, 0, &known))
+        attempt.answer(verdict::judge(&scene, &reading, 0, &known))
     }
 
     /// What the compiler would refuse and was seen only when the laws asked.
@@ -185,39 +192,38 @@ impl Text {
             let parts = [&fault.message, &fault.label, &fault.help].map(String::as_str);
             let parts: Vec<&str> = parts.into_iter().filter(|it| !it.is_empty()).collect();
             let place = self.place(fault).map_or(String::new(), |it| it + "  ");
-            Line::Printed(place + &parts.join(": "))
+            Row::new(Kind::Printed, place + &parts.join(": "))
         };
         let first = faults.iter().take(MOST_FAULTS).map(line).collect();
         let places = faults.iter().filter_map(|it| self.columns(it)).collect();
-        let mut verdict = Verdict::not_compiled(faults.len(), first);
+        let mut answer = sentences::not_compiled(faults.len(), first);
         match faults.first().map(|it| (it.kind, it)) {
             Some((FaultKind::Unread, fault)) => {
                 let line = fault.place.as_ref().map_or(0, |it| it.line);
-                verdict.headline = format!("This page cannot read line {line}; cargo may.");
+                let said = format!("This page cannot read line {line}; cargo may.");
+                answer.headline = Answer::sentence(Mark::OnTheWay, said).headline;
             }
             Some((FaultKind::Unfinished, fault)) => {
-                verdict.headline = format!("Not finished: {}.", fault.help);
+                let said = format!("Not finished: {}.", fault.help);
+                answer.headline = Answer::sentence(Mark::OnTheWay, said).headline;
             }
             _ => {}
         }
-        Said::new(&verdict, places)
+        Said::new(&answer, places)
     }
 
     fn stopped(&self, fault: &Fault) -> Said {
-        let verdict = match self.place(fault) {
+        let answer = match self.place(fault) {
             Some(place) if fault.message.starts_with(NOT_WRITTEN) => {
-                Verdict::not_written(self.chapter, &place)
+                sentences::not_written(self.chapter, &place, &[])
             }
             place => {
                 let place = place.map_or(String::new(), |place| format!(" at {place}"));
-                Verdict {
-                    headline: format!("It stopped{place}: {}.", fault.message),
-                    next: fault.help.clone(),
-                    ..Verdict::default()
-                }
+                let said = format!("The program stopped{place}: {}.", fault.message);
+                Answer::sentence(Mark::Wrong, said).then(&fault.help)
             }
         };
-        Said::new(&verdict, self.columns(fault).into_iter().collect())
+        Said::new(&answer, self.columns(fault).into_iter().collect())
     }
 
     /// As rustc names a place: file, line and column, from 1.

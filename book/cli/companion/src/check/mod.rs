@@ -1,8 +1,6 @@
 //! `check`: judges a reader's own picture, and names the mistake.
 
 mod input;
-mod page;
-mod text;
 
 use std::error::Error;
 use std::ffi::OsString;
@@ -10,11 +8,13 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
 
-use check::answer::Judged;
+use check::answer::{Answer, Attempt, Commands, Kind, Row};
 use check::guess;
+use check::html::{self, Place};
 use check::known::Known;
 use check::names::{self, companion};
 use check::reading::{self, Reading};
+use check::report::Report;
 use check::scene::Scene;
 use check::verdict::{self, Check};
 use clap::Args;
@@ -23,11 +23,11 @@ use common::engine::output;
 use slips::{Chapter, Edition, PROBES, Probe, Slip};
 
 use input::Source;
-pub(crate) use text::Style;
 
 use crate::chapter::{ChapterOrPicture, First, named};
 use crate::misuse::complain;
 use crate::sources::Found;
+use crate::wrap::laid_out;
 use crate::{files, sources};
 
 /// The words behind `cargo rtrace check`.
@@ -81,7 +81,7 @@ pub(crate) fn check(arguments: &Arguments) -> ExitCode {
 fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
     let (chapter, source) = arguments.chapter_and_source()?;
     if let Some(folder) = &arguments.report {
-        files::refuse_strangers(folder, page::KIND)?;
+        files::refuse_strangers(folder, REPORT)?;
     }
     let scene = chapter
         .map(|chapter| arguments.scene(chapter))
@@ -100,19 +100,38 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
         can_be_made: Some(&can_be_made),
         ..Known::default()
     };
-    let judged = arguments.judged(scene, &source, known)?;
-    let report = arguments.report.as_ref();
-    let report = report
-        .map(|folder| page::write(folder, &judged))
-        .transpose();
-    let page = report.as_ref().ok().and_then(Option::as_deref);
-    let mut said = text::text(&judged, page, Style::of_stdout());
-    if let Some(why) = found.why_none.filter(|_| judged.check.finding().is_some()) {
-        said += &format!("\n{why}\n");
+    let (attempt, check) = arguments.judged(scene, &source, &known)?;
+    let chapter = attempt.scene.chapter;
+    let code = check.exit_code();
+    let why_none = found.why_none.filter(|_| check.finding().is_some());
+    let answer = attempt.answer(check);
+    let why_none = why_none.map(|why| Row::new(Kind::Besides, why));
+    let answer = answer.with(why_none);
+    let page = arguments.report.as_deref();
+    let page = page.map(|folder| report(folder, chapter, &answer));
+    let mut said = laid_out(&answer);
+    if let Some(Ok(page)) = &page {
+        said += &format!("\nThe page is {}\n", names::spelled(page));
     }
     output::to_stdout(|out| out.write_all(said.as_bytes()))?;
     // The picture is judged all the same.
-    report.map(|_| judged.check.exit_code())
+    page.transpose().map(|_| code)
+}
+
+/// What the folder of a page is called where another one is refused.
+const REPORT: &str = "report";
+
+/// Writes the page of an answer and its pictures into `folder`. Returns the path of the page.
+fn report(folder: &Path, chapter: Chapter, answer: &Answer) -> Result<PathBuf, Box<dyn Error>> {
+    let report = Report {
+        title: chapter.name(),
+        headline: &html::headline(&answer.headline),
+        pictures: answer.pictures.as_ref(),
+        // The book lies elsewhere.
+        remarks: &html::below(answer, Place::Report),
+    };
+    files::fill(folder, REPORT, &report.files())?;
+    Ok(folder.join("index.html"))
 }
 
 impl Arguments {
@@ -137,23 +156,23 @@ impl Arguments {
         }
     }
 
-    /// The judgment on the picture: of the `scene`, if a chapter is named.
+    /// Judges the picture: by the `scene`, if a chapter is named.
     fn judged<'a>(
         &self,
         scene: Option<Scene>,
         source: &Source,
-        known: Known<'a>,
-    ) -> Result<Judged<'a>, Box<dyn Error>> {
+        known: &'a Known<'a>,
+    ) -> Result<(Attempt<'a>, Check), Box<dyn Error>> {
         let (is_guessed, tolerance) = (scene.is_none(), self.tolerance);
         let bytes = source.read(self.timeout);
         let (scene, check, encoding) = match (bytes.and_then(|it| reading::read(&it)), scene) {
             (Ok(reading), Some(scene)) => {
-                let check = verdict::judge(&scene, &reading, tolerance, &known);
+                let check = verdict::judge(&scene, &reading, tolerance, known);
                 (scene, check, reading.encoding)
             }
             (Ok(reading), None) => {
                 let guessed = self.guessed(&reading)?;
-                let (scene, check) = verdict::judge_guessed(&guessed, &reading, tolerance, &known);
+                let (scene, check) = verdict::judge_guessed(&guessed, &reading, tolerance, known);
                 (scene, check, reading.encoding)
             }
             (Err(cause), scene) => {
@@ -162,14 +181,16 @@ impl Arguments {
                 (scene, Check::NotAPicture { cause, finding }, None)
             }
         };
-        Ok(Judged {
+        let attempt = Attempt {
             scene,
             is_guessed,
             name: source.to_string(),
             encoding,
             known,
-            check,
-        })
+            laws: None,
+            commands: Commands::of_pictures(scene),
+        };
+        Ok((attempt, check))
     }
 
     fn scene(&self, chapter: Chapter) -> Result<Scene, Box<dyn Error>> {

@@ -28,25 +28,38 @@ pub(crate) use running::Running;
 /// # Errors
 /// If the program does not start, fails, or takes longer than `limit`.
 pub(crate) fn output_of(words: &[OsString], limit: Duration) -> Result<Vec<u8>, Cause> {
+    let ran = run(command(words), limit, shown, &mut || false);
+    printed(words, ran.map(|(end, _)| end), limit)
+}
+
+/// Returns what the program printed before it came to this end.
+///
+/// # Errors
+/// If that is no good end, or the program did not start.
+pub(crate) fn printed(
+    words: &[OsString],
+    end: io::Result<End>,
+    limit: Duration,
+) -> Result<Vec<u8>, Cause> {
     let name = names::spelled(&words[0]);
-    let failed = |problem, fix: &str| Err(Cause::new("program-failed", problem, fix));
-    match run(command(words), limit, shown, &mut || false) {
-        Ok((End::Itself(status, bytes), _)) if status.success() => Ok(bytes),
-        Ok((End::Full(bytes), _)) => Ok(bytes),
-        Ok((End::Itself(status, _), _)) => failed(
+    let (problem, fix) = match end {
+        Ok(End::Itself(status, bytes)) if status.success() => return Ok(bytes),
+        Ok(End::Full(bytes)) => return Ok(bytes),
+        Ok(End::Itself(status, _)) => (
             format!("{name} ended with {status}"),
-            "A program that draws a picture should end with 0. Read what it says above.",
+            "A program that draws a picture ends with 0. Read what it says above.",
         ),
-        Ok((End::TooSlow, _)) => failed(
+        Ok(End::TooSlow) => (
             format!("{name} did not end within {limit:?}"),
-            "Draw a smaller picture, or give it more time with --timeout SECONDS.",
+            "Does a loop end? If the program is only slow: a smaller picture, or --timeout SECONDS.",
         ),
-        Ok((End::Interrupted, _)) => unreachable!("nothing is newer"),
-        Err(cause) => failed(
+        Ok(End::Interrupted) => unreachable!("nothing is newer"),
+        Err(cause) => (
             format!("{name} does not start: {cause}"),
             "Is it built, and is its path right? A program in this folder is ./NAME.",
         ),
-    }
+    };
+    Err(Cause::new("program-failed", problem, fix))
 }
 
 /// Makes the command of a reader's program, with the mark by which all that it starts is found.

@@ -29,6 +29,8 @@ pub(super) struct Problem {
     pub(super) first: String,
     /// How many more there are.
     pub(super) more: usize,
+    /// What to do.
+    pub(super) advice: &'static str,
 }
 
 /// Lines to show before more is built than the crate: for chapter 1, and for those with laws.
@@ -145,21 +147,58 @@ fn warnings(messages: &[Value]) -> Vec<String> {
 
 /// Returns the first error, or the words of cargo itself where the compiler has said nothing.
 fn problem(messages: &[Value], said: &str) -> Problem {
-    let errors: Vec<&str> = messages
-        .iter()
-        .filter(|message| message["message"]["level"] == "error")
-        .filter_map(|message| message["message"]["rendered"].as_str())
+    let messages = messages.iter().map(|message| &message["message"]);
+    let is_error = |message: &&Value| {
+        let rendered = message["rendered"].as_str().unwrap_or_default();
         // The last one of each program only counts the others.
-        .filter(|rendered| !rendered.contains("aborting due to"))
-        .collect();
+        message["level"] == "error" && !rendered.contains("aborting due to")
+    };
+    let errors: Vec<&Value> = messages.filter(is_error).collect();
     // The compiler takes out of its messages what a terminal would obey; a script doesn't.
     let said = said.lines().map(names::visible).collect::<Vec<_>>();
     let said = said.join("\n");
+    let first = errors.first().and_then(|it| it["rendered"].as_str());
     Problem {
-        first: errors.first().unwrap_or(&&*said).trim_end().to_owned(),
+        first: without_impls(first.unwrap_or(&said).trim_end()),
         more: errors.len().saturating_sub(1),
+        advice: match errors.first() {
+            Some(error) if compares_an_option(error) => UNWRAP,
+            _ => "put this right",
+        },
     }
 }
+
+/// Leaves out the lists of the types that implement a trait: none of them is meant.
+fn without_impls(message: &str) -> String {
+    let mut is_listing = false;
+    let is_kept = |line: &&str| {
+        let begins = line.contains("following other types implement trait");
+        is_listing = begins || is_listing && line.starts_with("          ");
+        !is_listing
+    };
+    message
+        .lines()
+        .filter(is_kept)
+        .collect::<Vec<_>>()
+        .join("\n")
+}
+
+/// Returns true if the compiler advises to compare an `Option` with another one, where a number
+/// is to be taken out of it.
+fn compares_an_option(error: &Value) -> bool {
+    let line = error["spans"][0]["text"][0]["text"].as_str();
+    let compares = |line: &str| {
+        [" > ", " < ", " >= ", " <= "]
+            .iter()
+            .any(|it| line.contains(it))
+    };
+    let rendered = error["rendered"].as_str().unwrap_or_default();
+    line.is_some_and(compares) && rendered.contains("wrapping the expression in `Some`")
+}
+
+/// What to do instead.
+const UNWRAP: &str =
+    "do not wrap the number: take t out of the Option, as in `if let Some(t) = … && t > 0.0`";
 
 /// Returns the program that was built of a target of this kind.
 fn executable(messages: &[Value], kind: &str) -> Option<OsString> {

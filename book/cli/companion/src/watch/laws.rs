@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use ::laws::answers::{ANSWERS, AnswerFile, Answers};
 use ::laws::{Complaint, Outcome};
-use check::whole::Laws;
+use check::answer::Laws;
 use slips::{Chapter, Letters, lawful};
 
 use crate::short;

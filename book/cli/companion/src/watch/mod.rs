@@ -5,7 +5,6 @@ mod build;
 mod changes;
 mod laws;
 mod screen;
-mod verdict;
 
 use std::cell::Cell;
 use std::env;
@@ -15,11 +14,13 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
+use check::answer::{Answer, Attempt, Commands, Kind, Laws, Row};
 use check::known::Known;
 use check::names::{companion, from_here};
-use check::reading::read;
+use check::reading::{Cause, read};
 use check::scene::Scene;
-use check::whole::{Evidence, Laws, Line, Verdict, step_is_done};
+use check::sentences::{self, printed, step_is_done};
+use check::verdict::check_knowing;
 use clap::Args;
 use common::engine::output;
 use common::rtweekend::Picture;
@@ -34,7 +35,7 @@ use crate::misuse::misuse;
 use crate::sources;
 use crate::subprocess::{self, End};
 use background::Background;
-use build::{Built, Stop};
+use build::{Built, Problem, Stop};
 use changes::Changes;
 use laws::Asked;
 
@@ -80,23 +81,22 @@ pub(crate) fn watch(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
         }
         let waits = arguments.once || laws.is_done();
         let mut is_old = || !arguments.once && (changes.has_a_save() || screen::is_closed());
-        let verdict = subject.judge(waits, &mut is_old);
-        let verdict = match verdict {
-            Ok(verdict) => Some(verdict),
-            Err(Stop::NotBuilt(problem)) => Some(verdict::not_built(&problem)),
+        let answer = match subject.judge(waits, &mut is_old) {
+            Ok(answer) => Some(answer),
+            Err(Stop::NotBuilt(problem)) => Some(not_built(&problem)),
             Err(Stop::Old) => None,
         };
-        if let Some(verdict) = &verdict {
-            let news = subject.done.add_all(&verdict.done);
+        if let Some(answer) = &answer {
+            let news = subject.done.add_all(&answer.done);
             let news = news.unwrap_or_else(|problem| vec![problem.to_string()]);
-            let screen = screen::compose(&subject.title(), verdict, &news, start.elapsed());
+            let screen = screen::compose(&subject.title(), answer, &news, start.elapsed());
             output::to_stdout(|out| out.write_all(screen.as_bytes()))?;
         }
         if arguments.once {
-            let is_right = verdict.is_some_and(|it| it.is_right);
+            let is_right = answer.is_some_and(|it| it.is_right());
             return Ok(ExitCode::from(u8::from(!is_right)));
         }
-        if verdict.is_some() && subject.program.is_empty() {
+        if answer.is_some() && subject.program.is_empty() {
             laws.go_on(&subject.folder);
         }
         // Once they are built, they are asked if they were missed.
@@ -173,7 +173,7 @@ impl Subject {
 
     /// Builds, draws and compares, and waits for the laws if it `waits`, unless `is_old` says
     /// meanwhile that there is something newer to judge.
-    fn judge(&self, waits: bool, is_old: &mut dyn FnMut() -> bool) -> Result<Verdict, Stop> {
+    fn judge(&self, waits: bool, is_old: &mut dyn FnMut() -> bool) -> Result<Answer, Stop> {
         self.misses_laws.set(false);
         let is_crate = self.program.is_empty();
         let built = is_crate.then(|| build::build(&self.folder, is_old));
@@ -184,28 +184,22 @@ impl Subject {
         };
         let mut command = subprocess::command(&words);
         command.current_dir(&self.folder);
-        let ran = match subprocess::run(command, self.limit, subprocess::last, is_old) {
-            Ok(ran) => ran,
-            Err(cause) => return Ok(verdict::not_started(&words[0], &cause)),
-        };
+        let ran = subprocess::run(command, self.limit, subprocess::last, is_old);
         let mut ask = || self.laws(waits, is_old);
-        match ran {
-            (End::Interrupted, _) => Err(Stop::Old),
-            (End::Itself(status, bytes), _) if status.success() => {
-                self.of_picture(&bytes, built, &mut ask)
+        let (end, errors) = match ran {
+            Ok((End::Interrupted, _)) => return Err(Stop::Old),
+            Ok((end, errors)) => (Ok(end), errors),
+            Err(cause) => (Err(cause), String::new()),
+        };
+        let place = not_written_yet(&errors).next();
+        match (subprocess::printed(&words, end, self.limit), place) {
+            (Ok(bytes), _) => self.of_picture(&bytes, built, &mut ask),
+            (Err(_), Some(place)) => {
+                let asks = is_crate && self.scene.chapter != Chapter::RedSphere;
+                let asked = if asks { ask()? } else { None };
+                Ok(not_written(self.scene.chapter, place, asked))
             }
-            (End::Full(bytes), _) => self.of_picture(&bytes, built, &mut ask),
-            (End::Itself(status, _), errors) => {
-                let chapter = self.scene.chapter;
-                Ok(match verdict::not_written_yet(&errors).next() {
-                    Some(place) if !is_crate || chapter == Chapter::RedSphere => {
-                        verdict::not_written(chapter, place, None)
-                    }
-                    Some(place) => verdict::not_written(chapter, place, ask()?),
-                    None => verdict::failed(&status, &errors),
-                })
-            }
-            (End::TooSlow, errors) => Ok(verdict::too_slow(self.limit, &errors)),
+            (Err(cause), None) => Ok(stopped(&cause, &errors)),
         }
     }
 
@@ -229,13 +223,13 @@ impl Subject {
             && read(bytes).is_ok_and(|reading| is_sky(reading.picture()))
     }
 
-    /// The verdict on a picture, with all that is known of the program.
+    /// The answer to a picture, with all that is known of the program.
     fn of_picture(
         &self,
         bytes: &[u8],
         built: Option<Built>,
         ask: &mut dyn FnMut() -> Result<Option<Asked>, Stop>,
-    ) -> Result<Verdict, Stop> {
+    ) -> Result<Answer, Stop> {
         let chapter = self.scene.chapter;
         let is_crate = built.is_some();
         let (sources, letters) = if is_crate {
@@ -270,26 +264,31 @@ impl Subject {
                 None => (1..=steps::of(chapter).len()).map(is_done).collect(),
             },
         };
-        let evidence = Evidence {
-            scene: &self.scene,
+        let attempt = Attempt {
+            scene: self.scene,
+            is_guessed: false,
+            name: String::new(),
+            encoding: None,
             known: &known,
             laws: match &asked {
                 None if self.misses_laws.get() => Some(&Laws::Coming),
                 asked => asked.as_ref().map(|it| &it.outcome),
             },
-            watch: &|probe| self.watch(probe),
-            start: &|chapter| self.start(chapter),
+            commands: Commands {
+                judge: Box::new(|probe| self.watch(probe)),
+                start: Some(Box::new(|chapter| self.start(chapter))),
+                test: "cargo test, in the folder of your crate, shows more",
+            },
         };
-        let mut verdict = evidence.of_picture(bytes);
-        if verdict.is_right && !is_crate && ASKED.contains(&chapter) {
-            let text =
-                "ask your function what no picture shows; lines on the page Check your picture";
-            let text = format!("{} laws {}: {text}", companion(), chapter.name());
-            verdict
-                .cause
-                .push(Line::Labeled("the laws".to_owned(), text));
+        let mut answer = attempt.answer(check_knowing(&self.scene, bytes, 0, &known));
+        if answer.is_right() && !is_crate && ASKED.contains(&chapter) {
+            let (companion, name) = (companion(), chapter.name());
+            let asks = format!(
+                "{companion} laws {name} asks your function what no picture shows; lines on the page Check your picture"
+            );
+            answer.rows.push(Row::new(Kind::Laws, asks));
         }
-        Ok(verdict)
+        Ok(answer)
     }
 
     /// The command that watches this, or a probe of it.
@@ -305,7 +304,9 @@ impl Subject {
 
     /// The command that goes on with another chapter.
     fn start(&self, chapter: Chapter) -> String {
-        if self.program.is_empty() {
+        if self.program.is_empty() && self.mine.of(chapter).is_dir() {
+            self.mine.watch(chapter)
+        } else if self.program.is_empty() {
             self.mine.start(chapter)
         } else {
             self.watch_program(chapter, "")
@@ -317,4 +318,55 @@ impl Subject {
         let (companion, name) = (companion(), chapter.name());
         format!("{companion} watch {name}{option} -- {}", program.join(" "))
     }
+}
+
+fn not_built(problem: &Problem) -> Answer {
+    let number = problem.first.split_once("[E").and_then(|it| it.1.get(..4));
+    let more = number.map(|number| format!("; rustc --explain E{number} tells more"));
+    let lines = problem
+        .first
+        .lines()
+        .map(|line| Row::new(Kind::Printed, line));
+    let next = format!("{}{}", problem.advice, more.unwrap_or_default());
+    sentences::not_compiled(problem.more + 1, lines.collect()).then(next)
+}
+
+/// The program printed no picture, and these were its last words.
+fn stopped(cause: &Cause, errors: &str) -> Answer {
+    let next = if errors.contains("has overflowed its stack") {
+        "a function calls itself without an end: look for one whose own name is in its body"
+    } else if errors.contains("panicked at ") {
+        "the panic names its place above: put that line right"
+    } else {
+        &cause.fix
+    };
+    let refused = sentences::refused("", "not a picture", cause);
+    refused.with(printed(errors)).then(next)
+}
+
+/// The program stopped at `place`, where nothing has been written yet. The laws judge what is
+/// written already, and the first file that waits is the next one.
+fn not_written(chapter: Chapter, place: &str, asked: Option<Asked>) -> Answer {
+    let Some(asked) = asked else {
+        return sentences::not_written(chapter, place, &[]);
+    };
+    let files = skeletons::plain(chapter);
+    let is_there = |place: &&str, name: &str| place.starts_with(&format!("{name}:"));
+    let places = || asked.unwritten.iter().map(String::as_str).chain([place]);
+    let mut first = files
+        .iter()
+        .filter_map(|(name, _)| places().find(|place| is_there(place, name)));
+    let place = first.next().unwrap_or(place);
+    match &asked.outcome {
+        Laws::Broken(report) | Laws::BrokenPrelude(report) => {
+            sentences::broken_so_far(report, place)
+        }
+        _ => sentences::not_written(chapter, place, &asked.obeyed),
+    }
+}
+
+/// Where panics say that nothing has been written yet.
+fn not_written_yet(errors: &str) -> impl Iterator<Item = &str> {
+    let panics = errors.split(":\nnot yet implemented");
+    panics.filter_map(|before| Some(before.lines().next_back()?.split_once("panicked at ")?.1))
 }

@@ -11,10 +11,11 @@ mod view;
 use common::rtweekend::Picture;
 use slips::SphereCount;
 
-use crate::Row;
+use crate::answer::Row;
 use crate::pixels::distance;
 use crate::reading::Reading;
 use crate::scene::Scene;
+use crate::sentences::ONLY_SKY;
 
 use view::View;
 
@@ -35,6 +36,7 @@ pub(crate) fn seen(scene: &Scene, reading: &Reading, right: &Picture) -> (Vec<St
         None => [
             view.unscaled(),
             view.only_sky(),
+            view.rows_alike(),
             view.gray(),
             view.disc(),
             view.only_at_edges().or_else(|| view.where_it_differs()),
@@ -70,7 +72,7 @@ impl View<'_> {
     }
 
     fn only_sky(&self) -> Option<String> {
-        if self.scene.chapter.sphere_count() != SphereCount::One || self.scene.probe.is_some() {
+        if self.scene.chapter.sphere_count() == SphereCount::None || self.scene.probe.is_some() {
             return None;
         }
         let (width, height) = (self.reading.width, self.reading.height);
@@ -78,7 +80,19 @@ impl View<'_> {
         let (sky, _) = sky.rgb().as_chunks::<3>();
         let is_sky = |n: &u32| distance(sky[*n as usize].map(i16::from), self.found(*n)) <= 1;
         let is_all = self.places.iter().all(is_sky);
-        is_all.then(|| "There is only sky: no sphere is to be seen.".to_owned())
+        is_all.then(|| ONLY_SKY.to_owned())
+    }
+
+    /// Each row is the first one again, where the right rows are not.
+    fn rows_alike(&self) -> Option<String> {
+        let width = self.reading.width;
+        let is_alike = |pixel: &dyn Fn(u32) -> [i16; 3]| {
+            (width..self.reading.pixels.len() as u32).all(|n| pixel(n) == pixel(n % width))
+        };
+        let is_it = is_alike(&|n| self.found(n)) && !is_alike(&|n| self.expected(n));
+        is_it.then(|| {
+            "All rows are alike: does each pixel begin anew, from its own row j?".to_owned()
+        })
     }
 
     fn unscaled(&self) -> Option<String> {

@@ -1,7 +1,7 @@
 //! The first pixel that differs, with all numbers as they should be there.
 
 use super::view::View;
-use crate::Row;
+use crate::answer::{Kind, Row};
 
 impl View<'_> {
     /// What a reader's program should print for that pixel.
@@ -15,19 +15,28 @@ impl View<'_> {
         let (should, is) = (self.expected(n), self.found(n));
         let first = format!("column {i}, row {j}: should be {should:?}, yours {is:?}");
         let numbers = self.output().traced(n).into_iter();
-        let numbers = numbers.filter(|(label, _)| !KNOWN.contains(&&**label));
+        let numbers = numbers.filter(|(label, _)| TELLING.contains(&&**label));
         let numbers: Vec<_> = numbers
             .map(|(label, it)| format!("{label} = {it}"))
             .collect();
-        let way = (!numbers.is_empty()).then(|| {
-            (
-                "numbers",
-                format!("as they should be there: {}", numbers.join("; ")),
-            )
-        });
-        [("first", first)].into_iter().chain(way).collect()
+        let said = format!("as they should be there: {}", numbers.join("; "));
+        let numbers = (!numbers.is_empty()).then(|| Row::new(Kind::Numbers, said));
+        [Row::new(Kind::First, first)]
+            .into_iter()
+            .chain(numbers)
+            .collect()
     }
 }
 
-/// What says nothing beside the others.
-const KNOWN: [&str; 4] = ["point on the viewport", "origin", "color", "levels"];
+/// The numbers by which a mistake is found: where the ray goes, and what the sphere makes of it.
+const TELLING: [&str; 9] = [
+    "unit_direction",
+    "oc",
+    "a",
+    "b",
+    "h",
+    "c",
+    "discriminant",
+    "t",
+    "normal",
+];

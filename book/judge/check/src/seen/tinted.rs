@@ -14,24 +14,36 @@ impl View<'_> {
         gray.then(|| "It has no color: red, green and blue are equal in each pixel.".to_owned())
     }
 
-    /// Components that are off in the same way everywhere, for sky and spheres.
+    /// Finds components that are off in the same way everywhere: a line for the sky, one for spheres.
     pub(super) fn tints(&self) -> Vec<String> {
+        if self.gray().is_some() {
+            return Vec::new();
+        }
         let (spheres, sky): (Vec<u32>, Vec<u32>) =
             self.places.iter().partition(|&&n| self.is_hit(n));
-        let mut tints = Vec::new();
         let background = match self.scene.chapter {
             Chapter::BuildTest => "the picture",
             _ => "the sky",
         };
-        for (name, places) in [(background, sky), ("what should be spheres", spheres)] {
-            for (channel, color) in ["red", "green", "blue"].into_iter().enumerate() {
-                tints.extend(
-                    self.tint(&places, channel)
-                        .map(|tint| format!("In {name}, {color} is {tint}.")),
-                );
-            }
-        }
-        tints
+        let of_place = |(name, places): (&str, Vec<u32>)| {
+            let tint = |channel| self.tint(&places, channel);
+            let tints = ["red", "green", "blue"].into_iter().enumerate();
+            let tints = tints.filter_map(|(n, color)| Some((color, tint(n)?)));
+            let tints: Vec<(&str, String)> = tints.collect();
+            let said = match &tints[..] {
+                [] => return None,
+                [(_, red), (_, green), (_, blue)] if red == green && green == blue => {
+                    format!("each component is {red}")
+                }
+                all => {
+                    let all = all.iter().map(|(color, tint)| format!("{color} is {tint}"));
+                    all.collect::<Vec<_>>().join("; ")
+                }
+            };
+            Some(format!("In {name}, {said}."))
+        };
+        let places = [(background, sky), ("what should be spheres", spheres)];
+        places.into_iter().filter_map(of_place).collect()
     }
 
     fn tint(&self, places: &[u32], channel: usize) -> Option<String> {

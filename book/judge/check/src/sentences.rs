@@ -1,0 +1,640 @@
+//! All that a reader is told, in the order in which it is read: the verdict, what explains it, and
+//! what to do next.
+
+use std::iter;
+
+use common::rtweekend::Picture;
+use laws::Report;
+use slips::{Chapter, Edition, Letters, Slip, steps};
+
+use crate::answer::{Answer, Attempt, Kind, Laws, Mark, Row};
+use crate::blind_spots::{self, Next};
+use crate::candidate::{Conversion, Left};
+use crate::causes;
+use crate::known::Known;
+use crate::names;
+use crate::reading::Cause;
+use crate::scene::Scene;
+use crate::search::{Change, Drawn, Mutant, Repair, Right as Mended};
+use crate::sources::Found;
+use crate::verdict::{Check, Finding, Mistakes, Right};
+
+/// So many mistakes that draw the same are named.
+const NAMED: usize = 3;
+/// So many warnings of a compiler are shown.
+const WARNINGS: usize = 2;
+
+// 1. The verdict on a picture, from right to none.
+
+impl Attempt<'_> {
+    pub(crate) fn right(&self, right: &Right) -> Answer {
+        let by = by(&right.editions);
+        let size = match (right.width, right.height) {
+            (1, 1) => "its one pixel".to_owned(),
+            (width, height) => format!("all {width} × {height} pixels"),
+        };
+        let same = format!("{size} of {}, to the last bit.", named(&self.scene));
+        if right.scene.has_another_shape() {
+            let rest = format!("{by} in this shape, which is not the book's: {same}");
+            let next = self.shape_is(&right.scene, &right.shape_given_by);
+            return Answer::of(Mark::OnTheWay, &self.name, "right", rest).then(next);
+        }
+        if right.levels > 0 {
+            let (off, levels) = (differ(right.off, right.total()), right.levels);
+            let rest = format!("{by} as far as is tolerated: {off}, by no more than {levels}.");
+            return Answer::of(Mark::Right, &self.name, "right", rest);
+        }
+        match self.laws {
+            None | Some(Laws::Obeyed) => self.right_in_all(right, format!("{by}: {same}")),
+            Some(laws) => right_but(laws, "The picture", self.commands.test),
+        }
+    }
+
+    fn right_in_all(&self, right: &Right, mut rest: String) -> Answer {
+        let chapter = self.scene.chapter;
+        let mut done = vec![match self.scene.probe {
+            Some(probe) => format!("{}, probe {}: right", chapter.name(), probe.name),
+            None => picture_is_right(chapter),
+        }];
+        if self.laws.is_some() {
+            rest += " The laws hold. They ask your functions about rays of all kinds.";
+            done.push(format!("{}: the laws hold", chapter.name()));
+        }
+        let mut later = Chapter::OF_THE_BOOK.into_iter().filter(|&it| it > chapter);
+        let next = match (&self.commands.start, later.next()) {
+            (Some(start), Some(next)) => format!("{}: {}", next.name(), start(next)),
+            (Some(_), None) => "that was the last chapter to type".to_owned(),
+            (None, _) => String::new(),
+        };
+        Answer {
+            done,
+            ..Answer::of(Mark::Right, &self.name, "right", rest)
+        }
+        .with(self.to_test_more(right))
+        .then(next)
+    }
+
+    /// Right but for odd pixels.
+    pub(crate) fn nearly_right(&self, finding: &Finding, left: &Left) -> Answer {
+        let step = finding.scene.step();
+        let as_step = step.map_or(String::new(), |step| format!(" as step {}", step + 1));
+        let but = format!("{as_step}, but for {}", left.said(finding.total()));
+        if let Some(Laws::Broken(report)) = self.laws
+            && !finding.is_answered
+        {
+            let rest = format!("{but}; and a law is broken.");
+            return Answer::of(Mark::Wrong, &self.name, "right", rest).with(law(report));
+        }
+        let next = if finding.scene.has_another_shape() {
+            let (width, height) = (finding.yours.width(), finding.yours.height());
+            let slips = causes::slips_giving(&self.scene, width, height);
+            self.shape_is(&finding.scene, &slips)
+        } else {
+            "look at these pixels: the book's program draws them otherwise".to_owned()
+        };
+        let rest = format!("{}{but}.", by(&finding.editions));
+        Answer::of(Mark::OnTheWay, &self.name, "right", rest).then(next)
+    }
+
+    pub(crate) fn step(&self, step: usize, finding: &Finding) -> Answer {
+        let (chapter, number) = (self.scene.chapter, step + 1);
+        let name = step_of(chapter, step);
+        match self.laws {
+            Some(Laws::Broken(_) | Laws::BrokenPrelude(_)) if finding.is_answered => {}
+            None | Some(Laws::Obeyed | Laws::Unknown(_) | Laws::Coming) => {}
+            Some(laws) => return right_but(laws, &name, self.commands.test),
+        }
+        let again = if self.known.steps[step] {
+            ", again"
+        } else {
+            ""
+        };
+        Answer {
+            done: vec![step_is_done(chapter, number)],
+            ..Answer::of(Mark::OnTheWay, &name, "right", format!("{again}."))
+        }
+        .then(step_says(number, &steps::of(chapter)[number]))
+    }
+
+    pub(crate) fn wrong(&self, finding: &Finding) -> Answer {
+        let count = finding.difference.as_ref().map_or(0, |it| it.count);
+        let (pixels, scene) = (differ(count, finding.total()), named(&finding.scene));
+        let rest = format!(": {pixels} from {scene}{}.", by(&finding.editions));
+        let nearly = "right within one level, but not to the last bit";
+        let answer = match finding.scene.step() {
+            Some(step) if count == 0 => {
+                let name = step_of(self.scene.chapter, step);
+                Answer::of(Mark::Wrong, &name, "right", BUT_A_LAW)
+            }
+            None if count == 0 => Answer::of(Mark::Wrong, "The picture", "right", BUT_A_LAW),
+            _ if finding.levels() == 1 => Answer::of(Mark::Wrong, &self.name, nearly, rest),
+            _ => Answer::of(Mark::Wrong, &self.name, "wrong", rest),
+        };
+        self.explained(answer, finding)
+            .with(self.of_the_laws(finding))
+            .with(self.to_tell_apart(finding))
+    }
+
+    /// Adds what explains a picture, and the pages that tell how it is right.
+    pub(crate) fn explained(&self, answer: Answer, finding: &Finding) -> Answer {
+        let read = finding.single().iter().filter(|slip| !slip.page.is_empty());
+        Answer {
+            read: read.copied().collect(),
+            ..answer
+        }
+        .with(finding.rows(self.known))
+    }
+
+    /// What is seen, where the chapter was guessed and the picture says too little of it.
+    pub(crate) fn unrecognized(&self, check: &Check) -> Option<Answer> {
+        let seen = match (check, check.finding()) {
+            // Levels that are none are said first.
+            _ if !self.is_guessed => return None,
+            (Check::NotAPicture { .. }, _) => return None,
+            (Check::WrongShape { finding: None, .. }, _) => {
+                "it has the shape of none of these chapters' pictures".to_owned()
+            }
+            (_, finding) => match only_color(&finding?.yours) {
+                Some(color) => format!("it is {color:?} everywhere, and many mistakes draw that"),
+                None if finding?.is_unlike() => "it is found neither among the pictures of these \
+                     chapters, nor among those with a mistake"
+                    .to_owned(),
+                None => return None,
+            },
+        };
+        let rest = format!(": {seen}.");
+        let next = "name the chapter, and the picture is compared with that";
+        Some(Answer::of(Mark::Wrong, &self.name, "not recognized", rest).then(next))
+    }
+}
+
+/// A right picture, of a step or of all, and what keeps its program from being right.
+fn right_but(laws: &Laws, subject: &str, test: &str) -> Answer {
+    let is = |mark, rest: &str| Answer::of(mark, subject, "right", rest);
+    match laws {
+        Laws::Broken(report) | Laws::BrokenPrelude(report) => {
+            is(Mark::Wrong, BUT_A_LAW).with(law(report)).then(test)
+        }
+        Laws::NotWritten(place) | Laws::UnwrittenPrelude(place) => {
+            let rest = format!(", but not all is written: there is a todo!() at {place}.");
+            let next = "write that as well: the laws ask for it, and a later picture needs it";
+            is(Mark::OnTheWay, &rest).then(next)
+        }
+        Laws::Unknown(errors) => {
+            is(Mark::OnTheWay, ", but the laws can't be tried.").with(printed(errors))
+        }
+        Laws::Coming | Laws::Obeyed => is(Mark::OnTheWay, ". The laws are still being built.")
+            .then("as soon as the laws are built, they ask your functions"),
+    }
+}
+
+const BUT_A_LAW: &str = ", but a law is broken, which must hold for every ray.";
+
+/// Answers that there is no picture of the program or file, or none of the right shape.
+pub fn refused(name: &str, verdict: &str, cause: &Cause) -> Answer {
+    let mark = match verdict {
+        "wrong" => Mark::Wrong,
+        _ => Mark::NoPicture,
+    };
+    let rest = format!(": {}.", cause.problem);
+    Answer::of(mark, name, verdict, rest).then(&cause.fix)
+}
+
+/// Answers that the compiler refuses the text, with the first of so many complaints.
+pub fn not_compiled(complaints: usize, first: Vec<Row>) -> Answer {
+    let more = match complaints {
+        1 => String::new(),
+        all => format!(" This is the first of {all} errors."),
+    };
+    Answer::sentence(Mark::Wrong, format!("It does not compile.{more}")).with(first)
+}
+
+/// Answers that the program stopped at a `todo!()`. What obeys the laws so far is named.
+pub fn not_written(chapter: Chapter, place: &str, obeyed: &[String]) -> Answer {
+    let so_far = format!("so far they hold for {}", obeyed.join(", "));
+    let step = steps::of(chapter).first();
+    Answer::sentence(
+        Mark::OnTheWay,
+        format!("Not written yet: todo!() at {place}."),
+    )
+    .with((!obeyed.is_empty()).then(|| Row::new(Kind::Laws, so_far)))
+    .then(step.map_or(String::new(), |step| step_says(0, step)))
+}
+
+/// Answers that what is written so far breaks a law, where the program stopped at a `todo!()`.
+pub fn broken_so_far(report: &Report, place: &str) -> Answer {
+    Answer::sentence(Mark::Wrong, "A law is broken in what is written so far.")
+        .with(law(report))
+        .then(format!("put this right, and then go on at {place}"))
+}
+
+// 2. What explains the verdict.
+
+impl Finding {
+    /// Lists what explains the picture, or else what is to be seen.
+    pub fn rows(&self, known: &Known) -> Vec<Row> {
+        if let Some(repair) = &self.repair {
+            let slip = self.single().first();
+            let why = slip.map_or("", |slip| known.words(slip, &self.scene).why);
+            return repair.rows().chain(row(Kind::Why, why)).collect();
+        }
+        if self.near.is_some() {
+            return Vec::new();
+        }
+        let warnings = known.warnings.iter().take(WARNINGS);
+        let warnings = warnings.map(|it| Row::new(Kind::Warned, it));
+        warnings.chain(self.explained(known)).collect()
+    }
+
+    fn explained(&self, known: &Known) -> Vec<Row> {
+        // A hundred mistakes draw only sky: a picture alone tells none of them.
+        let is_sky = self.shows_only_sky();
+        match &self.mistakes {
+            Some(it) if is_sky && (known.sources.is_empty() || !it.is_in_text) => {
+                let many = "and many others draw only sky: the picture does not tell which it is";
+                let rows = iter::once(Row::new(Kind::Seen, ONLY_SKY)).chain(it.perhaps(known));
+                return rows.chain(row(Kind::More, many)).collect();
+            }
+            Some(it) => return it.rows(known, self.total()),
+            None if self.drawn.is_told() => return self.drawn.rows(known, &self.scene),
+            None => {}
+        }
+        let seen = self.sights.iter().map(|it| Row::new(Kind::Seen, it));
+        let seen = seen.chain(self.first.iter().cloned());
+        let drawn = self.drawn.rows(known, &self.scene);
+        let unknown =
+            (drawn.is_empty() && self.sights.len() != 1).then(|| self.nothing_known(known));
+        seen.chain(drawn).chain(unknown).collect()
+    }
+
+    fn nothing_known(&self, known: &Known) -> Row {
+        let said = match self.scene.probe {
+            Some(_) => {
+                "no known mistake draws this picture and the chapter's own right: is that right?"
+            }
+            None if known.sources.is_empty() => "no known mistake draws this picture",
+            None => "no known mistake that your files can have draws this picture",
+        };
+        Row::new(Kind::Tried, said)
+    }
+}
+
+/// What is seen where each ray misses.
+pub(crate) const ONLY_SKY: &str = "There is only sky: no sphere is to be seen.";
+
+impl Mistakes {
+    fn rows(&self, known: &Known, pixels: usize) -> Vec<Row> {
+        let rows = match &self.all[..] {
+            [mistake] => self.in_full(mistake, known),
+            _ => self.perhaps(known).collect(),
+        };
+        rows.into_iter()
+            .chain([Row::new(Kind::Tried, self.tried(pixels))])
+            .collect()
+    }
+
+    fn in_full(&self, mistake: &[&'static Slip], known: &Known) -> Vec<Row> {
+        let rows = mistake.iter().flat_map(|slip| {
+            let words = known.words(slip, &self.scene);
+            let kind = match self.is_in_text {
+                true => Kind::Probably,
+                false => Kind::Perhaps,
+            };
+            let lines = match known.line_of(slip, &self.scene) {
+                Some(found) => found.rows(),
+                None => line_and_right(kind, &words.wrong, &words.right),
+            };
+            let lines = lines.into_iter().filter(|it| !it.text.is_empty());
+            lines.chain(row(Kind::Why, words.why))
+        });
+        rows.collect()
+    }
+
+    /// The first of several, each in the reader's letters.
+    fn perhaps(&self, known: &Known) -> impl Iterator<Item = Row> {
+        let wrong = |mistake: &Vec<&'static Slip>| {
+            let words = mistake.iter().map(|slip| known.words(slip, &self.scene));
+            let wrong: Vec<String> = words.map(|words| words.wrong.into_owned()).collect();
+            format!("{}  ({})", wrong.join("; "), names_of(mistake))
+        };
+        alternatives(self.all.iter().take(NAMED).map(wrong))
+    }
+
+    /// By what the mistakes were tried, and how well they explain a picture of so many pixels.
+    fn tried(&self, pixels: usize) -> String {
+        let is_pair = self.all[0].len() > 1;
+        let with = match (&self.all[..], is_pair) {
+            ([one], false) if one[0].name.is_empty() => "this mistake".to_owned(),
+            ([one], false) => format!("the mistake {}", one[0].name),
+            ([one], true) => format!("both mistakes, {},", names_of(one)),
+            (_, false) => "any of these mistakes".to_owned(),
+            (_, true) => "any of these pairs".to_owned(),
+        };
+        let draws = match self.left.is_nothing() {
+            true => "draws exactly your picture".to_owned(),
+            false => format!("draws your picture, but for {}", self.left.said(pixels)),
+        };
+        let wrapped = match self.conversion {
+            Conversion::Wrapped => ", if levels beyond 255 begin again at 0, as in a byte of C",
+            _ => "",
+        };
+        let others = match self.all.len() {
+            1 => String::new(),
+            2..=NAMED => ", and so may others".to_owned(),
+            all => format!(", and so may others; {all} are known"),
+        };
+        let recognized = match (self.is_in_text, self.all.len() > 1 || is_pair) {
+            (true, _) => "",
+            (false, false) => ". Its line was not found in your files",
+            (false, true) => ". Their lines were not found in your files",
+        };
+        format!("the chapter with {with} {draws}{wrapped}{others}{recognized}")
+    }
+}
+
+impl Drawn {
+    /// The likeliest edits, each in the reader's letters.
+    fn rows(&self, known: &Known, scene: &Scene) -> Vec<Row> {
+        let letters = known.letters.unwrap_or(Letters::Book(scene.edition));
+        let typed = |line: &str| letters.spelled(line, scene.chapter);
+        let said = |it: &Mutant| match (&*it.wrong, &it.yours) {
+            (_, Some(yours)) => yours.line.to_string(),
+            ("", None) => format!("{}  left out", typed(&it.right)),
+            (wrong, None) => typed(wrong),
+        };
+        let (rows, tried) = match &self.all[..] {
+            [] => return Vec::new(),
+            [it] if self.count == 1 => {
+                let rows = match (&*it.wrong, &it.yours) {
+                    ("", _) => vec![Row::new(Kind::Missing, typed(&it.right))],
+                    (_, Some(yours)) => yours.rows(),
+                    (wrong, None) => {
+                        line_and_right(Kind::Perhaps, &typed(wrong), &typed(&it.right))
+                    }
+                };
+                (
+                    rows,
+                    "the chapter with this one edit draws exactly your picture",
+                )
+            }
+            all => {
+                let tried = match self.is_told() {
+                    true => {
+                        "the chapter with any of these edits draws exactly your picture, and so may others"
+                    }
+                    false => {
+                        "many more edits of the chapter draw your picture: it does not tell which it is"
+                    }
+                };
+                (alternatives(all.iter().map(said)).collect(), tried)
+            }
+        };
+        rows.into_iter().chain(row(Kind::Tried, tried)).collect()
+    }
+}
+
+impl Repair {
+    /// The reader's lines and what should be there, and that it was tried.
+    fn rows(&self) -> impl Iterator<Item = Row> {
+        let with = match self.changes.len() {
+            1 => "with it",
+            _ => "with all of this",
+        };
+        let is_spelled = |it: &Change| matches!(it.right, Mended::Spelled(_));
+        let tried = if self.changes.iter().all(is_spelled) {
+            "the chapter with your line in its place draws your picture".to_owned()
+        } else if self.is_hidden {
+            format!("{with} your functions answer as the chapter's do")
+        } else {
+            format!("{with} your program draws the picture")
+        };
+        let changes = self.changes.iter().flat_map(Change::rows);
+        changes.chain(row(Kind::Tried, &tried))
+    }
+}
+
+impl Change {
+    fn rows(&self) -> Vec<Row> {
+        let right = match &self.right {
+            Mended::More(line) => {
+                let above = format!("above {}:{}  {line}", self.yours.file, self.yours.number);
+                return vec![Row::new(Kind::Missing, above)];
+            }
+            Mended::Line(line) | Mended::Spelled(line) => line,
+            Mended::Nothing => "left out",
+        };
+        line_and_right(Kind::Yours, &self.yours.to_string(), right)
+    }
+}
+
+impl Found {
+    fn rows(&self) -> Vec<Row> {
+        line_and_right(Kind::Yours, &self.line.to_string(), &self.right)
+    }
+}
+
+impl Attempt<'_> {
+    /// What the laws add to a wrong picture.
+    fn of_the_laws(&self, finding: &Finding) -> Vec<Row> {
+        let is_unknown = finding.mistakes.as_ref().is_none_or(|it| !it.is_in_text);
+        let hold = "they hold: look at what calls the function, and what becomes of its answer";
+        match self.laws {
+            _ if finding.repair.is_some() => Vec::new(),
+            Some(Laws::Broken(report)) if !finding.is_answered || is_unknown => law(report),
+            Some(Laws::Obeyed) if is_unknown => vec![Row::new(Kind::Laws, hold)],
+            _ => Vec::new(),
+        }
+    }
+}
+
+/// Lists the parts of a report on a broken law.
+pub fn law(report: &Report) -> Vec<Row> {
+    let broken = &report.broken;
+    let kinds = iter::once(Kind::SameAs).chain(iter::repeat(Kind::More));
+    let same_as = kinds
+        .zip(&report.same_as)
+        .map(|(kind, it)| Row::new(kind, it));
+    let rows = [
+        (Kind::Law, &*broken.law),
+        (Kind::Found, &broken.found),
+        (Kind::Allowed, &broken.allowed),
+    ];
+    let rows = rows.into_iter().map(|(kind, it)| Row::new(kind, it));
+    rows.chain(same_as)
+        .chain([Row::new(Kind::Read, &*broken.read)])
+        .collect()
+}
+
+/// Lists what somebody else has printed, line by line, without what a terminal would obey.
+pub fn printed(text: &str) -> Vec<Row> {
+    let lines = text.lines();
+    lines
+        .map(|line| Row::new(Kind::Printed, names::visible(line)))
+        .collect()
+}
+
+impl Attempt<'_> {
+    /// The chapter that was guessed; chapters 3 and 4 draw the same picture.
+    pub(crate) fn taken_for(&self) -> Row {
+        let also = self
+            .scene
+            .with_the_other_formula()
+            .map(|other| other.chapter);
+        let also = also.map_or(String::new(), |other| format!(" or {}", other.name()));
+        Row::new(
+            Kind::Besides,
+            format!("it was taken for {}{also}", named(&self.scene)),
+        )
+    }
+}
+
+// 3. What to do next.
+
+impl Attempt<'_> {
+    /// A further picture that shows most of what can hide from a right one: but not what the
+    /// reader can't have done, nor what would answer otherwise.
+    fn to_test_more(&self, right: &Right) -> Option<Row> {
+        let chapter = self.scene.chapter;
+        let may_be = |slip: &Slip| {
+            self.known.can_be_made(slip, &self.scene)
+                && (self.known.answers).is_none_or(|unlike| unlike(&slip.program(chapter)).1 == 0)
+        };
+        let Next { scene, width, .. } = &blind_spots::next(&right.scene, right.width, may_be)?;
+        // A program may have its height as a number.
+        let line = format!("image_width = {width}");
+        let both = format!("{line}, so that image_height is {}", scene.height(*width));
+        let change = scene.change(*width, self.known.letters).replace('\n', "; ");
+        let change = change.replacen(&line, &both, 1);
+        let (name, what) = match scene.probe {
+            Some(probe) => (probe.name, format!("the probe {}", probe.name)),
+            None => ("", format!("it {width} wide")),
+        };
+        let judge = (self.commands.judge)(scene.probe);
+        let said = format!("to test more, draw {what}: {change}; then {judge}");
+        Some(Row::new(Kind::Probe(name), said))
+    }
+
+    /// A small change of scene that tells mistakes apart which draw the same.
+    fn to_tell_apart(&self, finding: &Finding) -> Option<Row> {
+        let probe = finding.mistakes.as_ref()?.telling?;
+        let change = probe
+            .lines(finding.scene.chapter, self.known.letters)
+            .replace('\n', "; ");
+        let (name, judge) = (probe.name, (self.commands.judge)(Some(probe)));
+        let said = format!(
+            "draw the probe {name}, which tells some of them apart: {change}; then {judge}"
+        );
+        Some(Row::new(Kind::Probe(name), said))
+    }
+
+    /// What is to be thought of a shape that is not the book's.
+    fn shape_is(&self, scene: &Scene, slips: &[&Slip]) -> String {
+        let said =
+            |slip: &&Slip| format!("{} ({})", slip.name, self.known.words(slip, scene).wrong);
+        let look = match slips {
+            [] => String::new(),
+            slips => {
+                let slips = slips.iter().map(said).collect::<Vec<_>>();
+                format!("; if not, look for {}", slips.join(", or "))
+            }
+        };
+        format!("if you chose the shape, nothing is wrong{look}")
+    }
+}
+
+fn step_says(at: usize, step: &steps::Step) -> String {
+    format!("step {}: {}", at + 1, step.says)
+}
+
+/// Returns the line of the list when a step of a chapter shows what it should.
+pub fn step_is_done(chapter: Chapter, step: usize) -> String {
+    format!("{}: step {step} shows what it should", chapter.name())
+}
+
+/// Returns the line of the list when the picture of a chapter is right.
+pub fn picture_is_right(chapter: Chapter) -> String {
+    format!("{}: the picture is right, to the last bit", chapter.name())
+}
+
+// 4. Words that stand in several sentences.
+
+/// Names a scene: `step 1 of normals`, `normals with the probe far`.
+fn named(scene: &Scene) -> String {
+    let step = scene
+        .step()
+        .map_or(String::new(), |step| format!("step {} of ", step + 1));
+    let probe = scene
+        .probe
+        .map_or(String::new(), |it| format!(" with the probe {}", it.name));
+    format!("{step}{}{probe}", scene.chapter.name())
+}
+
+fn step_of(chapter: Chapter, step: usize) -> String {
+    format!("Step {} of {}", step + 1, steps::of(chapter).len())
+}
+
+/// Names the edition, if it is not the one that this workspace follows.
+fn by(editions: &[Edition]) -> String {
+    match editions.contains(&Edition::V4) {
+        true => String::new(),
+        false => format!(" by version {}", editions[0].name()),
+    }
+}
+
+fn differ(count: usize, total: usize) -> String {
+    let differ = if count == 1 { "differs" } else { "differ" };
+    format!("{count} of {total} pixels {differ}")
+}
+
+fn span(name: &str, [first, last]: [u32; 2]) -> String {
+    match first == last {
+        true => format!("{name} {first}"),
+        false => format!("{name}s {first} to {last}"),
+    }
+}
+
+impl Left {
+    /// Says how many pixels are off, and where.
+    fn said(&self, pixels: usize) -> String {
+        let off = self.off;
+        if self.is_rounding() {
+            return format!(
+                "one level in {off} of {pixels} pixels, as with single precision or another way of rounding"
+            );
+        }
+        let (columns, rows) = (span("column", self.columns), span("row", self.rows));
+        format!("{off} of {pixels} pixels, in {columns}, {rows}")
+    }
+}
+
+/// Names slips that were made together; one without a name by its line in our Rust.
+pub fn names_of(mistake: &[&'static Slip]) -> String {
+    let name = |slip: &&'static Slip| match slip.name {
+        "" => {
+            let chapter = slip.chapters().next().unwrap_or(Chapter::HittableList);
+            slip.words(Letters::Rust, chapter).wrong
+        }
+        name => name.into(),
+    };
+    let names: Vec<_> = mistake.iter().map(name).collect();
+    names.join(" and ")
+}
+
+fn row(kind: Kind, text: &str) -> Option<Row> {
+    (!text.is_empty()).then(|| Row::new(kind, text))
+}
+
+fn line_and_right(kind: Kind, line: &str, right: &str) -> Vec<Row> {
+    vec![Row::new(kind, line), Row::new(Kind::ShouldBe, right)]
+}
+
+fn alternatives(lines: impl Iterator<Item = String>) -> impl Iterator<Item = Row> {
+    let kinds = iter::once(Kind::Perhaps).chain(iter::repeat(Kind::Or));
+    kinds.zip(lines).map(|(kind, line)| Row::new(kind, line))
+}
+
+fn only_color(picture: &Picture) -> Option<&[u8]> {
+    let mut colors = picture.rgb().chunks_exact(3);
+    let first = colors.next()?;
+    colors.all(|color| color == first).then_some(first)
+}

@@ -1,0 +1,135 @@
+//! The layout of an answer in a terminal: labeled lines of a width, colored or not.
+
+use textwrap::{Options, WordSplitter};
+
+use crate::answer::{Answer, Headline, Kind, Mark, Row};
+use crate::names;
+use crate::workspace;
+
+/// Bold and color, or neither.
+#[derive(Clone, Copy, Debug)]
+pub struct Style {
+    /// True where a terminal obeys.
+    pub is_colored: bool,
+}
+
+/// No answer takes more lines, so that it is read at one glance.
+pub const MOST_LINES: usize = 12;
+
+/// Lays out an answer in at most `most` lines of `width` characters: the headline and what is to
+/// be done next, and between them as many rows as there is room for.
+pub fn lines(answer: &Answer, style: Style, width: usize, most: usize) -> Vec<String> {
+    let mut lines = headline(&answer.headline, style, width);
+    let read = answer.read.iter().map(|slip| {
+        let page = workspace::page(slip);
+        style.labeled("read") + &page.unwrap_or_else(|| slip.page_in_words())
+    });
+    let next = match &*answer.next {
+        "" => Vec::new(),
+        next => labeled("next", next, style, width),
+    };
+    let below: Vec<String> = read.chain(next).collect();
+    let room = most.saturating_sub(height(&lines, width) + height(&below, width));
+    let rows: Vec<_> = answer.rows.iter().map(|it| row(it, style, width)).collect();
+    lines.extend(fitting(rows, width, room));
+    lines.extend(below);
+    lines
+}
+
+/// Lays out the verdict alone.
+pub fn headline(headline: &Headline, style: Style, width: usize) -> Vec<String> {
+    let [before, verdict, rest] = headline.parts();
+    let verdict = match headline.mark {
+        Mark::Right => style.green(&verdict),
+        Mark::OnTheWay => style.bold(&verdict),
+        Mark::Wrong | Mark::NoPicture => style.red(&verdict),
+    };
+    let [before, rest] = [before, rest].map(|it| names::visible(&it).into_owned());
+    let said = filled(&format!("{before}{verdict}{rest}"), width, "", "");
+    said.lines().map(str::to_owned).collect()
+}
+
+/// Returns the text in lines of this width, but for a word that is longer, with `first` before
+/// the first of them, and `rest` before the others.
+pub fn filled(text: &str, width: usize, first: &str, rest: &str) -> String {
+    let options = Options::new(width)
+        .initial_indent(first)
+        .subsequent_indent(rest)
+        .break_words(false)
+        .word_splitter(WordSplitter::NoHyphenation);
+    // A size stays on one line.
+    let text = text.replace(" × ", "\u{a0}×\u{a0}");
+    textwrap::fill(&text, options).replace('\u{a0}', " ")
+}
+
+/// Keeps the rows for which there is room, with a mark where some are left out.
+fn fitting(rows: Vec<Vec<String>>, width: usize, room: usize) -> Vec<String> {
+    if rows.iter().map(|row| height(row, width)).sum::<usize>() <= room {
+        return rows.concat();
+    }
+    let mut left = room.saturating_sub(1);
+    let has_room = |row: &Vec<String>| {
+        let fits = height(row, width) <= left;
+        left -= if fits { height(row, width) } else { left };
+        fits
+    };
+    let mut lines: Vec<String> = rows.into_iter().take_while(has_room).flatten().collect();
+    lines.push("…".to_owned());
+    lines
+}
+
+/// Counts the lines of a terminal that these lines fill.
+fn height(lines: &[String], width: usize) -> usize {
+    let rows = |line: &String| textwrap::core::display_width(line).div_ceil(width).max(1);
+    lines.iter().map(rows).sum()
+}
+
+fn row(row: &Row, style: Style, width: usize) -> Vec<String> {
+    match row.kind {
+        Kind::Printed => vec![row.text.clone()],
+        // It is copied as a whole.
+        Kind::ByHand => vec![style.labeled(row.kind.label()) + &row.text],
+        kind => labeled(kind.label(), &names::visible(&row.text), style, width),
+    }
+}
+
+/// The text in as many lines as it takes, with the label before the first.
+fn labeled(label: &str, text: &str, style: Style, width: usize) -> Vec<String> {
+    let rest = " ".repeat(LABEL + 2);
+    let said = filled(text, width, &style.labeled(label), &rest);
+    said.lines().map(str::to_owned).collect()
+}
+
+/// How wide a label is.
+const LABEL: usize = 9;
+
+impl Style {
+    /// Makes a text bold.
+    pub fn bold(self, text: &str) -> String {
+        self.in_code("1", text)
+    }
+
+    /// Makes a text pale.
+    pub fn dim(self, text: &str) -> String {
+        self.in_code("2", text)
+    }
+
+    fn red(self, text: &str) -> String {
+        self.in_code("31", text)
+    }
+
+    fn green(self, text: &str) -> String {
+        self.in_code("32", text)
+    }
+
+    fn labeled(self, label: &str) -> String {
+        self.dim(&format!("{label:<LABEL$}")) + "  "
+    }
+
+    fn in_code(self, code: &str, text: &str) -> String {
+        match self.is_colored {
+            true => format!("\x1b[{code}m{text}\x1b[0m"),
+            false => text.to_owned(),
+        }
+    }
+}
