@@ -23,25 +23,20 @@ struct Writer {
     line: &'static str,
     /// The file or folder that it writes.
     target: &'static str,
-    /// At how many places of a system call it is broken off at most, spread evenly. Of calls that are
-    /// made more often, only those that may fail have a turn.
-    places: usize,
     /// Returns true if all that is there now was there before, or is there after a whole run.
     is_whole: fn(&There, &There, &There) -> bool,
 }
 
-const WRITERS: [Writer; 4] = [
+const WRITERS: [Writer; 3] = [
     Writer {
         line: "rtrace start red_sphere --into mine",
         target: "mine/red_sphere",
-        places: usize::MAX,
         // Each crate has a number of its own.
         is_whole: |before, now, after| now.keys().eq(before.keys()) || now.keys().eq(after.keys()),
     },
     Writer {
         line: "rtrace done --in list hello",
         target: "list",
-        places: usize::MAX,
         is_whole: |before, now, after| {
             let lines = |it: &There| {
                 it.values()
@@ -58,14 +53,6 @@ const WRITERS: [Writer; 4] = [
     Writer {
         line: "rtrace check normals n.ppm --report page",
         target: "page",
-        places: usize::MAX,
-        is_whole: each_is_whole,
-    },
-    // What `rtrace book` runs, with a book of one page; mdBook makes thousands of calls for it.
-    Writer {
-        line: "weave pages book",
-        target: "book",
-        places: 8,
         is_whole: each_is_whole,
     },
 ];
@@ -87,10 +74,6 @@ fn each_is_whole(before: &There, now: &There, after: &There) -> bool {
     paths.all(|path| is_known(path) || is_other && (is_page(path) || !now.contains_key(path)))
 }
 
-/// The system calls that may fail as on a full disk.
-const MAY_FAIL: &str = "openat read write statx mkdir rename unlink unlinkat rmdir fchmod chmod \
-    getdents64 copy_file_range close lseek ftruncate readlink fcntl";
-
 /// How a run is broken off.
 #[derive(Clone, Debug)]
 enum Break {
@@ -101,7 +84,7 @@ enum Break {
 }
 
 #[test]
-#[ignore = "runs four commands some four thousand times"]
+#[ignore = "runs three commands some three thousand times"]
 fn what_is_broken_off_leaves_old_or_new_and_nothing_half() {
     let version = Command::new("strace").arg("-V").output();
     if !version.is_ok_and(|it| it.status.success()) {
@@ -134,9 +117,6 @@ impl Writer {
     fn turn(self, desk: &Desk, n: usize) {
         // A right picture is judged at once.
         desk.write_picture("n.ppm", &normals::picture([16, 17, 18][n % 3]));
-        desk.write("pages/book.toml", "[book]\nsrc = \".\"\n");
-        desk.write("pages/SUMMARY.md", "[One](one.md)\n");
-        desk.write("pages/one.md", format!("# Page {}\n", n % 3));
         if self.line.starts_with("rtrace start") {
             let _ = fs::remove_dir_all(desk.path(self.target));
         }
@@ -172,17 +152,36 @@ impl Writer {
 
     /// Each call is the last one, or fails if it can; and fifty kills at any time.
     fn breaks(self, calls: &BTreeMap<String, usize>, took: Duration) -> Vec<Break> {
+        const MAY_FAIL: [&str; 18] = [
+            "openat",
+            "read",
+            "write",
+            "statx",
+            "mkdir",
+            "rename",
+            "unlink",
+            "unlinkat",
+            "rmdir",
+            "fchmod",
+            "chmod",
+            "getdents64",
+            "copy_file_range",
+            "close",
+            "lseek",
+            "ftruncate",
+            "readlink",
+            "fcntl",
+        ];
         let mut breaks = Vec::new();
         for (name, count) in calls {
-            let may_fail = MAY_FAIL.split(' ').any(|it| it == name);
-            if !may_fail && self.places < *count {
-                continue;
-            }
-            for n in (1..=*count).step_by(count.div_ceil(self.places)) {
-                let inject = |what| Break::Injected(format!("inject={name}:{what}:when={n}"));
-                breaks.push(inject("signal=KILL"));
-                if may_fail {
-                    breaks.push(inject("error=ENOSPC"));
+            for n in 1..=*count {
+                breaks.push(Break::Injected(format!(
+                    "inject={name}:signal=KILL:when={n}"
+                )));
+                if MAY_FAIL.contains(&&**name) {
+                    breaks.push(Break::Injected(format!(
+                        "inject={name}:error=ENOSPC:when={n}"
+                    )));
                 }
             }
         }
