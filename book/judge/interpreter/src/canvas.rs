@@ -1,5 +1,6 @@
 //! Lazy evaluation: a picture whose pixels are traced when they are asked for.
 
+use std::fmt;
 use std::rc::Rc;
 
 use common::rtweekend::*;
@@ -12,11 +13,19 @@ use crate::refusal::Fault;
 use crate::types::Int;
 
 /// A picture that a program draws, pixel by pixel.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Canvas {
     program: Program,
     size: (u32, u32),
     brush: Rc<Brush>,
+}
+
+impl fmt::Debug for Canvas {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Canvas")
+            .field("size", &self.size)
+            .finish_non_exhaustive()
+    }
 }
 
 /// A value that a `let` has given a name on the way to a color: the function, the name, and

@@ -21,16 +21,18 @@ fn read<T: AsRef<str>>(files: &[(&str, T)]) -> Result<Program, Fault> {
     interpreter::read(&files).map_err(|faults| faults[0].clone())
 }
 
-/// The chapter with the first of these words replaced in one of its files.
-fn with(chapter: Chapter, right: &str, wrong: &str) -> Option<Result<Program, String>> {
-    let files = chapter.files();
-    let changed = files
-        .iter()
-        .position(|(_, text)| text.matches(right).count() == 1)?;
-    let text = files[changed].1.replacen(right, wrong, 1);
-    let mut files = files.to_vec();
-    files[changed].1 = &text;
-    Some(program_of(&files))
+/// Returns the files of a chapter with the first of these words replaced.
+fn replaced(chapter: Chapter, right: &str, wrong: &str) -> Vec<(&'static str, String)> {
+    let files = chapter.files().iter();
+    let mut files: Vec<_> = files.map(|it| (it.0, it.1.to_owned())).collect();
+    let changed = files.iter_mut().find(|it| it.1.contains(right));
+    let (_, text) = changed.unwrap_or_else(|| panic!("{right} is not there"));
+    *text = text.replacen(right, wrong, 1);
+    files
+}
+
+fn with(chapter: Chapter, right: &str, wrong: &str) -> Result<Program, String> {
+    program_of(&replaced(chapter, right, wrong))
 }
 
 #[test]
@@ -85,22 +87,18 @@ fn a_mutant_runs_by_its_number_and_one_that_is_refused_is_lost_alone() {
     let text = text.replace(ROWS[1].0, sum);
     let all = program_of(&[("src/lib.rs", &text)]).expect("it is read");
     let is_same = |number, other: &Program| all.with_mutant(number).draw(40) == other.draw(40);
-    let typed = |row: usize| with(Chapter::Gradient, ROWS[row].0, ROWS[row].1).expect("once");
+    let typed = |row: usize| with(Chapter::Gradient, ROWS[row].0, ROWS[row].1);
     let right = program_of(Chapter::Gradient.files()).expect("rustc compiles it");
     for nothing in [0, 5, 8, 11] {
         assert!(is_same(nothing, &right), "{nothing}");
     }
     assert!(is_same(7, &typed(0).expect("it is read")));
     assert!(is_same(10, &typed(1).expect("it is read")));
-    let other = with(
-        Chapter::Gradient,
-        "0.5 * (unit_direction.y + 1.0)",
-        "unit_direction",
-    );
-    assert!(is_same(4, &other.expect("once").expect("it is read")));
+    let half = "0.5 * (unit_direction.y + 1.0)";
+    let other = with(Chapter::Gradient, half, "unit_direction");
+    assert!(is_same(4, &other.expect("it is read")));
 }
 
-/// What readers have beside the chapter's text, or in its place.
 #[test]
 fn what_the_compiler_reads_is_read() {
     let (_, normals) = Chapter::Normals.files()[0];
@@ -111,14 +109,12 @@ fn what_the_compiler_reads_is_read() {
     assert_ne!(drawn, Chapter::Normals.picture(40));
 
     for row in rows::<3>(include_str!("texts/read.txt")) {
-        let program = program_of(&changed(&row));
-        let program = program.unwrap_or_else(|fault| panic!("{row:?}: {fault}"));
+        let drawn = read(&changed(&row)).and_then(|it| it.draw(40));
         let chapter = Chapter::find(&row[0]).expect("a chapter");
-        assert_eq!(program.draw(40), Ok(chapter.picture(40)), "{row:?}");
+        assert_eq!(drawn, Ok(chapter.picture(40)), "{row:?}");
     }
 }
 
-/// Vectors, rays and the loop over all pixels, all of them the reader's.
 #[test]
 fn a_prelude_of_ones_own_draws_the_picture_and_is_asked() {
     let chapter = Chapter::HittableList;
@@ -152,6 +148,15 @@ fn a_prelude_of_ones_own_draws_the_picture_and_is_asked() {
 
 const OWN_PRELUDE: &str = include_str!("texts/own_prelude.rs");
 
+#[test]
+fn a_function_that_ends_with_an_early_return_so_far_is_unfinished() {
+    let read = read(&replaced(Chapter::Normals, "    sky(ray)\n", ""));
+    assert_eq!(
+        read.map(drop).map_err(|it| it.kind),
+        Err(FaultKind::Unfinished)
+    );
+}
+
 /// A text that never ends does not make the page wait, and one that is no Rust is refused.
 #[test]
 fn a_text_without_an_end_is_answered_at_once() {
@@ -166,11 +171,8 @@ fn a_text_without_an_end_is_answered_at_once() {
     for wrong in wrongs {
         let start = Instant::now();
         let read = with(Chapter::Normals, LINE, &format!("{wrong}; {LINE}"));
-        let is_refused = match read.expect("the line is there") {
-            Ok(program) => program.draw(40).is_err(),
-            Err(_) => true,
-        };
-        assert!(is_refused, "{wrong} is drawn");
+        let is_drawn = read.is_ok_and(|it| it.draw(40).is_ok());
+        assert!(!is_drawn, "{wrong} is drawn");
         assert!(
             start.elapsed() < Duration::from_secs(2),
             "{wrong} takes too long"
@@ -266,22 +268,14 @@ fn rows<const N: usize>(table: &str) -> Vec<[String; N]> {
 
 /// Mistakes that the compiler finds: in which chapter, what it has, what is typed there, and
 /// what is said, after the line.
-fn refused() -> Vec<[String; 4]> {
-    rows(include_str!("texts/refused.txt"))
-}
+const REFUSED: &str = include_str!("texts/refused.txt");
 
-/// The files of the row's chapter, one of them changed.
+/// Returns the files of the row's chapter, one of them changed.
 fn changed(row: &[String]) -> Vec<(&'static str, String)> {
     let [name, right, wrong, ..] = row else {
         panic!("{row:?} is no row");
     };
-    let chapter = Chapter::find(name).expect("a chapter");
-    let files = chapter.files().iter();
-    let mut files: Vec<_> = files.map(|it| (it.0, it.1.to_owned())).collect();
-    let changed = files.iter_mut().find(|it| it.1.contains(right));
-    let (_, text) = changed.unwrap_or_else(|| panic!("{right} is not there"));
-    *text = text.replacen(right, wrong, 1);
-    files
+    replaced(Chapter::find(name).expect("a chapter"), right, wrong)
 }
 
 /// What is said first: the file, the line and the words.
@@ -309,7 +303,7 @@ fn said_here(files: &[(&'static str, String)]) -> Option<(String, usize, String)
 fn what_the_compiler_refuses_or_is_not_known_is_refused() {
     let mut other = String::new();
     let unknown = rows::<4>(include_str!("texts/unknown.txt"));
-    for row in refused().into_iter().chain(unknown) {
+    for row in rows::<4>(REFUSED).into_iter().chain(unknown) {
         let files = changed(&row);
         let said = said_here(&files).map_or("accepted".to_owned(), |(_, line, said)| {
             format!("{line}: {said}")
@@ -324,8 +318,7 @@ fn what_the_compiler_refuses_or_is_not_known_is_refused() {
 
 #[test]
 fn a_reference_where_a_value_is_wanted_has_the_help_of_the_compiler() {
-    let typed =
-        with(Chapter::Normals, "direction.dot(oc)", "direction.dot(&oc)").expect("it is there");
+    let typed = with(Chapter::Normals, "direction.dot(oc)", "direction.dot(&oc)");
     let drawn = typed.expect("types are seen when it runs").draw(16);
     let said = drawn.expect_err("rustc refuses it").to_string();
     assert!(said.ends_with("; consider removing the borrow"), "{said}");
@@ -336,7 +329,7 @@ fn a_reference_where_a_value_is_wanted_has_the_help_of_the_compiler() {
 fn most_faults_are_in_the_line_and_the_words_of_the_compiler() {
     let folder = crate_of_ones_own("refused");
     let (mut lines, mut words, mut all) = (0, 0, 0);
-    for row in refused() {
+    for row in rows::<4>(REFUSED) {
         let files = changed(&row);
         let compiled = said_of(&folder, &files);
         assert!(compiled.contains(": error"), "{row:?} compiles");

@@ -48,20 +48,22 @@ impl Lowerer<'_> {
             syn::Expr::Repeat(it) => self.repeated(it, true, at()),
             syn::Expr::Range(it) => self.range(it),
             syn::Expr::Reference(it) => self.reference(it),
-            syn::Expr::Cast(it) => {
-                let (from, at) = (self.expr(&it.expr)?.run, self.at_any(it));
-                let to = self.names.ty(&self.context, &it.ty)?;
-                Ok(Expr::new(at, move |m| {
-                    let value = from.eval(m)?;
-                    m.cast(&value, &to, at)
-                }))
-            }
+            syn::Expr::Cast(it) => self.cast(it),
             syn::Expr::Try(it) => self.tried(it),
             syn::Expr::Struct(it) => self.structure(it),
             syn::Expr::Macro(it) => self.macro_call(&it.mac),
             syn::Expr::Unsafe(_) => self.unread(at(), "`unsafe`"),
             _ => self.unread(at(), "this kind of expression"),
         }
+    }
+
+    fn cast(&mut self, it: &syn::ExprCast) -> Lowered {
+        let (from, at) = (self.expr(&it.expr)?.run, self.at_any(it));
+        let to = self.names.ty(&self.context, &it.ty)?;
+        Ok(Expr::new(at, move |m| {
+            let value = from.eval(m)?;
+            m.cast(&value, &to, at)
+        }))
     }
 
     /// Lowers `let … = …` as a condition.
@@ -332,6 +334,9 @@ fn operation(operator: Option<Operator>, sign: &str, [left, right]: [Expr; 2], a
     match operator {
         Some(Operator::Arithmetic(sign, _)) => {
             let made = Expr::new(at, move |m| {
+                if let (Some(a), Some(b)) = (left.number(m), right.number(m)) {
+                    return Ok(m.of_floats(sign, a, b));
+                }
                 let left = left.eval(m)?;
                 let right = right.eval(m)?;
                 let [left, right] = alike([left, right], is_any);
@@ -343,6 +348,9 @@ fn operation(operator: Option<Operator>, sign: &str, [left, right]: [Expr; 2], a
             }
         }
         Some(Operator::Compare(order)) => Expr::new(at, move |m| {
+            if let (Some(a), Some(b)) = (left.number(m), right.number(m)) {
+                return Ok(order.holds(a.partial_cmp(&b)).into());
+            }
             let left = left.eval(m)?;
             let right = right.eval(m)?;
             m.compared(order, alike([left, right], is_any), (at, spot))

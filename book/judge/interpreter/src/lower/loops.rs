@@ -37,11 +37,7 @@ impl Lowerer<'_> {
                 }
             }
         });
-        Ok(if is_left {
-            made
-        } else {
-            made.shown(Form::Never)
-        })
+        Ok(made.ending(!is_left))
     }
 
     pub(super) fn for_loop(&mut self, it: &syn::ExprForLoop) -> Lowered {

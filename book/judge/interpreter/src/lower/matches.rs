@@ -2,7 +2,7 @@
 
 use super::patterns::{Pattern, Shape};
 use super::{Expr, Lowered, Lowerer};
-use crate::machine::{Form, Run};
+use crate::machine::Run;
 use crate::types::Type;
 
 struct Arm {
@@ -17,25 +17,9 @@ impl Lowerer<'_> {
         let of = self.expr(&it.expr)?.run;
         let (mut arms, mut is_left) = (Vec::new(), !it.arms.is_empty());
         for arm in &it.arms {
-            let (pattern, guard) = match &arm.pat {
-                syn::Pat::Guard(it) => (&*it.pat, Some(&it.guard)),
-                pattern => (pattern, None),
-            };
-            let (pattern, guard, mut body) = self.scoped(|own| {
-                let pattern = own.pattern(pattern, false)?;
-                let guard = guard.map(|it| own.given(it, &Type::BOOL)).transpose()?;
-                Ok((pattern, guard.map(|it| it.run), own.given(&arm.body, ty)?))
-            })?;
-            is_left &= body.never_ends();
-            if !matches!(*arm.body, syn::Expr::Block(_)) {
-                body = self.marked(body, self.at(&arm.body));
-            }
-            let body = body.run;
-            arms.push(Arm {
-                pattern,
-                guard,
-                body,
-            });
+            let (arm, never_ends) = self.arm(arm, ty)?;
+            is_left &= never_ends;
+            arms.push(arm);
         }
         let shapes = arms
             .iter()
@@ -60,11 +44,31 @@ impl Lowerer<'_> {
             }
             m.wrong(at, "non-exhaustive patterns: no arm matches this value", "")
         });
-        Ok(if is_left {
-            made.shown(Form::Never)
-        } else {
-            made
-        })
+        Ok(made.ending(is_left))
+    }
+
+    /// Lowers an arm, and finds whether nothing comes after it.
+    fn arm(&mut self, arm: &syn::Arm, ty: &Type) -> Lowered<(Arm, bool)> {
+        let (pattern, guard) = match &arm.pat {
+            syn::Pat::Guard(it) => (&*it.pat, Some(&it.guard)),
+            pattern => (pattern, None),
+        };
+        let (pattern, guard, mut body) = self.scoped(|own| {
+            let pattern = own.pattern(pattern, false)?;
+            let guard = guard.map(|it| own.given(it, &Type::BOOL)).transpose()?;
+            Ok((pattern, guard.map(|it| it.run), own.given(&arm.body, ty)?))
+        })?;
+        let never_ends = body.never_ends();
+        if !matches!(*arm.body, syn::Expr::Block(_)) {
+            body = self.marked(body, self.at(&arm.body));
+        }
+        let body = body.run;
+        let arm = Arm {
+            pattern,
+            guard,
+            body,
+        };
+        Ok((arm, never_ends))
     }
 }
 

@@ -64,14 +64,8 @@ impl Lowerer<'_> {
         }
         let (own, natives) = self.candidates(name, at)?;
         not_ambiguous(receiver.spot.form, name, at)?;
+        self.counted(&own, &natives, given.len(), whole)?;
         let functions = &self.names.functions;
-        let counts = own.iter().map(|it| functions[it.1].parameters.len() - 1);
-        let counts: Vec<usize> = counts
-            .chain(natives.iter().map(|it| it.takes.len()))
-            .collect();
-        if !counts.contains(&given.len()) {
-            return Err(Refusal::miscounted(true, counts[0], given.len(), whole));
-        }
         let changes = own
             .iter()
             .any(|it| functions[it.1].parameters[0].is(Head::RefMut))
@@ -102,6 +96,26 @@ impl Lowerer<'_> {
                 method.called(m, value, None)
             }),
         })
+    }
+
+    /// Checks that some of what may be meant takes so many arguments.
+    fn counted(
+        &self,
+        own: &[(Head, usize)],
+        natives: &[&Native],
+        given: usize,
+        at: At,
+    ) -> Lowered<()> {
+        let functions = &self.names.functions;
+        let own = own.iter().map(|it| functions[it.1].parameters.len() - 1);
+        let mut counts = own
+            .chain(natives.iter().map(|it| it.takes.len()))
+            .peekable();
+        let first = counts.peek().copied().unwrap_or_default();
+        match counts.any(|it| it == given) {
+            true => Ok(()),
+            false => Err(Refusal::miscounted(true, first, given, at)),
+        }
     }
 
     /// Returns all methods of that name that may be called here.

@@ -46,6 +46,14 @@ impl Expr {
         Self { spot, ..self }
     }
 
+    /// Notes that nothing comes after it, if that is so.
+    fn ending(self, never_ends: bool) -> Self {
+        match never_ends {
+            true => self.shown(Form::Never),
+            false => self,
+        }
+    }
+
     fn never_ends(&self) -> bool {
         self.spot.form == Form::Never
     }

@@ -65,14 +65,7 @@ impl Lowerer<'_> {
                 Ok(Expr::new(at, move |_| Ok(Data::Function(function).into())))
             }
             Callee::Native(native) => Ok(Expr::new(at, move |_| Ok(Data::Native(native).into()))),
-            Callee::Default(ty) => {
-                let default = self.default_of(&ty, at)?.run;
-                let closure = Arc::new(Closure {
-                    parameters: 0,
-                    body: Box::new(move |m, _| default.eval(m)),
-                });
-                Ok(Expr::new(at, move |m| m.closure(&closure, false, at)))
-            }
+            Callee::Default(ty) => Ok(function_of(self.default_of(&ty, at)?)),
             Callee::Struct(kind) if self.names.kinds[kind as usize].fields.is_empty() => {
                 Ok(made(kind, Vec::new(), None, at))
             }
@@ -182,6 +175,15 @@ impl Lowerer<'_> {
         let help = "say its type where it begins: `let x: …`, or `|x: …|`";
         self.fault(at, "type annotations needed", "cannot infer type", help)
     }
+}
+
+/// Makes a function without parameters that comes to that.
+fn function_of(Expr { run, spot }: Expr) -> Expr {
+    let closure = Arc::new(Closure {
+        parameters: 0,
+        body: Box::new(move |m, _| run.eval(m)),
+    });
+    Expr::new(spot.at, move |m| m.closure(&closure, false, spot.at))
 }
 
 pub(super) fn no_function(name: &str, ty: &str) -> String {

@@ -100,16 +100,7 @@ impl Lowerer<'_> {
                     matches!(it, Data::Tuple(all) if all.len() == count).then_some(true)
                 })
             }
-            syn::Pat::Slice(it) => {
-                let all = self.all(&it.elems, is_late)?;
-                let count = all.len();
-                let found = Type::of(Head::Array(count), Type::UNKNOWN);
-                parts(all, found, at, move |it| match it {
-                    Data::List(list) if list.all.len() == count => Some(true),
-                    Data::List(list) if !list.is_array => Some(false),
-                    _ => None,
-                })
-            }
+            syn::Pat::Slice(it) => list(self.all(&it.elems, is_late)?, at),
             syn::Pat::Or(it) => self.alternatives(it)?,
             syn::Pat::Lit(it) => equal(self.literal(&it.lit)?, literal_shape(&it.lit)),
             syn::Pat::Path(it) => equal(self.path(it)?, Shape::Other),
@@ -285,6 +276,16 @@ fn option(of: Option<Pattern>, at: At) -> Pattern {
         _ => None,
     });
     Pattern { shape, ..pattern }
+}
+
+fn list(all: Vec<(usize, Pattern)>, at: At) -> Pattern {
+    let count = all.len();
+    let found = Type::of(Head::Array(count), Type::UNKNOWN);
+    parts(all, found, at, move |it| match it {
+        Data::List(list) if list.all.len() == count => Some(true),
+        Data::List(list) if !list.is_array => Some(false),
+        _ => None,
+    })
 }
 
 fn structure(head: Head, fields: Vec<(usize, Pattern)>, at: At) -> Pattern {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::declared::checked;
 use super::{Expr, Lowered, Lowerer};
 use crate::machine::value::Value;
-use crate::machine::{Form, Mark, Run};
+use crate::machine::{Mark, Run};
 use crate::read::at_statement;
 use crate::refusal::Refusal;
 use crate::types::Type;
@@ -36,11 +36,7 @@ impl Lowerer<'_> {
             last.mark.notes_that_it_runs();
             last.run.eval(m)
         });
-        Ok(if is_left {
-            made.shown(Form::Never)
-        } else {
-            made
-        })
+        Ok(made.ending(is_left))
     }
 
     /// Refuses a block without a value where one is declared.
@@ -162,11 +158,7 @@ impl Lowerer<'_> {
                 }),
             }
         };
-        Ok(if never_ends {
-            made.shown(Form::Never)
-        } else {
-            made
-        })
+        Ok(made.ending(never_ends))
     }
 
     /// Lowers `if`, whose ways come to a value of that type.
@@ -203,11 +195,7 @@ impl Lowerer<'_> {
             true => then.eval(m),
             false => other.eval(m),
         });
-        Ok(if is_left {
-            made.shown(Form::Never)
-        } else {
-            made
-        })
+        Ok(made.ending(is_left))
     }
 }
 

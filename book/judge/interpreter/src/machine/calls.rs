@@ -14,7 +14,6 @@ use crate::refusal::{At, Refusal};
 use crate::types::{Head, Type};
 
 /// The places of a call: those of its arguments, as far as they are written, and its own.
-#[derive(Debug)]
 pub(crate) struct Given {
     pub(crate) spots: Vec<Spot>,
     pub(crate) at: At,
@@ -230,29 +229,54 @@ impl Machine<'_> {
     }
 
     /// Runs a function of the library, on the first value if it is a method.
+    #[inline]
     pub(crate) fn native(&mut self, native: &Native, values: &mut [Value], given: &Given) -> Eval {
-        let (on, rest) = values.split_at_mut(usize::from(native.on.is_some()));
-        let after = usize::from(native.on.is_some() && given.spots.len() == native.count());
-        let on = on.first();
-        for (n, (ty, value)) in native.takes.iter().zip(rest).enumerate() {
-            let is_it = match (ty.0, on.map(|it| &it.data)) {
-                (Head::Like, Some(Data::Float(_))) => is_plainly(value, &Head::F64.into()),
+        let first = usize::from(native.on.is_some());
+        for (n, ty) in native.takes.iter().enumerate() {
+            let value = &values[first + n];
+            let is_it = match (ty.0, &value.data) {
+                (Head::Like, Data::Float(_)) => {
+                    value.lent == 0 && matches!(values[0].data, Data::Float(_))
+                }
                 _ => is_plainly(value, ty),
             };
             if !is_it {
-                let like = on.map_or(Type::UNKNOWN, |it| self.ty(&it.clone().owned()));
-                let spot = given.spot(n + after);
-                *value = self.as_declared(mem::take(value), &ty.with(&like), spot)?;
+                self.take_as(native, values, n, given)?;
             }
         }
         self.run_native(native, values, given.at)
     }
 
+    /// Checks what a function of the library is given for one of its parameters.
+    #[inline(never)]
+    fn take_as(
+        &mut self,
+        native: &Native,
+        values: &mut [Value],
+        n: usize,
+        given: &Given,
+    ) -> Eval<()> {
+        let first = usize::from(native.on.is_some());
+        let like = self.ty(&values[0].clone().owned());
+        // Where it is called by its path, the value that it is called on has a place, too.
+        let after = first * usize::from(given.spots.len() == native.count());
+        let value = mem::take(&mut values[first + n]);
+        let ty = native.takes[n].with(&like);
+        values[first + n] = self.as_declared(value, &ty, given.spot(n + after))?;
+        Ok(())
+    }
+
     /// Runs a function of the library, or that of the text which takes its place.
+    #[inline]
     fn run_native(&mut self, native: &Native, values: &mut [Value], at: At) -> Eval {
         if self.code.instead.is_empty() {
             return (native.run)(self, values, at);
         }
+        self.run_instead(native, values, at)
+    }
+
+    #[inline(never)]
+    fn run_instead(&mut self, native: &Native, values: &mut [Value], at: At) -> Eval {
         let is_of_vectors = (native.owner)(Head::Vec3) || (native.owner)(Head::Ray);
         let mut instead = self.code.instead.iter().filter(|_| is_of_vectors);
         if let Some((_, own)) = instead.find(|it| it.0 == native.name) {

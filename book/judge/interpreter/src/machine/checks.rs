@@ -240,8 +240,10 @@ pub(super) fn is_plainly(value: &Value, ty: &Type) -> bool {
         (Data::Float(_), Head::F64)
         | (Data::Vec3(_), Head::Vec3)
         | (Data::Ray(_), Head::Ray)
+        | (Data::Bool(_), Head::Bool)
         | (Data::None, Head::Option) => true,
         (Data::Own(kind, _), Head::Own(other)) => *kind == other,
+        (Data::Closure(it, _), Head::Fn) => it.parameters + 1 == ty.1.len(),
         _ => false,
     };
     match ty.0 {

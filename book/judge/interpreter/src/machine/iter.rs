@@ -1,7 +1,6 @@
 //! Iterators: what is left of a list, or a function that makes the next value.
 
 use std::cell::RefCell;
-use std::fmt;
 use std::rc::Rc;
 
 use super::value::{List, Value};
@@ -33,11 +32,5 @@ impl Iter {
             Self::Shared(it) => it.borrow_mut().next(machine),
             Self::Function(next) => next(machine),
         }
-    }
-}
-
-impl fmt::Debug for Iter {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("Iter")
     }
 }

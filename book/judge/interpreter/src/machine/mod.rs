@@ -29,7 +29,7 @@ pub(crate) use places::{Field, Place};
 use value::{Data, Value};
 
 /// A program that is ready to be run.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(crate) struct Code {
     pub(crate) names: Arc<Names>,
     pub(crate) functions: Vec<Arc<Function>>,
@@ -44,11 +44,17 @@ pub(crate) struct Code {
     pub(crate) read: Arc<Mutex<Texts>>,
 }
 
+impl fmt::Debug for Code {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_list().entries(&*self.texts).finish()
+    }
+}
+
 /// Functions by their numbers and texts.
 pub(crate) type Texts = HashMap<(usize, String), Arc<Function>>;
 
 /// A function, ready to be run.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub(crate) struct Function {
     pub(crate) slots: usize,
     /// The names of the slots.
@@ -60,7 +66,6 @@ pub(crate) struct Function {
 }
 
 /// A function as it is written.
-#[derive(Debug)]
 pub(crate) struct Written {
     /// Its name, behind that of its type if it has one: `Sphere::hit`.
     pub(crate) name: String,
@@ -69,7 +74,6 @@ pub(crate) struct Written {
 }
 
 /// Lines that run together, and whether they ever did.
-#[derive(Debug)]
 pub(crate) struct Mark {
     pub(crate) at: At,
     pub(crate) has_run: AtomicBool,
@@ -94,14 +98,7 @@ pub(crate) struct Closure {
 
 type Body = dyn Fn(&mut Machine<'_>, &[Value]) -> Eval + Send + Sync;
 
-impl fmt::Debug for Closure {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("Closure")
-    }
-}
-
 /// A function of the library.
-#[derive(Debug)]
 pub(crate) struct Native {
     /// Finds whether it is called on values of a type, or the type's name stands before it.
     pub(crate) owner: fn(Head) -> bool,
@@ -167,17 +164,27 @@ impl Run {
             Self::Act(act) => act(machine),
         }
     }
+
+    /// Returns the number that it is without a call, as most operands of operators are.
+    #[inline(always)]
+    pub(crate) fn number(&self, machine: &Machine<'_>) -> Option<f64> {
+        match self {
+            Self::Float(it) => Some(machine.rounded(*it)),
+            Self::Local(slot) => match machine.stack[machine.base + slot] {
+                Value {
+                    lent: 0,
+                    data: Data::Float(it),
+                } => Some(it),
+                _ => None,
+            },
+            Self::Act(_) => None,
+        }
+    }
 }
 
 impl Default for Run {
     fn default() -> Self {
         Self::new(|_| Ok(Value::default()))
-    }
-}
-
-impl fmt::Debug for Run {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("Run")
     }
 }
 

@@ -35,14 +35,20 @@ impl Machine<'_> {
         }
     }
 
+    /// Returns what comes out of an operator between two floats.
+    #[inline]
+    pub(crate) fn of_floats(&self, sign: Sign, a: f64, b: f64) -> Value {
+        self.rounded(combine(sign, a, b)).into()
+    }
+
     /// Returns what comes out of an operator between two values.
     #[inline]
     pub(crate) fn combined(&mut self, sign: Sign, left: Value, right: Value, at: At) -> Eval {
         if let (Data::Float(a), Data::Float(b)) = (&left.data, &right.data) {
-            let result = self.rounded(combine(sign, *a, *b));
+            let result = self.of_floats(sign, *a, *b);
             // They have nothing to drop.
             mem::forget((left, right));
-            return Ok(result.into());
+            return Ok(result);
         }
         self.rarely_combined(sign, left, right, at)
     }

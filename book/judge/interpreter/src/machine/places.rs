@@ -21,7 +21,6 @@ pub(crate) struct Place {
 type Find = dyn Fn(&mut Machine<'_>) -> Eval<Address> + Send + Sync;
 
 /// A name after a point: which of its fields that is of a value.
-#[derive(Debug)]
 pub(crate) struct Field {
     pub(crate) name: String,
     /// Of each of the reader's kinds, if it may be seen.
@@ -86,7 +85,7 @@ impl Machine<'_> {
     /// Changes what a mutable reference leads to.
     pub(crate) fn change(&mut self, reference: &Value, mut change: impl FnMut(&mut Value)) {
         let Data::Mut(address) = &reference.data else {
-            unreachable!("types are checked, and {reference:?} is no address");
+            unreachable!("types are checked, and this is no address");
         };
         let mut address = address.clone();
         while let Data::Mut(next) = self.read(&address).data {

@@ -16,14 +16,14 @@ use super::{Closure, Native};
 use crate::refusal::At;
 use crate::types::{Head, Int, Type};
 
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Default)]
 pub(crate) struct Value {
     /// How many `&` lead to it.
     pub(crate) lent: u8,
     pub(crate) data: Data,
 }
 
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Default)]
 pub(crate) enum Data {
     #[default]
     Unit,
@@ -56,7 +56,7 @@ pub(crate) enum Data {
 
 /// A whole number that has room for those of all types, and takes no more of a value than a
 /// vector.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 #[repr(C, packed(8))]
 pub(crate) struct Whole(i128);
 
@@ -67,7 +67,7 @@ impl Whole {
 }
 
 /// A vector or an array, and of which type its parts are said to be.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Default)]
 pub(crate) struct List {
     pub(crate) all: Vec<Value>,
     pub(crate) of: Type,
@@ -75,7 +75,7 @@ pub(crate) struct List {
 }
 
 /// The place of a value: a slot of the stack, and the way from there to a part.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(crate) struct Address {
     pub(crate) slot: u32,
     pub(crate) steps: Box<[u32]>,
@@ -98,7 +98,7 @@ impl Address {
     }
 }
 
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(crate) enum Frame {
     /// The first slot of its function's frame, and how many slots that has.
     At(u32, u32),
@@ -106,7 +106,6 @@ pub(crate) enum Frame {
 }
 
 /// A function or a finished picture that colors pixels.
-#[derive(Debug)]
 pub(crate) enum Brush {
     /// A function of column and row, and where it is given.
     Pixel(Value, At),
@@ -149,7 +148,7 @@ macro_rules! taken {
         pub(crate) fn $name(&self) -> $ty {
             match &self.data {
                 Data::$variant(it, ..) => it.clone(),
-                other => unreachable!("types are checked, and this is {other:?}"),
+                other => unreachable!("types are checked, and this is {:?}", other.head()),
             }
         }
     };
@@ -168,14 +167,14 @@ impl Value {
             Data::Float(it) => it,
             Data::Single(it) => it.into(),
             Data::Int(it, _) => it.get() as f64,
-            ref other => unreachable!("types are checked, and this is {other:?}"),
+            ref other => unreachable!("types are checked, and this is {:?}", other.head()),
         }
     }
 
     pub(crate) fn int(&self) -> i128 {
         match self.data {
             Data::Int(it, _) => it.get(),
-            ref other => unreachable!("types are checked, and this is {other:?}"),
+            ref other => unreachable!("types are checked, and this is {:?}", other.head()),
         }
     }
 
@@ -244,7 +243,7 @@ impl Value {
             Data::Vec3(vector) => vector[n].into(),
             Data::Ray(ray) => [ray.origin, ray.direction][n].into(),
             Data::Some(it) | Data::Box(it) => (**it).clone(),
-            other => unreachable!("types are checked, and {other:?} has no parts"),
+            other => unreachable!("types are checked, and {:?} has no parts", other.head()),
         }
     }
 
@@ -271,7 +270,7 @@ impl Value {
                 let ray = Rc::make_mut(ray);
                 *[&mut ray.origin, &mut ray.direction][first] = part.vec3();
             }
-            other => unreachable!("types are checked, and {other:?} has no parts to change"),
+            other => unreachable!("types are checked, and {:?} has no parts", other.head()),
         }
     }
 
