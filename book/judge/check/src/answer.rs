@@ -377,10 +377,14 @@ impl Attempt<'_> {
         }
     }
 
+    /// Adds what is seen in a picture that a cause refuses, without the numbers of a ray: the
+    /// cause comes first, and they would take its room.
     fn with_pixels(&self, answer: Answer, finding: Option<&Finding>) -> Answer {
-        match finding {
-            Some(finding) => self.explained(answer, finding),
-            None => answer,
-        }
+        let Some(finding) = finding else {
+            return answer;
+        };
+        let mut answer = self.explained(answer, finding);
+        answer.rows.retain(|row| row.kind != Kind::Numbers);
+        answer
     }
 }
