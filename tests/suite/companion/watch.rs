@@ -15,6 +15,7 @@ use suite::drawn::shown_in;
 use suite::left_out::left_out;
 use suite::mine::Mine;
 use suite::typing::typings;
+use suite::workspace;
 
 /// Chapter 3 in a terminal, as the introduction shows it.
 #[test]
@@ -241,12 +242,26 @@ impl Drop for Watched {
 
 /// Keeps a screen for the introduction, as it was on the day before the first one.
 fn keep(name: &str, screen: &str) {
-    let screen: String = screen.lines().map(|line| undated(line) + "\n").collect();
+    let screen: String = screen
+        .lines()
+        .map(|line| undated(&unwoven(line)) + "\n")
+        .collect();
     let svg = anstyle_svg::Term::new().render_svg(&screen);
     // The blocks of a picture are to meet, whatever the font.
     let wider = "<style>\n    [class^=bg-rgb] { stroke-width: 4px }";
     let svg = svg.replacen("<style>", wider, 1);
     shown_in("terminal").bind(|| assert_binary_snapshot!(&format!("{name}.svg"), svg.into_bytes()));
+}
+
+/// Names a page in words, as where the book is not woven: it depends on what was run before.
+fn unwoven(line: &str) -> String {
+    let book = workspace().join("target/book/");
+    let Some((label, page)) = line.split_once(&*book.to_string_lossy()) else {
+        return line.to_owned();
+    };
+    let mut all = slips::all();
+    let slip = all.find(|slip| slip.address() == page);
+    label.to_owned() + &slip.expect("a page of a mistake").page_in_words()
 }
 
 /// The line without what differs from run to run.

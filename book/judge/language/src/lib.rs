@@ -43,6 +43,16 @@ pub enum Language {
     Swift,
 }
 
+/// Lists the functions of a text in Rust by their names, each with the number of its tokens. What
+/// stands in comments is not counted.
+pub fn functions(text: &str) -> Vec<(&str, usize)> {
+    let tokens = tokens::tokens(text, Language::Rust);
+    let parts = tokens.split(|it| it.text == "fn").skip(1);
+    parts
+        .filter_map(|part| Some((part.first()?.text, part.len())))
+        .collect()
+}
+
 /// How the names of files end, by their language.
 const ENDINGS: [(Language, &[&str]); 10] = [
     (Language::Rust, &["rs"]),

@@ -214,3 +214,9 @@ function hit(center, radius, r) {
         assert!(roles.contains(&&role), "{role:?} is not in {roles:?}");
     }
 }
+
+#[test]
+fn a_function_in_a_comment_is_none() {
+    let text = "// pub fn hit() -> bool { true }\nfn sky() {} // fn none() {}";
+    assert_eq!(language::functions(text), [("sky", 5)]);
+}

@@ -6,7 +6,7 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::fmt;
 
-use language::{Language, Role, Statement, Tree, canonical, normal, statements};
+use language::{Language, Role, Statement, Tree, canonical, functions, normal, statements};
 use slips::{Chapter, Edition, Slip};
 
 use crate::scene::Scene;
@@ -59,8 +59,8 @@ pub(crate) struct Typed {
     normal: Tree,
 }
 
-/// So many nodes of trees are less than a statement.
-const STATEMENT: usize = 4;
+/// So many tokens are less than a statement: `return t * color;` has six.
+const STATEMENT: usize = 6;
 
 impl Sources {
     /// The files by their names and texts: the reader's, and those of the chapter if the
@@ -177,17 +177,6 @@ impl Sources {
         let theirs = chapter.iter().flatten().map(|(_, size)| size);
         self.are_of_the_chapter() && own.sum::<usize>() + STATEMENT > theirs.sum()
     }
-}
-
-/// Lists the functions of a text in Rust, with the number of nodes in their statements.
-fn functions(text: &str) -> Vec<(&str, usize)> {
-    let size = |text: &str| -> usize {
-        let all = statements(text, Language::Rust);
-        all.iter().map(|it| it.value.nodes().len()).sum()
-    };
-    let parts = text.split("fn ").skip(1);
-    let parts = parts.filter_map(|part| Some((part.split(['(', '<']).next()?, size(part))));
-    parts.collect()
 }
 
 /// Reads the statements of a file, if its language is known.
