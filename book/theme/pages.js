@@ -142,18 +142,18 @@ if (window.elasticlunr) {
     }
 }
 
-// What a reader types can be typed beside its listing, and a known mistake be seen there. The
+// What a reader types can be typed beside its listing, and broken there. The
 // editor is loaded when it is first asked for, which takes seconds on a slow line.
 let editor = null;
-async function type(tools, slip, asked = tools) {
+async function type(tools, isBroken = false, asked = tools) {
     const sign = document.createElement("p");
     sign.className = "loading";
     sign.role = "status";
     sign.textContent = "The editor is loading …";
     editor || asked.after(sign);
-    editor ??= load("judge", "worker", "editor");
+    editor ??= load("judge", "worker", "breaking", "editor");
     await editor;
-    await openEditor(tools.parentElement, tools.dataset.chapter, slip);
+    await openEditor(tools.parentElement, tools.dataset.chapter, isBroken);
     sign.remove();
 }
 const allTools = document.querySelectorAll(".listing > .tools");
@@ -162,9 +162,8 @@ for (const tools of allTools) {
     if (location.hash === `#${tools.parentElement.querySelector(".source").id}`) {
         document.fonts.ready.then(() => type(tools));
     }
-    tools.querySelector("button").addEventListener("click", () => type(tools));
-    tools.querySelector("select")?.addEventListener("change", ({ target }) => {
-        target.value && type(tools, { ...target.selectedOptions[0].dataset });
+    tools.querySelectorAll("button").forEach((button) => {
+        button.addEventListener("click", () => type(tools, button.className === "break"));
     });
 }
 
@@ -174,7 +173,7 @@ if (first && location.pathname.endsWith(`/${first.dataset.chapter}.html`)) {
     const door = first.querySelector("button").cloneNode(true);
     door.className = "door";
     door.id = "type";
-    door.addEventListener("click", () => type(first, undefined, door));
+    door.addEventListener("click", () => type(first, false, door));
     document.querySelector("main > ul")?.after(door);
     if (location.hash === "#type") {
         document.fonts.ready.then(() => door.click());

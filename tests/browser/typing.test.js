@@ -36,19 +36,66 @@ inBrowsers("a chapter is typed in its page", async (page) => {
     assert.deepEqual(complaintsSoFar(), []);
 });
 
-inBrowsers("a listing opens in its own file, and breaks where a mistake is chosen", async (page) => {
+inBrowsers("a right function is never called wrong while it is typed", async (page) => {
+    await begin(page, "normals.html");
+    await page.$eval(".typing [data-action=empty]", (button) => button.click());
+    const fault = ".typing :is(.is-wrong, .faults mark)";
+    for (const [start, lines] of Object.entries(TYPED)) {
+        await page.$eval(AREA, (area, start) => {
+            const at = area.value.indexOf("todo!()", area.value.indexOf(start));
+            area.setSelectionRange(at, at + 7);
+        }, start);
+        for (const [n, line] of lines.entries()) {
+            // The last letter waits until all before it was answered.
+            for (const typed of [`${n ? "\n" : ""}${line.slice(0, -1)}`, line.at(-1)]) {
+                await page.keyboard.type(typed);
+                const text = await answer(page);
+                assert.equal(await page.$(fault), null, `${typed} of ${line}: ${text}`);
+            }
+        }
+    }
+    assert.match(await answer(page), /to the last bit/);
+    // What is left unfinished is judged.
+    await page.keyboard.type("x");
+    assert.match(await answer(page), /^Not finished: line \d+ is being typed/);
+    await page.keyboard.press("ArrowUp");
+    await page.waitForSelector(fault);
+});
+const TYPED = {
+    "fn ray_color": ["let center = Point3::new(0.0, 0.0, -1.0);", "if let Some(t) = hit_sphere(center, 0.5, ray)", "&& t > 0.0", "{",
+        "let normal = (ray.at(t) - center).normalize();", "return 0.5 * (normal + Vec3::ONE);", "}", "sky(ray)"],
+    "fn hit_sphere": ["let oc = center - ray.origin;", "let a = ray.direction.dot(ray.direction);", "let b = -2.0 * ray.direction.dot(oc);",
+        "let c = oc.dot(oc) - radius * radius;", "let discriminant = b * b - 4.0 * a * c;", "if discriminant < 0.0 {", "return None;", "}",
+        "Some((-b - discriminant.sqrt()) / (2.0 * a))"],
+};
+
+inBrowsers("a listing opens in its own file, and each of its words can be broken and mended by keys", async (page) => {
     await open(page, "hittable_list.html");
     const listing = await page.$(".listing:has(> #listing-impl-Hittable-for-HittableList)");
     await listing.$eval("button", (button) => button.click());
     await page.waitForSelector(".typing");
-    assert.equal(await page.$eval(".typing [type=radio]:checked", (it) => it.parentElement.innerText.trim()), "src/hittable_list.rs");
+    const file = () => page.$eval(".typing [type=radio]:checked", (it) => it.parentElement.innerText.trim());
+    assert.equal(await file(), "src/hittable_list.rs");
     const typed = await answer(page);
-    await listing.$eval("select", (select) => {
-        select.value = "closest-ignored";
-        select.dispatchEvent(new Event("change"));
-    });
+    await listing.$eval("button.break", (button) => button.click());
     await page.waitForSelector(".typing.broken");
-    assert.match(await answer(page), /^Wrong: [^]*closest_so_far/);
+    assert.equal(await file(), "src/hittable_list.rs");
+    assert.match(await answer(page), /to the last bit/);
+    for (let n = 0; n < 30 && !/^closest/.test(await page.evaluate(() => document.activeElement.textContent)); n++) {
+        await page.keyboard.press("ArrowRight");
+    }
+    await page.keyboard.press("Enter");
+    await page.waitForSelector(".instead:not([hidden]) option:nth-child(2)");
+    await page.keyboard.press("ArrowDown");
+    assert.match(await answer(page), /^Wrong: /);
+    await page.keyboard.press("Escape");
+    assert.match(await answer(page), /to the last bit/);
+    assert.match(await page.evaluate(() => document.activeElement.textContent), /^closest/);
+    // A click, and the button that mends.
+    await page.click(".typing .text:not([hidden]) .word[tabindex='0']");
+    await page.waitForSelector(".instead:not([hidden])");
+    await page.click(".instead [data-action=mend]");
+    await page.waitForSelector(".instead[hidden]");
     await page.click(".typing [data-action=close]");
     // What was typed is still there.
     await listing.$eval("button", (button) => button.click());

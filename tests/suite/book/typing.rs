@@ -2,7 +2,8 @@
 //! companion, and the page itself in `tests/browser`.
 
 use page::next::next;
-use page::typed::Text;
+use page::typed::{Said, Text};
+use page::typing::Caret;
 use slips::Chapter;
 
 /// As many times as it takes.
@@ -25,6 +26,132 @@ fn the_next_lines_lead_from_empty_functions_to_the_chapter() {
             assert_eq!(code(typed), code(&full), "{name} of {}", chapter.name());
         }
     }
+}
+
+/// Letter by letter, in the place of each `todo!()`.
+#[test]
+fn a_right_text_is_called_unfinished_and_never_wrong_while_it_is_typed() {
+    for chapter in Chapter::OF_THE_BOOK {
+        let mut text = Text::skeleton(chapter);
+        while let Some(next) = next(&text, 0) {
+            let (_, file) = &text.files[next.file];
+            let mut lines: Vec<String> = file.lines().map(str::to_owned).collect();
+            let is_instead = lines
+                .get(next.above)
+                .is_some_and(|it| it.trim() == "todo!()");
+            if !is_instead {
+                lines.insert(next.above, String::new());
+            }
+            text.caret = Some(Caret {
+                file: next.file,
+                line: next.above + 1,
+            });
+            let blanks = next.text.len() - next.text.trim_start().len();
+            for end in (blanks + 1..next.text.len())
+                .step_by(LETTERS)
+                .chain([next.text.len()])
+            {
+                lines[next.above] = next.text[..end].to_owned();
+                text.files[next.file].1 = lines.join("\n") + "\n";
+                let Err(said) = drawn(&text) else { continue };
+                let is_calm = said.headline.contains("is-calm") && said.places.is_empty();
+                assert!(is_calm, "{:?}\n{}", said, text.files[next.file].1);
+            }
+        }
+    }
+}
+
+/// To read a text takes some ten milliseconds here: so many letters are typed at once.
+const LETTERS: usize = 3;
+
+#[test]
+fn a_line_of_the_chapter_that_is_typed_in_part_is_unfinished_though_it_draws() {
+    let mut text = Text::full(Chapter::Gradient);
+    let line = |text: &Text| {
+        text.files[0]
+            .1
+            .lines()
+            .position(|it| it.contains("* white"))
+    };
+    text.files[0].1 = text.files[0].1.replace(" + a * blue", "");
+    let at_end = Caret {
+        file: 0,
+        line: line(&text).expect("it is there") + 1,
+    };
+    for (caret, expected) in [(Some(at_end), "is being typed"), (None, "Wrong<")] {
+        text.caret = caret;
+        let program = text.read().expect("it is Rust");
+        let picture = text.draw(&program, 400).expect("it draws");
+        let said = text.judged(program, &picture).headline;
+        assert!(said.contains(expected), "{said}");
+    }
+}
+
+/// One line for each: what a chapter has, what is typed, and what Rust writes.
+#[test]
+fn a_habit_from_another_language_is_answered_by_what_rust_writes() {
+    let rows = [
+        ("let b =", "auto b =", "`let b = …`"),
+        ("let b =", "double b =", "`let b = …`"),
+        ("let b =", "const auto b =", "`let b = …`"),
+        ("let b =", "let double b =", "`let b = …`"),
+        ("let b =", "let b :=", "`let b = …`"),
+        ("let b =", "let b ==", "`let b = …`"),
+        ("let b =", "lett b =", "`let b = …`"),
+        (
+            "ray.direction.dot(oc)",
+            "ray->direction.dot(oc)",
+            "`ray.direction`",
+        ),
+        (
+            "ray.direction.dot(oc)",
+            "dot(ray.direction, oc)",
+            "`u.dot(v)`",
+        ),
+        ("discriminant.sqrt()", "sqrt(discriminant)", "`x.sqrt()`"),
+        (
+            "discriminant.sqrt()",
+            "std::sqrt(discriminant)",
+            "`a.sqrt()`",
+        ),
+        ("discriminant.sqrt()", "discriminant.sqrt", "`.sqrt(…)`"),
+        ("radius * radius", "pow(radius, 2)", "`x * x`"),
+        (
+            "(ray.at(t) - center).normalize()",
+            "unit_vector(ray.at(t) - center)",
+            "`v.normalize()`",
+        ),
+        ("return None;", "return null;", "`None`"),
+        ("return None;", "return nullptr;", "`None`"),
+        (
+            "return None;",
+            "return false;",
+            "`None` where nothing is hit",
+        ),
+        (
+            "return None;",
+            "return discriminant > 0.0 ? a : b;",
+            "`if … { … } else { … }`",
+        ),
+        ("discriminant < 0.0 {", "discriminant => 0.0 {", "`&gt;=`"),
+        ("&& t > 0.0", "and t > 0.0", "`&amp;&amp;`"),
+        ("radius: f64", "double radius", "`radius: f64`"),
+        ("-> Option<f64>", ": Option<f64>", "`-&gt; Option`"),
+        ("Vec3::ONE", "vec3(1, 1, 1)", "`Vec3::new(…)`"),
+        ("Vec3::ONE", "new Vec3(1.0, 1.0, 1.0)", "`Vec3::new(…)`"),
+        ("sky(ray)", "Sky(ray)", "there is `sky`"),
+    ];
+    for (right, typed, expected) in rows {
+        let mut text = Text::full(Chapter::Normals);
+        let (_, file) = &mut text.files[0];
+        *file = file.replacen(right, typed, 1);
+        let said = drawn(&text).expect_err(typed);
+        assert!(said.rest.contains(expected), "{typed}: {}", said.rest);
+    }
+}
+
+fn drawn(text: &Text) -> Result<(), Said> {
+    text.read().and_then(|it| text.draw(&it, 16)).map(drop)
 }
 
 fn code(text: &str) -> Vec<&str> {

@@ -34,4 +34,5 @@ pub mod workspace;
 
 pub use candidate::{Conversion, Left};
 pub use course::names;
+pub use search::{FileEdit, edits_everywhere};
 pub use sentences::names_of;

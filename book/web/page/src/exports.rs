@@ -4,6 +4,8 @@
 //! says. It stays there until the next call.
 
 #[cfg(feature = "judge")]
+mod breaking;
+#[cfg(feature = "judge")]
 mod checked;
 #[cfg(any(feature = "lesson", feature = "accuracy"))]
 mod figures;

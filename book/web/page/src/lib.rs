@@ -5,12 +5,16 @@
 //! run by `interpreter`. `.ci/live` builds the modules that the scripts in `book/notes/live`
 //! load.
 
+pub mod breaking;
 pub mod checked;
 #[cfg(target_family = "wasm")]
 mod exports;
+mod habits;
 pub mod home;
 pub mod next;
 pub mod typed;
+pub mod typing;
+mod words;
 
 use common::rtweekend::Picture;
 

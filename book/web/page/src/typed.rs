@@ -19,12 +19,18 @@ use laws::answers::Answers;
 use laws::{Complaint, Trial};
 use slips::{Chapter, Letters, Program, Slip, lawful, steps};
 
+use crate::habits;
+use crate::typing::Caret;
+
 /// What a reader has typed, by the names of the files.
+#[derive(Clone, Debug)]
 pub struct Text {
     /// The chapter that it is to be.
     pub chapter: Chapter,
     /// Names and texts.
     pub files: Vec<(String, String)>,
+    /// Where the reader is typing.
+    pub caret: Option<Caret>,
 }
 
 /// What is said of a text.
@@ -65,6 +71,7 @@ impl Text {
         Self {
             chapter,
             files: files.map(|(name, text)| (name.to_owned(), text)).collect(),
+            caret: None,
         }
     }
 
@@ -79,6 +86,7 @@ impl Text {
         Self {
             chapter,
             files: full.collect(),
+            caret: None,
         }
     }
 
@@ -87,11 +95,16 @@ impl Text {
     /// # Errors
     /// What a compiler would complain of.
     pub fn read(&self) -> Result<interpreter::Program, Said> {
-        // The root comes first, and is typed last.
+        let program = interpreter::read(&self.in_reading_order());
+        program.map_err(|faults| self.not_compiled(&faults))
+    }
+
+    /// Returns the names and texts of the files with the root first, which is typed last.
+    pub(crate) fn in_reading_order(&self) -> Vec<(&str, &str)> {
         let files = self.files.iter();
         let mut files: Vec<_> = files.map(|(name, text)| (&name[..], &text[..])).collect();
         files.rotate_right(1);
-        interpreter::read(&files).map_err(|faults| self.not_compiled(&faults))
+        files
     }
 
     /// Draws what was read.
@@ -115,6 +128,8 @@ impl Text {
         if answer.is_right() {
             let unchecked = self.unchecked(&program);
             answer.headline.rest += &format!("{unchecked} {}", interpreter::UNCHECKED);
+        } else if let Some(line) = self.begun_line() {
+            answer = being_typed(line);
         }
         Said::new(&answer, Vec::new())
     }
@@ -173,7 +188,8 @@ impl Text {
                     let probe = probe.map_or("", |probe| probe.name);
                     format!("{} watch {name} --probe {probe}, at home", companion())
                 }),
-                start: Some(Box::new(|_| "on its page".to_owned())),
+                // A button below the answer leads on.
+                start: None,
                 test: "",
             },
         };
@@ -188,42 +204,73 @@ impl Text {
     }
 
     fn not_compiled(&self, faults: &[Fault]) -> Said {
-        let line = |fault: &Fault| {
-            let parts = [&fault.message, &fault.label, &fault.help].map(String::as_str);
-            let parts: Vec<&str> = parts.into_iter().filter(|it| !it.is_empty()).collect();
-            let place = self.place(fault).map_or(String::new(), |it| it + "  ");
-            Row::new(Kind::Printed, place + &parts.join(": "))
-        };
-        let first = faults.iter().take(MOST_FAULTS).map(line).collect();
-        let places = faults.iter().filter_map(|it| self.columns(it)).collect();
-        let mut answer = sentences::not_compiled(faults.len(), first);
-        match faults.first().map(|it| (it.kind, it)) {
-            Some((FaultKind::Unread, fault)) => {
-                let line = fault.place.as_ref().map_or(0, |it| it.line);
-                let said = format!("This page cannot read line {line}; cargo may.");
-                answer.headline = Answer::sentence(Mark::OnTheWay, said).headline;
-            }
-            Some((FaultKind::Unfinished, fault)) => {
-                let said = format!("Not finished: {}.", fault.help);
-                answer.headline = Answer::sentence(Mark::OnTheWay, said).headline;
-            }
-            _ => {}
+        if let Some(line) = self.unfinished_line(faults) {
+            let so_far = faults
+                .iter()
+                .take(1)
+                .map(|it| format!("So far: {}", self.in_words(it)));
+            let rows = so_far.map(|words| Row::new(Kind::Printed, words));
+            return Said::new(&being_typed(line).with(rows), Vec::new());
         }
-        Said::new(&answer, places)
+        let line = |fault: &Fault| {
+            let place = self.place(fault).map_or(String::new(), |it| it + "  ");
+            Row::new(Kind::Printed, place + &self.in_words(fault))
+        };
+        match faults {
+            [fault, ..] if fault.kind == FaultKind::Unread => {
+                let number = fault.place.as_ref().map_or(0, |it| it.line);
+                let said = format!("This page cannot read line {number}; cargo may.");
+                let answer = Answer::sentence(Mark::OnTheWay, said).with([line(fault)]);
+                Said::new(&answer, Vec::new())
+            }
+            [fault, ..] if fault.kind == FaultKind::Unfinished => {
+                let said = format!("Not finished: {}.", fault.help);
+                Said::new(&Answer::sentence(Mark::OnTheWay, said), Vec::new())
+            }
+            _ => {
+                let first = faults.iter().take(MOST_FAULTS).map(line).collect();
+                let places = faults.iter().filter_map(|it| self.columns(it)).collect();
+                Said::new(&sentences::not_compiled(faults.len(), first), places)
+            }
+        }
+    }
+
+    /// Returns the words of a compiler, and what Rust writes where there is a habit.
+    fn in_words(&self, fault: &Fault) -> String {
+        let habit = self.habit(fault);
+        let help = habit.as_ref().unwrap_or(&fault.help);
+        let parts = [&fault.message, &fault.label, help].map(String::as_str);
+        let parts: Vec<&str> = parts.into_iter().filter(|it| !it.is_empty()).collect();
+        parts.join(": ")
+    }
+
+    /// Returns what Rust writes in place of a habit from another language that stands there,
+    /// where nothing else helps.
+    fn habit(&self, fault: &Fault) -> Option<String> {
+        let is_poor = ["", "cargo may"].contains(&&*fault.help);
+        if !is_poor && !fault.help.starts_with("there is") {
+            return None;
+        }
+        let place = fault.place.as_ref()?;
+        let (_, text) = &self.files[self.typed(place.file)];
+        let line = text.lines().nth(place.line - 1)?;
+        let rust = habits::in_rust(line, &place.columns)?;
+        Some(format!("Rust writes {rust}"))
     }
 
     fn stopped(&self, fault: &Fault) -> Said {
-        let answer = match self.place(fault) {
+        match self.place(fault) {
             Some(place) if fault.message.starts_with(NOT_WRITTEN) => {
-                sentences::not_written(self.chapter, &place, &[])
+                let answer = sentences::not_written(self.chapter, &place, &[]);
+                Said::new(&answer, Vec::new())
             }
             place => {
                 let place = place.map_or(String::new(), |place| format!(" at {place}"));
                 let said = format!("The program stopped{place}: {}.", fault.message);
-                Answer::sentence(Mark::Wrong, said).then(&fault.help)
+                let answer = Answer::sentence(Mark::Wrong, said).then(&fault.help);
+                Said::new(&answer, self.columns(fault).into_iter().collect())
             }
-        };
-        Said::new(&answer, self.columns(fault).into_iter().collect())
+        }
     }
 
     /// As rustc names a place: file, line and column, from 1.
@@ -241,9 +288,15 @@ impl Text {
     }
 
     /// The number that a file has here: the root is read first, and typed last.
-    fn typed(&self, file: usize) -> usize {
+    pub(crate) fn typed(&self, file: usize) -> usize {
         (file + self.files.len() - 1) % self.files.len()
     }
+}
+
+/// The verdict on a text whose statement in this line has no end yet.
+fn being_typed(line: usize) -> Answer {
+    let said = format!("Not finished: line {line} is being typed.");
+    Answer::sentence(Mark::OnTheWay, said)
 }
 
 /// What a panic says that comes of `todo!()`.

@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::path::Path;
 
-use slips::{Chapter, Edit, Letters};
+use slips::Chapter;
 
 use crate::controls;
 use crate::ground::{escaped, read};
@@ -66,46 +66,21 @@ pub(crate) fn listing(
         "<div class=\"listing\"><p class=\"source\" id=\"listing-{id}\"><span class=\"file\">{file}</span>{whose}{beside}</p>\
          {tools}\n\n````rust\n{}\n````\n\n{values}</div>\n",
         code.trim_end(),
-        tools = tools(file, &code),
+        tools = tools(file),
     ))
 }
 
-/// What opens the editor at a listing that a reader types: a button, and the known mistakes that
-/// are an edit of one of its lines. As labels, the search does not know them.
-fn tools(file: &str, code: &str) -> String {
+/// What opens the editor at a listing that a reader types: to type it, or to break it.
+fn tools(file: &str) -> String {
     let is_of = |it: &Chapter| file.contains(&format!("_{}/src/", it.name()));
-    let Some(chapter) = Chapter::OF_THE_BOOK.into_iter().find(is_of) else {
+    let chapter = Chapter::OF_THE_BOOK.into_iter().find(is_of);
+    let Some(chapter) = chapter.filter(|_| !file.ends_with("main.rs")) else {
         return String::new();
     };
-    if file.ends_with("main.rs") {
-        return String::new();
-    }
-    let slips =
-        slips::all().filter(|slip| slip.is_typed_in(chapter) && slip.can_be_made_in(Letters::Rust));
-    // The editor makes one change.
-    let options: String = slips
-        .filter_map(|slip| Some((slip.name, slip.only_edit(chapter)?)))
-        .filter(|(_, edit)| code.matches(&*edit.right).count() == 1)
-        .map(|(name, edit)| option(name, edit))
-        .collect();
-    let breaks = if options.is_empty() {
-        options
-    } else {
-        format!(
-            "<label>Break it <select><option label=\"choose a mistake\"></option>{options}</select></label>"
-        )
-    };
-    let name = chapter.name();
     format!(
-        "<div class=\"tools\" data-chapter=\"{name}\"><button type=\"button\">Type it here</button>{breaks}</div>"
-    )
-}
-
-fn option(name: &str, Edit { right, wrong }: &Edit) -> String {
-    let [wrong, right] = [wrong, right].map(|it| escaped(it));
-    format!(
-        "<option value=\"{name}\" label=\"{}\" data-right=\"{right}\" data-wrong=\"{wrong}\"></option>",
-        name.replace('-', " ")
+        "<div class=\"tools\" data-chapter=\"{}\"><button type=\"button\">Type it here</button>\
+         <button type=\"button\" class=\"break\">Break it</button></div>",
+        chapter.name()
     )
 }
 

@@ -7,7 +7,7 @@ use std::ops::Range;
 pub(super) struct Edit {
     /// What is replaced; an empty place takes what is left out there.
     pub(super) at: Range<usize>,
-    new: String,
+    pub(super) new: String,
     /// The lower, the likelier.
     pub(super) rank: u32,
 }

@@ -43,7 +43,7 @@ impl Function {
     }
 
     /// Where it stands in the files: in which, and where its text begins.
-    pub(super) fn place(&self, files: &Files) -> Option<(usize, usize)> {
+    pub(super) fn place(&self, files: &[(String, String)]) -> Option<(usize, usize)> {
         let mut places = files.iter().enumerate();
         places.find_map(|(n, (_, text))| Some((n, text.find(&self.text)?)))
     }

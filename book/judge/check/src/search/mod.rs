@@ -6,6 +6,7 @@
 
 mod backwards;
 mod edit;
+mod everywhere;
 mod forwards;
 mod functions;
 mod goal;
@@ -24,6 +25,7 @@ use slips::Edition;
 use crate::reading::Reading;
 use crate::scene::Scene;
 use crate::sources::{Lines, Sources};
+pub use everywhere::{FileEdit, edits_everywhere};
 use forwards::Forwards;
 pub(crate) use forwards::{Drawn, Mutant};
 use functions::functions;

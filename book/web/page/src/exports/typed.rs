@@ -12,6 +12,7 @@ use slips::Chapter;
 use super::{given::given, keep};
 use crate::rgba;
 use crate::typed::{Said, Text};
+use crate::typing::Caret;
 use crate::{home, next, typed};
 
 /// The files of the chapter whose name was given: of each its name, with nothing in its
@@ -26,10 +27,14 @@ thread_local! {
 }
 
 /// Draws the text: the height of the picture, whose pixels are the answer; or 0, and the answer
-/// is what is said of a text that is no program, or that stops.
+/// is what is said of a text that is no program, or that stops. The reader is typing at the end of
+/// this line of this file; at none, if the line is 0.
 #[unsafe(no_mangle)]
-extern "C" fn draw(width: u32) -> u32 {
-    let text = text();
+extern "C" fn draw(width: u32, file: usize, line: usize) -> u32 {
+    let text = Text {
+        caret: (line > 0).then_some(Caret { file, line }),
+        ..text()
+    };
     let drawn = text.read().and_then(|program| {
         let picture = text.draw(&program, width)?;
         Ok((program, picture))
@@ -79,7 +84,7 @@ extern "C" fn take_home(number: f64) -> usize {
     keep(home::archive(&text(), number as u64))
 }
 
-fn text() -> Text {
+pub(super) fn text() -> Text {
     let given = given();
     let given = String::from_utf8_lossy(&given);
     let fields: Vec<String> = given.split('\0').map(str::to_owned).collect();
@@ -88,6 +93,7 @@ fn text() -> Text {
     Text {
         chapter: Chapter::find(&fields[0]).expect("a page names its chapter"),
         files: files.iter().map(pair).collect(),
+        caret: None,
     }
 }
 

@@ -1,0 +1,50 @@
+//! What a worker calls for an editor in which words are broken.
+
+use std::cell::RefCell;
+use std::ops::Range;
+
+use super::{keep, typed::text};
+use crate::breaking::{Breakable, Word};
+use crate::typed::Text;
+
+thread_local! {
+    static BREAKABLE: RefCell<Option<(Breakable, Vec<Word>)>> = const { RefCell::new(None) };
+}
+
+/// Lists the words of the chapter whose name was given that can be broken: of each the file, and
+/// where it begins and ends.
+#[unsafe(no_mangle)]
+extern "C" fn breakable_words() -> usize {
+    let breakable = Breakable::new(text().chapter);
+    let words = breakable.words();
+    let lines: Vec<String> = words
+        .iter()
+        .map(|it| place(breakable.text(), it.file, &it.at))
+        .collect();
+    BREAKABLE.set(Some((breakable, words)));
+    keep(lines.join("\n"))
+}
+
+/// Lists what may stand in the place of that word, three parts each: its label; the file and
+/// where what it replaces begins and ends; and the new text.
+#[unsafe(no_mangle)]
+extern "C" fn alternatives(word: usize) -> usize {
+    let lines = BREAKABLE.with_borrow(|it| {
+        let (breakable, words) = it.as_ref().expect("the words were asked for");
+        let word = &words[word];
+        let lines = breakable.choices(word).into_iter().map(|it| {
+            let place = place(breakable.text(), it.file, &it.at);
+            let label = breakable.label(word, it);
+            format!("{label}\0{place}\0{}", it.new)
+        });
+        lines.collect::<Vec<_>>().join("\0")
+    });
+    keep(lines)
+}
+
+/// A part of a file as a script counts it: in halves of long letters.
+fn place(text: &Text, file: usize, at: &Range<usize>) -> String {
+    let (_, text) = &text.files[file];
+    let count = |at: usize| text[..at].encode_utf16().count();
+    format!("{file} {} {}", count(at.start), count(at.end))
+}
