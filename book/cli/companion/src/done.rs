@@ -116,7 +116,7 @@ impl Done {
         added.map_err(|cause| self.named(&cause))
     }
 
-    /// What the reader has made of it; nothing, if there is no list yet.
+    /// Returns what the reader has made of it; nothing, if there is no list yet.
     fn text(&self) -> io::Result<String> {
         match short::bytes(&self.file, MOST_BYTES) {
             Ok(bytes) => Ok(String::from_utf8_lossy(&bytes).into_owned()),
@@ -125,7 +125,7 @@ impl Done {
         }
     }
 
-    /// Whether this is on the list.
+    /// Returns true if this is on the list.
     pub(crate) fn has(&self, thing: &str) -> bool {
         self.text().is_ok_and(|text| is_on(&text, thing))
     }
@@ -171,7 +171,7 @@ fn ahead(chapter: Chapter, text: &str) -> Vec<String> {
         .collect()
 }
 
-/// Whether a line of the list ends with this.
+/// Returns true if a line of the list ends with this.
 fn is_on(text: &str, thing: &str) -> bool {
     text.lines().any(|line| line.ends_with(thing))
 }

@@ -114,7 +114,7 @@ impl Exam {
         }
     }
 
-    /// Whether a program with the slip draws this very picture.
+    /// Returns true if a program with the slip draws this very picture.
     fn hides(&self, slip: &'static Slip) -> bool {
         let [right, wrong] =
             [&[][..], &[slip]].map(|slips| self.scene.program(slips).run(self.width));

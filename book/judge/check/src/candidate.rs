@@ -50,7 +50,7 @@ pub(crate) struct Look {
     pub(crate) off: usize,
     /// How many are off by more than one level.
     pub(crate) far: usize,
-    /// The same for all programs that draw these pixels.
+    /// A hash of these pixels: programs that draw them share it.
     pub(crate) mark: u64,
 }
 
@@ -65,7 +65,7 @@ const MOST: usize = 4;
 const NEARLY_ALL: usize = 100;
 
 impl Candidate {
-    /// What the program prints, if its picture has the reader's size.
+    /// Returns what the program prints, if its picture has the reader's size.
     pub(crate) fn output(&self, reading: &Reading) -> Option<Output> {
         let program = self.scene.program(&self.slips);
         let size = (reading.width, reading.height);
@@ -80,7 +80,7 @@ impl Candidate {
         output.pixel(n).map(|level| self.conversion.apply(level))
     }
 
-    /// Whether it may leave no more than `most` pixels, by the look of some.
+    /// Returns true if it may leave no more than `most` pixels, by the look of some.
     pub(crate) fn may_leave(&self, reading: &Reading, most: usize) -> bool {
         let Some(output) = self.output(reading) else {
             return false;
@@ -93,7 +93,8 @@ impl Candidate {
         far.take(allowed + 1).count() <= allowed
     }
 
-    /// What so many of its pixels are beside the reader's, if its picture has the same size.
+    /// Returns what so many of its pixels are beside the reader's, if its picture has the same
+    /// size.
     pub(crate) fn look(&self, reading: &Reading, count: u32) -> Option<Look> {
         let output = self.output(reading)?;
         let mut look = Look::default();
@@ -175,24 +176,24 @@ impl Left {
         self.rows[1] = row;
     }
 
-    /// Whether a mistake that leaves this explains what a right program leaves: nearly all of
-    /// it, or most of it and of what is off by more than a level.
+    /// Returns true if a mistake that leaves this explains what a right program leaves: nearly all
+    /// of it, or most of it and of what is off by more than a level.
     pub(crate) fn is_little_of(&self, all: &Self) -> bool {
         let is_most = MOST * self.off <= all.off && MOST * self.far <= all.far;
         self.is_nearly_nothing_of(all) || is_most && all.far > 0
     }
 
-    /// Whether it explains nearly all of that.
+    /// Returns true if it explains nearly all of that.
     pub(crate) fn is_nearly_nothing_of(&self, all: &Self) -> bool {
         self.is_nothing() || NEARLY_ALL * self.off <= all.off
     }
 
-    /// Whether nothing is left.
+    /// Returns true if nothing is left.
     pub(crate) fn is_nothing(&self) -> bool {
         self.off == 0
     }
 
-    /// Whether all that is left is off by one level.
+    /// Returns true if all that is left is off by one level.
     pub(crate) fn is_rounding(&self) -> bool {
         self.off > 0 && self.far == 0
     }

@@ -27,7 +27,7 @@ pub(crate) fn slips_giving(scene: &Scene, width: u32, height: u32) -> Vec<&'stat
         .collect()
 }
 
-/// Whether somebody may want a picture of that shape: no stripe, and nothing endless.
+/// Returns true if somebody may want a picture of that shape: no stripe, and nothing endless.
 pub(crate) fn is_a_shape_to_choose(width: u32, height: u32) -> bool {
     let [width, height] = [width, height].map(u64::from);
     width * height <= MOST_MISSHAPEN && width.max(height) <= 8 * width.min(height)

@@ -30,7 +30,7 @@ pub(crate) struct Fit {
     pub(crate) candidates: Vec<Candidate>,
     /// What they leave.
     pub(crate) left: Left,
-    /// Whether the wrong lines of all of them stand in the reader's files, or no file is known.
+    /// True if the wrong lines of all of them stand in the reader's files, or no file is known.
     pub(crate) is_in_text: bool,
 }
 
@@ -49,7 +49,7 @@ const PART: usize = 8;
 /// More pairs than this that draw the same say nothing of any of them.
 const PAIRS: usize = 4;
 
-/// What explains the picture.
+/// Returns what explains the picture.
 pub(crate) fn explain(evidence: &Evidence) -> Explanation {
     let reading = evidence.reading;
     let (right, left) = nearest(evidence);
@@ -142,8 +142,8 @@ fn nearest(evidence: &Evidence) -> (Candidate, Left) {
     (it, left)
 }
 
-/// Whether a change of scene was forgotten, or is still there: a picture as wide as a probe's is
-/// hardly another one.
+/// Returns true if a change of scene was forgotten, or is still there: a picture as wide as a
+/// probe's is hardly another one.
 fn is_forgotten(evidence: &Evidence, scenes: &[Scene]) -> bool {
     let is_it = |scene: &Scene| match (evidence.scene.probe, scene.probe) {
         (Some(_), other) => other.is_none(),

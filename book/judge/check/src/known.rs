@@ -20,7 +20,7 @@ pub type Asked<'a> = dyn Fn(&Program) -> (usize, usize) + 'a;
 pub struct Known<'a> {
     /// The letters in which the reader writes; without them, those of the edition.
     pub letters: Option<Letters>,
-    /// Whether the reader can have made a slip; any, if nothing is known.
+    /// True if the reader can have made a slip; any, if nothing is known.
     pub can_be_made: Option<&'a dyn Fn(&Slip) -> bool>,
     /// What the reader wrote.
     pub sources: Sources,
@@ -28,7 +28,7 @@ pub struct Known<'a> {
     pub answers: Option<&'a Asked<'a>>,
     /// What the compiler warned of, in its words.
     pub warnings: Vec<String>,
-    /// Whether each step of the chapter has been done before, if steps are judged.
+    /// True if each step of the chapter has been done before, if steps are judged.
     pub steps: Vec<bool>,
 }
 
@@ -36,15 +36,15 @@ pub struct Known<'a> {
 const REFUTING: usize = 50;
 
 impl Known<'_> {
-    /// Whether what the reader wrote follows version 4 of the book, as our chapters do: no earlier
-    /// one has such names.
+    /// Returns true if what the reader wrote follows version 4 of the book, as our chapters do: no
+    /// earlier one has such names.
     pub(crate) fn follows_version_4(&self) -> bool {
         let has_names =
             |(_, text): &(String, String)| text.contains("pixel_delta") || text.contains("pixel00");
         self.sources.are_of_the_chapter() || self.sources.files().iter().any(has_names)
     }
 
-    /// What there is to say of a slip in the scene, in the reader's letters.
+    /// Returns what there is to say of a slip in the scene, in the reader's letters.
     pub fn words(&self, slip: &Slip, scene: &Scene) -> Words {
         let is_older = scene.edition != Edition::V4;
         let letters = match self.letters {
@@ -59,19 +59,19 @@ impl Known<'_> {
         slip.words(letters, scene.chapter)
     }
 
-    /// Whether the reader can have made the slip, as far as it is known.
+    /// Returns true if the reader can have made the slip, as far as it is known.
     pub fn can_be_made(&self, slip: &Slip, scene: &Scene) -> bool {
         self.can_be_made.is_none_or(|can_be| can_be(slip)) && self.said(slip, scene) != Said::Right
     }
 
-    /// Whether the slip's line is right in the reader's files once they are repaired.
+    /// Returns true if the slip's line is right in the reader's files once they are repaired.
     pub(crate) fn is_mended(&self, slip: &Slip, scene: &Scene, repair: &Repair) -> bool {
         let repaired = Sources::new(repair.files.clone(), Vec::new());
         self.sources.say(slip, scene).0 == Said::Wrong && repaired.say(slip, scene).0 == Said::Right
     }
 
-    /// What the reader's files say of the slip. A line that an older edition has is wrong in
-    /// a mixture only, which no single line tells.
+    /// Returns what the reader's files say of the slip. A line that an older edition has is wrong
+    /// in a mixture only, which no single line tells.
     pub(crate) fn said(&self, slip: &Slip, scene: &Scene) -> Said {
         self.sources.say(slip, scene).0
     }
@@ -81,7 +81,7 @@ impl Known<'_> {
         self.sources.say(slip, scene).1
     }
 
-    /// Whether the reader's functions answer as the program would.
+    /// Returns true if the reader's functions answer as the program would.
     pub(crate) fn is_answered_by(&self, program: &Program) -> bool {
         self.answers.is_none_or(|unlike| unlike(program).1 == 0)
     }
@@ -94,7 +94,7 @@ pub(crate) struct Evidence<'a> {
     pub(crate) scene: Scene,
     /// The picture.
     pub(crate) reading: &'a Reading,
-    /// Whether it has numbers that are no levels.
+    /// True if it has numbers that are no levels.
     pub(crate) has_no_levels: bool,
     /// What is known besides.
     pub(crate) known: &'a Known<'a>,
@@ -123,7 +123,7 @@ impl<'a> Evidence<'a> {
         }
     }
 
-    /// What makes the reader's program right.
+    /// Returns what makes the reader's program right.
     pub(crate) fn repair(&self) -> Option<&Repair> {
         let before = self.known.steps.len().saturating_sub(1);
         let repair = || Repair::of(&self.scene, self.reading, &self.known.sources, before);
@@ -145,8 +145,8 @@ impl<'a> Evidence<'a> {
         all.filter(|slip| self.has_passed(slip))
     }
 
-    /// Whether a program with that slip draws the right picture of the chapter, which a probe
-    /// follows.
+    /// Returns true if a program with that slip draws the right picture of the chapter, which a
+    /// probe follows.
     fn has_passed(&self, slip: &Slip) -> bool {
         if self.scene.probe.is_none() || slip.name.is_empty() {
             return true;
@@ -156,8 +156,8 @@ impl<'a> Evidence<'a> {
         passed.iter().any(|it| it.name == slip.name)
     }
 
-    /// Whether the reader's text or the answers of its functions speak against a program: the
-    /// right line of a slip stands there, or a function that answers so has another mistake or
+    /// Returns true if the reader's text or the answers of its functions speak against a program:
+    /// the right line of a slip stands there, or a function that answers so has another mistake or
     /// none.
     pub(crate) fn is_refuted(&self, it: &Candidate) -> bool {
         let known = self.known;
@@ -185,7 +185,7 @@ impl<'a> Evidence<'a> {
         })
     }
 
-    /// Whether the wrong line of each of its slips stands in the reader's files.
+    /// Returns true if the wrong line of each of its slips stands in the reader's files.
     pub(crate) fn is_found(&self, it: &Candidate) -> bool {
         let is_found = |slip: &&Slip| self.known.said(slip, &it.scene) == Said::Wrong;
         it.slips.iter().all(is_found)

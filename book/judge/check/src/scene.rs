@@ -19,7 +19,7 @@ pub struct Scene {
     pub probe: Option<Probe>,
     /// The edition whose program draws it.
     pub edition: Edition,
-    /// Whether no other edition will do.
+    /// True if no other edition will do.
     insists: bool,
     /// A step on the way to the chapter, counted from 0, if it is not the last.
     step: Option<usize>,
@@ -41,7 +41,7 @@ impl Scene {
         })
     }
 
-    /// The same scene by that edition and no other.
+    /// Returns this scene by that edition and no other.
     pub fn only_by(self, edition: Edition) -> Self {
         Self {
             edition,
@@ -50,7 +50,7 @@ impl Scene {
         }
     }
 
-    /// The same with that probe, or `None` if the chapter has no place for its spheres.
+    /// Returns this scene with that probe, or `None` if the chapter has no place for its spheres.
     pub fn with_probe(self, probe: Probe) -> Option<Self> {
         probe.fits(self.chapter).then_some(Self {
             probe: Some(probe),
@@ -64,7 +64,7 @@ impl Scene {
         self.of_chapter(self.chapter)
     }
 
-    /// The same step of the same scene, before a probe's change.
+    /// Returns this step of this scene, before a probe's change.
     pub(crate) fn unchanged(self) -> Self {
         Self {
             probe: None,
@@ -72,7 +72,7 @@ impl Scene {
         }
     }
 
-    /// The same picture drawn with the whole of b in place of its half, or the other way
+    /// Returns this scene drawn with the whole of b in place of its half, or the other way
     /// round, if it is that of one sphere with its normals.
     pub(crate) fn with_the_other_formula(self) -> Option<Self> {
         let chapter = match (self.chapter, self.step) {
@@ -94,7 +94,7 @@ impl Scene {
         }
     }
 
-    /// The same scene as far as it is written after a step.
+    /// Returns this scene as far as it is written after a step.
     pub(crate) fn at_step(self, step: usize) -> Self {
         Self {
             step: Some(step),
@@ -107,7 +107,7 @@ impl Scene {
         self.step
     }
 
-    /// Whether the picture may be the right one of this scene to within so many levels:
+    /// Returns true if the picture may be the right one of this scene to within so many levels:
     /// some pixels tell, before all are compared.
     pub(crate) fn may_be_shown_by(&self, reading: &Reading, tolerance: u8) -> bool {
         let output = self.program(&[]).run(reading.width);
@@ -118,7 +118,7 @@ impl Scene {
             })
     }
 
-    /// What a reader changes to draw it that wide, a line each.
+    /// Returns what a reader changes to draw it that wide, a line each.
     pub fn change(&self, width: u32, letters: Option<Letters>) -> String {
         match self.probe {
             Some(probe) => probe.lines(self.chapter, letters),
@@ -141,9 +141,9 @@ impl Scene {
         format!("{companion} check {chapter} --probe {} PICTURE", probe.name)
     }
 
-    /// The same scene by each edition that will do, in a picture of that size: the
-    /// latest edition first. A reader who draws in the shape that came with version 3.1
-    /// reads no earlier one; but many keep the rays and the factor of the first.
+    /// Returns this scene by each edition that will do, in a picture of that size: the latest
+    /// edition first. A reader who draws in the shape that came with version 3.1 reads no earlier
+    /// one; but many keep the rays and the factor of the first.
     pub(crate) fn by_editions(self, width: u32, height: u32) -> impl Iterator<Item = Self> {
         Edition::ALL
             .into_iter()
@@ -152,8 +152,8 @@ impl Scene {
             .filter(move |it| it.edition.is_first() || !it.is_in_a_later_shape(width, height))
     }
 
-    /// Whether the picture has the shape of version 4, which its edition has not; never where the
-    /// reader insists on that edition.
+    /// Returns true if the picture has the shape of version 4, which its edition has not; never
+    /// where the reader insists on that edition.
     pub(crate) fn is_in_a_later_shape(&self, width: u32, height: u32) -> bool {
         let latest = Self {
             edition: Edition::V4,
@@ -162,7 +162,7 @@ impl Scene {
         !self.insists && self.has_another_shape() && latest.height(width) == height
     }
 
-    /// The same scene in a picture of that size, whose shape may be the scene's own.
+    /// Returns this scene in a picture of that size, whose shape may be the scene's own.
     pub fn fitting(self, width: u32, height: u32) -> Self {
         let own = self.in_own_shape();
         if own.height(width) == height {
@@ -175,7 +175,7 @@ impl Scene {
         }
     }
 
-    /// The same scene in the chapter's own shape.
+    /// Returns this scene in the chapter's own shape.
     pub(crate) fn in_own_shape(self) -> Self {
         Self {
             shape: None,
@@ -183,7 +183,7 @@ impl Scene {
         }
     }
 
-    /// Whether the shape is not that of the chapter.
+    /// Returns true if the shape is not that of the chapter.
     pub(crate) fn has_another_shape(&self) -> bool {
         self.shape.is_some()
     }
@@ -273,7 +273,7 @@ impl Scene {
         fitting.program(&[]).run(width).picture()
     }
 
-    /// Whether it is the chapter's own picture, which this program has compiled.
+    /// Returns true if it is the chapter's own picture, which this program has compiled.
     pub(crate) fn is_as_compiled(&self) -> bool {
         let is_changed = self.step.is_some() || self.shape.is_some();
         let has_spheres = self.probe.is_some_and(|probe| probe.spheres.is_some());

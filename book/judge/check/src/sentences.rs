@@ -145,7 +145,7 @@ impl Attempt<'_> {
         .with(finding.rows(self.known))
     }
 
-    /// What is seen, where the chapter was guessed and the picture says too little of it.
+    /// Returns what is seen, where the chapter was guessed and the picture says too little of it.
     pub(crate) fn unrecognized(&self, check: &Check) -> Option<Answer> {
         let seen = match (check, check.finding()) {
             // Levels that are none are said first.
@@ -434,7 +434,7 @@ impl Found {
 }
 
 impl Attempt<'_> {
-    /// What the laws add to a wrong picture.
+    /// Returns what the laws add to a wrong picture.
     fn of_the_laws(&self, finding: &Finding) -> Vec<Row> {
         let is_unknown = finding.mistakes.as_ref().is_none_or(|it| !it.is_in_text);
         let hold = "they hold: look at what calls the function, and what becomes of its answer";
@@ -527,7 +527,7 @@ impl Attempt<'_> {
         Some(Row::new(Kind::Probe(name), said))
     }
 
-    /// What is to be thought of a shape that is not the book's.
+    /// Returns what is to be thought of a shape that is not the book's.
     fn shape_is(&self, scene: &Scene, slips: &[&Slip]) -> String {
         let said =
             |slip: &&Slip| format!("{} ({})", slip.name, self.known.words(slip, scene).wrong);

@@ -94,7 +94,7 @@ pub struct Finding {
     pub first: Vec<Row>,
     /// What makes the reader's program right, if that was found.
     pub repair: Option<Repair>,
-    /// Whether it explains all answers of the reader's functions, too.
+    /// True if it explains all answers of the reader's functions, too.
     pub is_answered: bool,
 }
 
@@ -117,7 +117,7 @@ pub struct Mistakes {
     pub all: Vec<Vec<&'static Slip>>,
     /// What becomes of numbers that are no levels.
     pub conversion: Conversion,
-    /// Whether their lines stand in the reader's files, or no file is known.
+    /// True if their lines stand in the reader's files, or no file is known.
     pub is_in_text: bool,
     /// The pixels that they leave unexplained.
     pub left: Left,
@@ -131,7 +131,7 @@ pub fn check(scene: &Scene, bytes: &[u8], tolerance: u8) -> Check {
     check_knowing(scene, bytes, tolerance, &Known::default())
 }
 
-/// The same where more is known than the picture.
+/// Judges a picture beside all that is known of its program.
 pub fn check_knowing(scene: &Scene, bytes: &[u8], tolerance: u8, known: &Known) -> Check {
     match reading::read(bytes) {
         Ok(reading) => judge(scene, &reading, tolerance, known),
@@ -142,7 +142,7 @@ pub fn check_knowing(scene: &Scene, bytes: &[u8], tolerance: u8, known: &Known) 
     }
 }
 
-/// The same of a picture that was read.
+/// Judges a picture that was read.
 pub fn judge(scene: &Scene, reading: &Reading, tolerance: u8, known: &Known) -> Check {
     let newest = scene.only_by(Edition::V4);
     let scene = if known.follows_version_4() {
@@ -195,8 +195,8 @@ pub fn judge(scene: &Scene, reading: &Reading, tolerance: u8, known: &Known) -> 
     }
 }
 
-/// The same where the scene was guessed: as another one, if it is a picture of that. Returns
-/// also which it is.
+/// Judges a picture whose scene was guessed: as one of another scene, if it shows that. Returns
+/// the scene, too.
 pub fn judge_guessed(
     scene: &Scene,
     reading: &Reading,
@@ -247,7 +247,7 @@ enum Answer {
 }
 
 impl Finding {
-    /// What explains the picture.
+    /// Returns what explains the picture.
     fn of(scene: &Scene, reading: &Reading, known: &Known) -> Answer {
         let evidence = Evidence::new(scene, reading, known);
         let finding = match explain(&evidence) {
@@ -279,8 +279,8 @@ impl Finding {
         Answer::Of(Box::new(finding.repaired(&evidence)))
     }
 
-    /// The same with what makes the reader's program right, and of the mistakes that draw its
-    /// picture only that which goes with it.
+    /// Adds what makes the reader's program right, and keeps of the mistakes that draw its picture
+    /// only the one that goes with it.
     fn repaired(mut self, evidence: &Evidence) -> Self {
         let (sources, known) = (&evidence.known.sources, evidence.known);
         let is_exact = |it: &Self| it.near.as_ref().is_some_and(Near::is_exact);
@@ -316,7 +316,7 @@ impl Finding {
         self
     }
 
-    /// What is the same whatever explains it.
+    /// Returns a finding with what every explanation shares.
     fn beside(evidence: &Evidence, by: &Candidate) -> Self {
         let (reading, scene) = (evidence.reading, by.scene);
         let right = scene.right(reading.width, reading.height);
@@ -342,7 +342,7 @@ impl Finding {
         }
     }
 
-    /// What can be seen, where no program that is known draws it.
+    /// Returns what can be seen, where no program that is known draws it.
     fn unknown(evidence: &Evidence, right: &Candidate) -> Self {
         let finding = Self::beside(evidence, right);
         let (sights, first) = seen::seen(&finding.scene, evidence.reading, &finding.right);
@@ -499,7 +499,7 @@ impl Check {
         }
     }
 
-    /// What is to be seen, if there are pixels to judge and they are not right.
+    /// Returns what is to be seen, if there are pixels to judge and they are not right.
     pub fn finding(&self) -> Option<&Finding> {
         match self {
             Self::Right(_) | Self::Another { .. } => None,

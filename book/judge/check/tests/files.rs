@@ -81,7 +81,7 @@ fn a_readers_line_of_the_camera_is_named() {
     );
 }
 
-/// Whether the changed line of the program is named, and nothing beside the right one.
+/// Returns true if the changed line of the program is named, and nothing beside the right one.
 fn is_named_alone(picture: &[u8], right: &str, wrong: &str) {
     let scene = scene(Chapter::HalfBSphere);
     assert!(PROGRAM.contains(right), "{right}");

@@ -111,8 +111,8 @@ fn the_picture_of_each_slip_is_named_in_each_chapter_in_few_lines() {
     assert!(unnamed.is_empty(), "\n{unnamed}");
 }
 
-/// What is wrong, if the slip is not among those that are named. Where it changes only a few
-/// pixels more than are odd, these are counted with them; a shape of its own is said to be one.
+/// Returns what is wrong, if the slip is not among those that are named. Where it changes only a
+/// few pixels more than are odd, these are counted with them; a shape of its own is said to be one.
 fn unnamed_in(slip: &'static Slip, chapter: Chapter, width: u32, way: Way) -> String {
     let drawn = slip.program(chapter).run(width);
     let right = chapter.picture(width);
@@ -186,7 +186,7 @@ fn each_edition_is_right_and_known_by_its_picture_alone() {
     }
 }
 
-/// What nobody has called a mistake is described, and never right.
+/// A picture that nobody has called a mistake is described, and never right.
 #[test]
 fn other_colors_are_described() {
     let above = Edit::new("Color::new(0.5, 0.7, 1.0)", "Color::new(0.2, 0.3, 0.55)");
@@ -316,7 +316,7 @@ fn answer(chapter: Chapter, picture: &Picture) -> Check {
     judge(&scene(chapter), &Reading::of(picture), 0, &Known::default())
 }
 
-/// What is said, in short.
+/// Returns what is said, in short.
 fn said(check: &Check) -> String {
     if let Check::Right(_) = check {
         return "right".to_owned();

@@ -151,7 +151,7 @@ struct Text {
     other: Option<&'static str>,
     /// What the sphere's color is in the place of the chapter's, as far as a step.
     color: Option<&'static str>,
-    /// Whether the prelude is the reader's own, too.
+    /// True if the prelude is the reader's own, too.
     has_a_prelude: bool,
 }
 
@@ -213,7 +213,7 @@ fn each_mistake_is_named_by_its_line_and_by_what_was_tried() {
     assert!(missed.is_empty(), "\n{missed}");
 }
 
-/// What is said instead of the line that is right.
+/// Returns what is said instead of the line that is right.
 fn missed(&(text, right, wrong): &(Text, &str, &str)) -> Option<String> {
     let files = text.files();
     let at = files.iter().position(|(_, it)| it.contains(right));

@@ -278,7 +278,7 @@ fn changed(row: &[String]) -> Vec<(&'static str, String)> {
     replaced(Chapter::find(name).expect("a chapter"), right, wrong)
 }
 
-/// What is said first: the file, the line and the words.
+/// Returns what is said first: the file, the line and the words.
 fn said_here(files: &[(&'static str, String)]) -> Option<(String, usize, String)> {
     let there = |file: usize, line, said: &str| Some((files[file].0.to_owned(), line, said.into()));
     let drawn = read(files).and_then(|program| program.draw(16).map(|_| program));
@@ -386,7 +386,7 @@ fn crate_of_ones_own(name: &str) -> PathBuf {
     folder
 }
 
-/// What the compiler says of the crate with these files.
+/// Returns what the compiler says of the crate with these files.
 fn said_of(folder: &Path, files: &[(&'static str, String)]) -> String {
     for (name, text) in files {
         fs::write(folder.join(name), text).expect("a file");

@@ -52,7 +52,7 @@ fn what_is_nested_too_deep_is_refused_with_its_line() {
     read.expect("a thread").join().expect("no panic");
 }
 
-/// What is said of a function with that body.
+/// Returns what is said of a function with that body.
 fn stopped(body: &str) -> String {
     let text = format!(
         "use common::rtweekend::*;\n\nstruct Link {{ next: Option<Box<Link>> }}\n\n\

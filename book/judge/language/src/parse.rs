@@ -82,7 +82,7 @@ pub(crate) struct Parser<'a> {
     pub(crate) language: Language,
     /// The names of whole numbers, if these are divided as such.
     whole: HashSet<&'a str>,
-    /// Whether a brace begins a block, and no value.
+    /// True if a brace begins a block, and no value.
     pub(crate) is_in_condition: bool,
     /// What the fields of new records are given.
     pub(crate) fields: Vec<(String, Tree)>,

@@ -9,7 +9,7 @@ pub(crate) struct Token<'a> {
     pub(crate) kind: Kind,
     /// Where it begins.
     pub(crate) at: usize,
-    /// Whether it is the first of its line.
+    /// True if it is the first of its line.
     pub(crate) is_first: bool,
 }
 

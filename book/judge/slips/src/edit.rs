@@ -26,12 +26,12 @@ impl Edit {
         Self::new(right.trim(), wrong.trim())
     }
 
-    /// Whether it puts shorter numbers in the place of all.
+    /// Returns true if it puts shorter numbers in the place of all.
     pub(crate) fn is_precision(&self) -> bool {
         *self == Self::new("f64", "f32") || self.is_as_in_cpp()
     }
 
-    /// Whether it does so but for levels, since a number that is typed in C++ is a double.
+    /// Returns true if it does so but for levels, since a number that is typed in C++ is a double.
     pub(crate) fn is_as_in_cpp(&self) -> bool {
         *self == Self::new("double", "float")
     }
@@ -65,7 +65,7 @@ impl Edit {
         Some(Self::new(line(right), line(&wrong)))
     }
 
-    /// Whether it stands in the text.
+    /// Returns true if it stands in the text.
     pub(crate) fn stands_in(&self, text: &str) -> bool {
         self.found(text, 0).is_some()
     }
@@ -101,7 +101,7 @@ impl Edit {
     }
 }
 
-/// Whether no name goes on at either end, and none before it has this one as a part.
+/// Returns true if no name goes on at either end, and none before it has this one as a part.
 fn is_whole(text: &str, start: usize, end: usize) -> bool {
     let is_of_a_name = |it: char| it.is_alphanumeric() || it == '_';
     let [first, last] = [

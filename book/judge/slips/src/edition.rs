@@ -20,7 +20,7 @@ pub enum Edition {
     /// Versions 1 and 2, 2016 to 2019: twice as wide as high, rows from below, and all of
     /// it in `float`.
     V1,
-    /// The same in `double`, as many have typed it.
+    /// Version 1 or 2 in `double`, as many have typed it.
     V1InDouble,
     /// Version 3.0, March 2020: the same with other factors.
     V3_0,
@@ -83,7 +83,7 @@ impl Edition {
         self.facts().numbers[0]
     }
 
-    /// What it has otherwise than version 4: in chapters with rays, and in the build test.
+    /// Returns what it has otherwise than version 4: in chapters with rays, and in the build test.
     pub fn differs_by(self) -> [&'static str; 2] {
         self.facts().differs_by
     }
@@ -238,7 +238,7 @@ impl Edition {
         edits
     }
 
-    /// What only versions 1 and 2 have.
+    /// Returns what only versions 1 and 2 have.
     fn edits_of_the_first(self) -> Vec<Edit> {
         let mut edits = Vec::new();
         if self.is_first() {
@@ -254,7 +254,7 @@ impl Edition {
         edits
     }
 
-    /// Whether it is that of versions 1 and 2, in whatever precision.
+    /// Returns true if it is that of versions 1 and 2, in whatever precision.
     pub fn is_first(self) -> bool {
         matches!(self, Self::V1 | Self::V1InDouble)
     }

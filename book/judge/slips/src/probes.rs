@@ -100,7 +100,7 @@ pub fn find(name: &str) -> Option<Probe> {
 }
 
 impl Probe {
-    /// Whether the chapter has [room](Chapter::room) for its spheres.
+    /// Returns true if the chapter has [room](Chapter::room) for its spheres.
     pub fn fits(&self, chapter: Chapter) -> bool {
         let count = self.spheres.map_or(0, <[Ball]>::len);
         match chapter.sphere_count() {
@@ -118,7 +118,7 @@ impl Probe {
         program.with_any(&edits)
     }
 
-    /// What a reader changes in the chapter's text.
+    /// Returns what a reader changes in the chapter's text.
     fn edits(&self, chapter: Chapter) -> Vec<Edit> {
         let mut edits = Vec::new();
         if self.focal_length != 1.0 {
@@ -162,8 +162,8 @@ impl Probe {
         edits
     }
 
-    /// What a reader changes, a line each: the width, the focal length if it
-    /// is another, and the spheres, which replace the chapter's.
+    /// Returns what a reader changes, a line each: the width, the focal length if it is another,
+    /// and the spheres, which replace the chapter's.
     pub fn lines(&self, chapter: Chapter, letters: Option<Letters>) -> String {
         let mut lines = vec![width_line(self.width, letters)];
         if self.focal_length != 1.0 {

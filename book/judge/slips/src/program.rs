@@ -16,7 +16,7 @@ pub struct Program {
     /// Which chapter it is meant to be.
     pub chapter: Chapter,
     code: interpreter::Program,
-    /// The same code in double precision, if only that makes levels.
+    /// This code in double precision, if only that makes levels.
     levels: Option<Box<interpreter::Program>>,
 }
 
@@ -26,7 +26,7 @@ pub struct Output {
     program: Program,
     canvas: Option<Canvas>,
     size: (u32, u32),
-    /// Whether the loop and the levels are the right ones, which are done here without the text.
+    /// True if the loop and the levels are the right ones, which are done here without the text.
     is_right_around: bool,
 }
 
@@ -130,8 +130,8 @@ impl Program {
         }
     }
 
-    /// The same program with these edits, one after the other, or `None` if one of them stands
-    /// nowhere in it, or they make it no program.
+    /// Returns this program with these edits, one after the other, or `None` if one of them
+    /// stands nowhere in it, or they make it no program.
     pub fn with(&self, edits: &[Edit]) -> Option<Self> {
         let mut changed = Vec::new();
         let mut program = self.clone();
@@ -148,7 +148,7 @@ impl Program {
         })
     }
 
-    /// The same program with those of these edits that stand in it, if that is one.
+    /// Returns this program with those of these edits that stand in it, if that is one.
     pub(crate) fn with_any(&self, edits: &[Edit]) -> Option<Self> {
         let edits = edits.iter().filter(|edit| self.has(edit)).cloned();
         self.with(&edits.collect::<Vec<_>>())
@@ -172,7 +172,7 @@ impl Program {
         stands
     }
 
-    /// Whether the edit can be made in it.
+    /// Returns true if the edit can be made in it.
     pub(crate) fn has(&self, edit: &Edit) -> bool {
         match edit.is_precision() {
             true => self.chapter != Chapter::BuildTest,
@@ -191,7 +191,7 @@ impl Program {
             .find_map(|(_, text)| first.statement(text, edits))
     }
 
-    /// The same program with another text of one function, or `None` if that is none.
+    /// Returns this program with another text of one function, or `None` if that is none.
     pub fn with_text(&self, function: &str, text: &str) -> Option<Self> {
         let mut code = self.code.patched(function, text).ok()?;
         if OF_VECTORS.contains(&function) {
@@ -206,7 +206,7 @@ impl Program {
         })
     }
 
-    /// The same program with every number and result rounded to 24 bits.
+    /// Returns this program with every number and result rounded to 24 bits.
     fn in_single_precision(&self, edit: &Edit) -> Self {
         let code = self.code.instead_of_the_library(&OF_VECTORS);
         Self {
@@ -216,8 +216,8 @@ impl Program {
         }
     }
 
-    /// The same program with what another one has changed, where both were made from a third;
-    /// `None` if both have changed the same function.
+    /// Returns this program with what another one has changed, where both were made from a
+    /// third; `None` if both have changed the same function.
     pub fn joined(&self, other: &Self, from: &Self) -> Option<Self> {
         let code = self.code.joined(&other.code, &from.code)?;
         Some(Self {
@@ -236,8 +236,8 @@ impl Program {
         &self.code
     }
 
-    /// What the program prints when it is asked for a picture `width` pixels wide. Nothing is
-    /// traced before a pixel is asked for.
+    /// Returns what the program prints when it is asked for a picture `width` pixels wide. Nothing
+    /// is traced before a pixel is asked for.
     pub fn run(&self, width: u32) -> Output {
         let canvas = self.code.canvas(width).ok();
         let (columns, rows) = canvas.as_ref().map_or((0, 0), Canvas::size);
@@ -254,7 +254,7 @@ impl Program {
         }
     }
 
-    /// Whether its loop and its levels are as they stand in the text for the file.
+    /// Returns true if its loop and its levels are as they stand in the text for the file.
     fn is_right_around(&self) -> bool {
         let mut functions = self.functions();
         functions.all(|(name, text)| !AROUND.contains(&name) || FILE.contains(text))
@@ -286,7 +286,7 @@ impl Program {
         self.code.record(ball, ray, t_min, t_max)
     }
 
-    /// What wins in a world of spheres, between `t_min` and `t_max`.
+    /// Returns what wins in a world of spheres, between `t_min` and `t_max`.
     pub fn search_among(&self, balls: &[Ball], ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
         self.code.nearest(balls, ray, t_min, t_max)
     }
@@ -325,7 +325,7 @@ impl Output {
         self.printed(n).unwrap_or_default()
     }
 
-    /// The same, or `None` where the program stops.
+    /// Returns the levels that are printed at the `n`th pixel, or `None` where the program stops.
     pub fn printed(&self, n: u32) -> Option<[i32; 3]> {
         let color = self.color(n)?;
         if self.is_right_around {
@@ -369,7 +369,7 @@ impl Output {
         (0..self.size.0 * self.size.1).map(|n| self.pixel(n))
     }
 
-    /// What each `let` comes to on the way to the `n`th pixel.
+    /// Returns what each `let` comes to on the way to the `n`th pixel.
     pub fn notes(&self, n: u32) -> Vec<Note> {
         match (&self.canvas, self.place(n)) {
             (Some(canvas), Some((i, j))) => canvas.notes(i, j),
@@ -377,7 +377,8 @@ impl Output {
         }
     }
 
-    /// Whether the ray of the `n`th pixel hits something: `ray_color` returns before its end.
+    /// Returns true if the ray of the `n`th pixel hits something: `ray_color` returns before its
+    /// end.
     pub fn hits(&self, n: u32) -> bool {
         match (&self.canvas, self.place(n)) {
             (Some(canvas), Some((i, j))) => canvas.returns_early("ray_color", i, j),

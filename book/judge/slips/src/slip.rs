@@ -117,7 +117,7 @@ impl Slip {
         known.entry(key).or_insert_with(statement).clone()
     }
 
-    /// The same, labeled, as every report shows it.
+    /// Returns the words of the slip, labeled as every report shows them.
     pub fn rows(
         &self,
         letters: Letters,

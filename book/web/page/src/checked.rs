@@ -79,7 +79,7 @@ impl Question {
     }
 }
 
-/// What the script can offer, a line each: which list, what it is called, and what it is.
+/// Returns what the script can offer, a line each: which list, what it is called, and what it is.
 pub fn choices() -> String {
     let chapters = Chapter::OF_THE_BOOK.map(|it| format!("chapter\t{}\t{0}", it.name()));
     let probes = PROBES.map(|it| format!("probe\t{}\t{0}", it.name));
@@ -95,7 +95,7 @@ pub fn answer(question: Question, bytes: &[u8]) -> Answered {
     }
 }
 
-/// What is said of a file that is too large to be read.
+/// Returns what is said of a file that is too large to be read.
 pub fn too_large(question: Question) -> Answered {
     refused(question, Cause::too_large())
 }

@@ -11,7 +11,7 @@ pub struct Next {
     pub above: usize,
     /// The line, as far indented as it should be.
     pub text: &'static str,
-    /// Whether it takes the place of that line, a `todo!()`.
+    /// True if it takes the place of that line, a `todo!()`.
     pub is_last: bool,
 }
 
@@ -58,7 +58,7 @@ fn found(left: &[(usize, &str)], line: &str) -> Option<usize> {
     of_function.iter().position(|(_, it)| is_same(it, line))
 }
 
-/// Whether both are the same, or say the same name in other words.
+/// Returns true if both are the same, or say the same name in other words.
 fn is_same(yours: &str, theirs: &str) -> bool {
     let name = |line: &str| {
         let mut words = line.split_whitespace();

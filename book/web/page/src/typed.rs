@@ -54,7 +54,7 @@ impl Said {
     }
 }
 
-/// What an editor begins with: of each file of the chapter its name, with nothing in its
+/// Returns what an editor begins with: of each file of the chapter its name, with nothing in its
 /// functions, and in full. After them the steps.
 pub fn beginning(chapter: Chapter) -> Vec<String> {
     let files = Text::skeleton(chapter).files.into_iter();
@@ -197,7 +197,7 @@ impl Text {
         attempt.answer(verdict::judge(&scene, &reading, 0, &known))
     }
 
-    /// What the compiler would refuse and was seen only when the laws asked.
+    /// Returns what the compiler would refuse and was seen only when the laws asked.
     fn refused(&self, program: &interpreter::Program) -> Option<Said> {
         let fault = program.refused()?;
         Some(self.not_compiled(std::slice::from_ref(fault)))
@@ -308,7 +308,7 @@ const MOST_UNLIKE: usize = 60;
 /// A tree is walked a hundred times as slowly as a compiled program runs.
 const CASES: u32 = 100;
 
-/// Whether the laws hold for what a program computes, if it hits something.
+/// Returns true if the laws hold for what a program computes, if it hits something.
 fn laws_of(program: &Program) -> Option<Laws> {
     if program.chapter <= Chapter::Gradient {
         return None;

@@ -17,7 +17,7 @@ pub(crate) fn changes(name: &str) -> Result<String, String> {
     Ok(format!("{panels}{sentence}{files}"))
 }
 
-/// What becomes of the picture; and where only some of its pixels change, the pictures.
+/// Returns what becomes of the picture; and where only some of its pixels change, the pictures.
 fn pictures(before: Chapter, after: Chapter) -> (String, String) {
     let [old, new] = [before, after].map(|chapter| chapter.picture(chapter.book_width()));
     match Comparison::of(&old, &new) {

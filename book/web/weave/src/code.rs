@@ -70,7 +70,7 @@ pub(crate) fn listing(
     ))
 }
 
-/// What opens the editor at a listing that a reader types: to type it, or to break it.
+/// Returns what opens the editor at a listing that a reader types: to type it, or to break it.
 fn tools(file: &str) -> String {
     let is_of = |it: &Chapter| file.contains(&format!("_{}/src/", it.name()));
     let chapter = Chapter::OF_THE_BOOK.into_iter().find(is_of);

@@ -58,7 +58,7 @@ pub(crate) fn number(figure: &str, name: &str) -> Result<String, String> {
     Ok(followed(figure, name, &value))
 }
 
-/// What the live figure of that name says at first.
+/// Returns what the live figure of that name says at first.
 pub(crate) fn says(figure: &str) -> Result<BTreeMap<&'static str, String>, String> {
     let live = named("live figure", figure, figures(), |live| live.name())?;
     Ok(live.answer(&live.defaults()).says)

@@ -14,7 +14,7 @@ pub(crate) enum Woven {
     Block(String),
 }
 
-/// What the directive with this `text` stands for, in a page of `folder`.
+/// Returns what the directive with this `text` stands for, in a page of `folder`.
 ///
 /// | in a page | there appears |
 /// |---|---|
@@ -60,7 +60,7 @@ pub(crate) fn resolve(text: &str, folder: &Path, listed: &mut Listed) -> Result<
     block.map(Woven::Block)
 }
 
-/// What the snapshot at `path` holds, without the header of the file.
+/// Returns what the snapshot at `path` holds, without the header of the file.
 fn snapshot(path: &Path) -> Result<String, String> {
     let text = read(path)?;
     // insta begins a snapshot with a header between lines of dashes.

@@ -26,7 +26,7 @@ pub(crate) fn slip(name: &str, chapter: &str) -> Result<String, String> {
     ))
 }
 
-/// What each edition of the book draws, and by what it differs.
+/// Returns what each edition of the book draws, and by what it differs.
 pub(crate) fn editions() -> String {
     // To see the two programs of version 1 apart takes a comparison of bits.
     let mut editions = Edition::ALL.to_vec();
@@ -164,7 +164,7 @@ fn tile(sight: &Sight) -> String {
     )
 }
 
-/// What the page calls the slip where it has this look: its name, where it is seen first.
+/// Returns what the page calls the slip where it has this look: its name, where it is seen first.
 fn id(slip: &Slip, sight: &Sight) -> String {
     let has = |sight: &&Sight| sight.slips.iter().any(|it| it.name == slip.name);
     match SIGHTS.iter().find(has) {
@@ -185,7 +185,7 @@ fn item(slip: &Slip, id: &str) -> String {
     )
 }
 
-/// The same for a slip that the book's pictures do not show, and what does.
+/// Returns a sentence on what shows a slip that the book's pictures hide.
 fn shown_by(slip: &Slip) -> String {
     let mut chapters = slip.chapters();
     let shown = match slip.shown_by() {

@@ -36,7 +36,7 @@ impl Named {
         }
     }
 
-    /// What stands in the source to look for: of a method, the header of its block.
+    /// Returns what stands in the source to look for: of a method, the header of its block.
     pub(crate) fn called(&self) -> &str {
         let block = self.block.as_ref().map(|block| &block.header);
         block.unwrap_or(&self.names[0])

@@ -22,7 +22,7 @@ pub(crate) fn step(chapter: &str, number: &str) -> Result<String, String> {
     ))
 }
 
-/// What stands between backticks is code.
+/// Marks what stands between backticks as code.
 fn with_code(says: &str) -> String {
     let tags = [["", ""], ["<code>", "</code>"]].into_iter().cycle();
     let pieces = says.split('`').zip(tags);

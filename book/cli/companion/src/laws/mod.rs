@@ -161,7 +161,7 @@ impl<'a> Asked<'a> {
         last
     }
 
-    /// What the program answers, if it does. After a failure, nothing hits.
+    /// Returns what the program answers, if it does. After a failure, nothing hits.
     fn answer(&self, asked: &WithInterval) -> Option<Hit> {
         let line = self.line(asked);
         if let Some(known) = self.answers.borrow().get(&line) {
@@ -194,7 +194,7 @@ impl<'a> Asked<'a> {
         self.function.line(asked)
     }
 
-    /// Whether -1 may stand for a miss, as in the book: until the program says `miss`.
+    /// Returns true if -1 may stand for a miss, as in the book: until the program says `miss`.
     fn says_minus_one(&self) -> bool {
         let answers = self.answers.borrow();
         self.function == Function::Root && !answers.values().any(|it| it.said == "miss")
@@ -231,7 +231,7 @@ impl<'a> Asked<'a> {
         laid_out(rows)
     }
 
-    /// Whether the answer may be a miss or a root: -1.
+    /// Returns true if the answer may be a miss or a root: -1.
     fn may_be_both(&self, question: &Question) -> bool {
         let Question::Root(case) = question else {
             return false;
@@ -304,7 +304,7 @@ impl<'a> Asked<'a> {
         )
     }
 
-    /// What is wrong with the dialogue, and what to do.
+    /// Returns what is wrong with the dialogue, and what to do.
     fn explained(&self, failure: &Failure) -> (String, String) {
         let limit = self.arguments.timeout;
         let wanted = match self.arguments.chapter {
@@ -359,7 +359,7 @@ impl<'a> Asked<'a> {
         }
     }
 
-    /// What asks a question by hand.
+    /// Returns what asks a question by hand.
     fn by_hand(&self, line: &str) -> String {
         format!("by hand:  echo '{line}' | {}", self.program())
     }

@@ -123,7 +123,7 @@ struct Subject {
     limit: Duration,
     done: Done,
     mine: Mine,
-    /// Whether the last verdict came without the laws.
+    /// True if the last verdict came without the laws.
     misses_laws: Cell<bool>,
 }
 
@@ -203,7 +203,7 @@ impl Subject {
         }
     }
 
-    /// What the test says that puts the crate under the laws, if it is built.
+    /// Returns what the test says that puts the crate under the laws, if it is built.
     fn laws(&self, waits: bool, is_old: &mut dyn FnMut() -> bool) -> Result<Option<Asked>, Stop> {
         if !self.folder.join("tests/laws.rs").is_file() {
             return Ok(None);
@@ -213,8 +213,8 @@ impl Subject {
         Ok(test.map(|test| laws::ask(&test, self.scene.chapter, &self.folder, self.limit)))
     }
 
-    /// Whether chapter 2 has only its sky yet: there is nothing to ask, and no reader waits for
-    /// the laws.
+    /// Returns true if chapter 2 has only its sky yet: there is nothing to ask, and no reader waits
+    /// for the laws.
     fn is_before_the_laws(&self, bytes: &[u8]) -> bool {
         let chapter = self.scene.chapter;
         let is_sky = |picture: Picture| picture == Chapter::Gradient.picture(picture.width());

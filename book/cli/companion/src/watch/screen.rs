@@ -32,13 +32,13 @@ pub(super) fn compose(title: &str, answer: &Answer, news: &[String], took: Durat
     format!("{clear}{}\n", [above, answer, done].concat().join("\n"))
 }
 
-/// Whether each screen takes the place of the one before: on a terminal that can.
+/// Returns true if each screen takes the place of the one before: on a terminal that can.
 pub(super) fn replaces_the_last() -> bool {
     stdout().is_terminal()
         && env::var_os("TERM").is_some_and(|term| term != "dumb" && !term.is_empty())
 }
 
-/// Whether nobody reads any more what is printed, as behind `| head -1`.
+/// Returns true if nobody reads any more what is printed, as behind `| head -1`.
 pub(super) fn is_closed() -> bool {
     #[cfg(unix)]
     {
@@ -53,7 +53,7 @@ pub(super) fn is_closed() -> bool {
     false
 }
 
-/// What is judged, and how long that took.
+/// Returns what is judged, and how long that took.
 fn head(title: &str, took: Duration) -> String {
     let took = format!("judged in {:.1} s", took.as_secs_f64());
     format!("{}  {}", style().bold(title), style().dim(&took))

@@ -23,7 +23,7 @@ const FAR: f64 = 1e300;
 /// What a function of a chapter answers about one ray and one sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Function {
-    /// Whether the line meets the sphere, as in chapter 2.
+    /// True if the line meets the sphere, as in chapter 2.
     Decision,
     /// The nearer root, as in chapters 3 and 4.
     Root,
@@ -36,7 +36,7 @@ pub type Ask<'a> = dyn Fn(&WithInterval) -> Option<Hit> + 'a;
 
 /// What comes of a program.
 pub struct Told {
-    /// Whether the laws hold, apart from its manners.
+    /// True if the laws hold, apart from its manners.
     pub outcome: Outcome,
     /// In which of its answers it differs from version 4 of the book, and no picture shows it.
     pub manners: Vec<Manner>,

@@ -34,8 +34,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Reading, Cause> {
     })
 }
 
-/// Whether the body has the bytes that the header promises. A dark picture may
-/// look like text, but only by chance like text of just this length.
+/// Returns true if the body has the bytes that the header promises. A dark picture may look like
+/// text, but only by chance like text of just this length.
 fn fits(header: header::Header, body: &[u8]) -> bool {
     let [width, height, _] = header.numbers;
     let pixels = width
@@ -74,8 +74,8 @@ fn miscounted(wanted: usize, header: &[u8], body: &[u8]) -> Cause {
     }
 }
 
-/// What was done to bytes that were taken for text, if their number tells. Windows
-/// ends a line with 13 and 10, other systems with 10 alone.
+/// Returns what was done to bytes that were taken for text, if their number tells. Windows ends a
+/// line with 13 and 10, other systems with 10 alone.
 fn changed_ends_of_line(wanted: usize, header: &[u8], body: &[u8]) -> Option<&'static str> {
     // The second half of the end of the header's last line.
     let rest = body.strip_prefix(b"\n").filter(|_| header.ends_with(b"\r"));

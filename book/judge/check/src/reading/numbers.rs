@@ -37,7 +37,7 @@ pub struct Outside {
 }
 
 impl Reading {
-    /// The same picture as numbers from a file hold it.
+    /// Returns this picture as numbers from a file hold it.
     pub fn of(picture: &Picture) -> Self {
         let (pixels, _) = picture.rgb().as_chunks::<3>();
         Self {
@@ -59,7 +59,7 @@ impl Reading {
             .expect("a reading has as many pixels as its size says")
     }
 
-    /// Whether all pixels are of the same color.
+    /// Returns true if all pixels are of the same color.
     pub fn is_plain(&self) -> bool {
         self.pixels.iter().all(|pixel| *pixel == self.pixels[0])
     }

@@ -130,7 +130,7 @@ impl Token<'_> {
         format!("line {lines}, byte {}", self.start)
     }
 
-    /// What is wrong with a word after the last pixel, whatever it is.
+    /// Returns what is wrong with a word after the last pixel, whatever it is.
     pub(super) fn stray(&self, bytes: &[u8]) -> Cause {
         if matches!(self.word, b"P3" | b"P6") {
             return self.cause(bytes);

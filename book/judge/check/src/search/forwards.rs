@@ -40,7 +40,7 @@ pub struct Drawn {
 pub struct Mutant {
     /// The chapter's line.
     pub right: String,
-    /// The same with the edit, or nothing if it is left out.
+    /// This line with the edit; nothing if it is left out.
     pub wrong: String,
     /// The reader's line that has it, and what should be there.
     pub(crate) yours: Option<Found>,

@@ -13,7 +13,7 @@ use super::tree::{Op, Tree, likeness};
 pub(super) struct Local<'a> {
     pub(super) name: &'a str,
     pub(super) value: &'a Tree,
-    /// Whether it always stands for the value itself.
+    /// True if it always stands for the value itself.
     is_fixed: bool,
 }
 

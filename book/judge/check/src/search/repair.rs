@@ -23,7 +23,7 @@ pub struct Repair {
     pub changes: Vec<Change>,
     /// The reader's files with all of it.
     pub(crate) files: Files,
-    /// Whether the picture was right before.
+    /// True if the picture was right before.
     pub(crate) is_hidden: bool,
     /// The step of the chapter, counted from 0, for which it is right, if it is not the last.
     pub(crate) step: Option<usize>,

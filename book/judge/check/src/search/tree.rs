@@ -249,7 +249,7 @@ impl Pattern {
         }
     }
 
-    /// Whether the name stands alone.
+    /// Returns true if the name stands alone.
     pub(super) fn is_whole(&self) -> bool {
         self.before.is_empty() && self.after.is_empty()
     }

@@ -24,7 +24,8 @@ const ODD: usize = 32;
 /// Neighbors that are so many levels apart make an edge.
 const EDGE: u16 = 16;
 
-/// What can be seen, the most telling first, and the numbers of the first pixel that differs.
+/// Returns what can be seen, the most telling first, and the numbers of the first pixel that
+/// differs.
 pub(crate) fn seen(scene: &Scene, reading: &Reading, right: &Picture) -> (Vec<String>, Vec<Row>) {
     let view = View::new(scene, reading, right);
     if view.wrong.is_empty() {

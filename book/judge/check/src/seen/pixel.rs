@@ -4,7 +4,7 @@ use super::view::View;
 use crate::answer::{Kind, Row};
 
 impl View<'_> {
-    /// What a reader's program should print for that pixel.
+    /// Returns what a reader's program should print for that pixel.
     pub(super) fn first_pixel(&self) -> Vec<Row> {
         let pixels = 0..self.reading.pixels.len() as u32;
         let mut differing = pixels.filter(|&n| self.expected(n) != self.found(n));

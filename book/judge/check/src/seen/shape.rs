@@ -15,7 +15,7 @@ const SKY: u16 = 8;
 const ROUND: u32 = 20;
 
 impl View<'_> {
-    /// Whether it is the right picture upside down or in a mirror.
+    /// Returns true if it is the right picture upside down or in a mirror.
     pub(super) fn turned(&self) -> Option<String> {
         let (width, height) = (self.reading.width, self.reading.height);
         let is_like = |place: fn(u32, u32, u32, u32) -> (u32, u32)| {

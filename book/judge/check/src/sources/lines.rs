@@ -41,7 +41,7 @@ pub(crate) struct Transplant {
     pub(crate) function: Rc<str>,
     pub(crate) text: String,
     pub(crate) yours: Found,
-    /// Whether it is there for what the chapter's is there for.
+    /// True if it is there for what the chapter's is there for.
     pub(crate) has_same_role: bool,
 }
 

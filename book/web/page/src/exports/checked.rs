@@ -15,7 +15,7 @@ extern "C" fn check(asked: usize) -> usize {
     answer(asked, checked::answer)
 }
 
-/// The same of a file whose bytes are too many to be given.
+/// Returns the answer to a file whose bytes are too many to be given.
 #[unsafe(no_mangle)]
 extern "C" fn too_large(asked: usize) -> usize {
     answer(asked, |question, _| checked::too_large(question))
@@ -43,7 +43,7 @@ extern "C" fn inspect(column: u32, row: u32) -> usize {
     of_the_answer(|it| it.inspect(column, row).into())
 }
 
-/// What can be asked.
+/// Returns what can be asked.
 #[unsafe(no_mangle)]
 extern "C" fn choices() -> usize {
     keep(checked::choices())

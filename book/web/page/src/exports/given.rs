@@ -13,7 +13,7 @@ extern "C" fn take(length: usize) -> *mut u8 {
     GIVEN.with_borrow_mut(Vec::as_mut_ptr)
 }
 
-/// What was given, once.
+/// Returns what was given, once.
 pub(super) fn given() -> Vec<u8> {
     GIVEN.take()
 }
