@@ -5,7 +5,7 @@ use std::path::Path;
 
 use check::comparison::Comparison;
 use check::known::Known;
-use check::scene::Scene;
+use check::task::Task;
 use common::rtweekend::*;
 use hittable_list::{HittableList, Sphere};
 use slips::{Chapter, Edit, Edition, Letters, PROBES, Program};
@@ -124,8 +124,8 @@ fn every_slip_makes_another_program() {
 /// Whoever follows version 3 has no such line as version 4's, in whatever language.
 #[test]
 fn a_slip_of_an_older_edition_is_said_in_its_words() {
-    let scene = Scene::new(Chapter::Gradient, None).expect("it has the book's scene");
-    let scene = scene.only_by(Edition::V3);
+    let task = Task::new(Chapter::Gradient, None).expect("it has the book's scene");
+    let task = task.only_by(Edition::V3);
     for letters in [
         None,
         Some(Letters::Python(Edition::V4)),
@@ -139,7 +139,7 @@ fn a_slip_of_an_older_edition_is_said_in_its_words() {
             ("deltas-from-last-pixel", "u = (i + 0.5) / …"),
             ("viewport-mirrored", "horizontal = (-viewport_width, 0, 0)"),
         ] {
-            let words = known.words(suite::slip(slip), &scene);
+            let words = known.words(suite::slip(slip), &task);
             assert!(
                 words.wrong.starts_with(line),
                 "{slip} in {letters:?} is said as {}",

@@ -4,7 +4,7 @@ use std::error::Error;
 use std::fmt::Write;
 
 use check::names::companion;
-use check::scene::Scene;
+use check::task::Task;
 use clap::Args;
 use common::engine::output;
 use slips::Chapter;
@@ -29,7 +29,7 @@ pub(crate) fn list(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         companion()
     );
     for probe in PROBES {
-        if Scene::new(chapter, Some(probe)).is_some() {
+        if Task::new(chapter, Some(probe)).is_some() {
             let lines = probe.lines(chapter, None).replace('\n', "\n    ");
             write!(text, "\n{}\n  {}\n    {lines}\n", probe.name, probe.shows)?;
         }

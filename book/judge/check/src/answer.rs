@@ -11,8 +11,8 @@ use slips::{Chapter, Probe, Slip};
 
 use crate::known::Known;
 use crate::reading::Cause;
-use crate::scene::Scene;
 use crate::sentences::{law, refused};
+use crate::task::Task;
 use crate::verdict::{Check, Finding};
 
 /// All that a reader is told of a picture or a program.
@@ -174,7 +174,7 @@ impl Pictures {
     fn of(check: Check) -> Option<Self> {
         let finding = match check {
             Check::Right(right) => {
-                let picture = || right.scene.right(right.width, right.height);
+                let picture = || right.task.right(right.width, right.height);
                 return (right.levels == 0).then(|| Self {
                     yours: picture(),
                     right: picture(),
@@ -289,7 +289,7 @@ pub enum Laws {
 /// A picture that a reader hands in, and what is known of it.
 pub struct Attempt<'a> {
     /// The scene that the picture should show.
-    pub scene: Scene,
+    pub task: Task,
     /// True if that was guessed from the picture.
     pub is_guessed: bool,
     /// What the picture is called, or nothing.
@@ -316,10 +316,10 @@ pub struct Commands<'a> {
 
 impl Commands<'_> {
     /// Makes those for pictures alone, which `check` judges.
-    pub fn of_pictures(scene: Scene) -> Self {
+    pub fn of_pictures(task: Task) -> Self {
         let judge = move |probe: Option<Probe>| match probe {
-            Some(probe) => scene.probed_command(probe),
-            None => scene.without_probe().command(),
+            Some(probe) => task.probed_command(probe),
+            None => task.without_probe().command(),
         };
         Self {
             judge: Box::new(judge),
@@ -353,7 +353,7 @@ impl Attempt<'_> {
     fn judged(&self, check: &Check) -> Answer {
         match check {
             Check::Right(right) => self.right(right),
-            Check::Near(finding) => match (&finding.near, finding.scene.step()) {
+            Check::Near(finding) => match (&finding.near, finding.task.step()) {
                 (Some(near), Some(step)) if near.is_exact() => self.step(step, finding),
                 (near, _) => {
                     let left = near.as_ref().map(|it| it.left).unwrap_or_default();

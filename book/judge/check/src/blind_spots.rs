@@ -6,13 +6,13 @@
 use slips::{Output, PROBES, Slip, Unseen};
 
 use crate::pixels::spread;
-use crate::scene::Scene;
+use crate::task::Task;
 
 /// A picture to draw after a right one.
 #[derive(Debug)]
 pub struct Next {
     /// Its scene: a probe, or the chapter's own if that was drawn too small.
-    pub scene: Scene,
+    pub task: Task,
     /// How wide to draw it, in pixels.
     pub width: u32,
     /// The mistakes that show there, and that the pictures before hide.
@@ -24,8 +24,8 @@ pub struct Next {
 ///
 /// Slips that change no picture and break no law are left out: a program with one of them is
 /// right.
-pub fn hidden(scene: &Scene, width: u32) -> Vec<&'static Slip> {
-    let own = scene.without_probe();
+pub fn hidden(task: &Task, width: u32) -> Vec<&'static Slip> {
+    let own = task.without_probe();
     let can_be_wrong =
         |slip: &&Slip| !matches!(slip.unseen_in(own.chapter), Some(Unseen::Equivalent(_)));
     let exam = (width != own.chapter.book_width()).then(|| Exam::new(own, width));
@@ -37,12 +37,12 @@ pub fn hidden(scene: &Scene, width: u32) -> Vec<&'static Slip> {
     slips.collect()
 }
 
-/// The picture to draw after the right one of `scene`, so many pixels wide, of those that show
+/// The picture to draw after the right one of `task`, so many pixels wide, of those that show
 /// mistakes which may have been made. They follow each other in one order, so that no probe is
 /// asked for twice.
-pub fn next(scene: &Scene, width: u32, may_be: impl Fn(&Slip) -> bool) -> Option<Next> {
-    let (own, book) = (scene.without_probe(), scene.chapter.book_width());
-    let drawn = if scene.probe.is_some() { book } else { width };
+pub fn next(task: &Task, width: u32, may_be: impl Fn(&Slip) -> bool) -> Option<Next> {
+    let (own, book) = (task.without_probe(), task.chapter.book_width());
+    let drawn = if task.probe.is_some() { book } else { width };
     let mut left = hidden(&own, drawn);
     left.retain(|slip| may_be(slip));
     let mut order = Vec::new();
@@ -50,31 +50,25 @@ pub fn next(scene: &Scene, width: u32, may_be: impl Fn(&Slip) -> bool) -> Option
         left.retain(|slip| next.slips.iter().all(|shown| shown.name != slip.name));
         order.push(next);
     }
-    let passed = order
-        .iter()
-        .position(|next| next.scene.probe == scene.probe);
-    let passed = passed.filter(|_| scene.probe.is_some());
+    let passed = order.iter().position(|next| next.task.probe == task.probe);
+    let passed = passed.filter(|_| task.probe.is_some());
     order.into_iter().nth(passed.map_or(0, |at| at + 1))
 }
 
 /// Chooses the cheapest change that shows a mistake in the chapter's own lines, which were typed
 /// last; or else the picture that shows most of these mistakes, of equals the cheapest.
-fn most_telling(own: &Scene, drawn: u32, hidden: &[&'static Slip]) -> Option<Next> {
+fn most_telling(own: &Task, drawn: u32, hidden: &[&'static Slip]) -> Option<Next> {
     let book = own.chapter.book_width();
     let larger = (drawn < book).then_some((*own, book));
     let probes = PROBES.map(|probe| Some((own.with_probe(probe)?, probe.width)));
     let all = larger.into_iter().chain(probes.into_iter().flatten());
-    let nexts = all.filter_map(|(scene, width)| {
-        let shows = |slip: &&'static Slip| match (scene.probe, slip.hidden_in(own.chapter)) {
+    let nexts = all.filter_map(|(task, width)| {
+        let shows = |slip: &&'static Slip| match (task.probe, slip.hidden_in(own.chapter)) {
             (Some(probe), Some(probes)) => probes.contains(&probe.name),
             (probe, probes) => probe.is_none() && probes.is_none(),
         };
         let slips: Vec<&'static Slip> = hidden.iter().copied().filter(shows).collect();
-        (!slips.is_empty()).then_some(Next {
-            scene,
-            width,
-            slips,
-        })
+        (!slips.is_empty()).then_some(Next { task, width, slips })
     });
     let is_own = |slip: &&Slip| slip.chapters().next() == Some(own.chapter);
     let shows_own = |next: &Next| next.slips.iter().any(is_own);
@@ -91,7 +85,7 @@ fn most_telling(own: &Scene, drawn: u32, hidden: &[&'static Slip]) -> Option<Nex
 
 /// A picture that a program has to draw, and those of its pixels that are looked at.
 struct Exam {
-    scene: Scene,
+    task: Task,
     width: u32,
     right: Vec<(u32, [u8; 3])>,
 }
@@ -103,12 +97,12 @@ const GLANCE: u32 = 500;
 const LOOK: u32 = 2000;
 
 impl Exam {
-    fn new(scene: Scene, width: u32) -> Self {
-        let output = scene.program(&[]).run(width);
+    fn new(task: Task, width: u32) -> Self {
+        let output = task.program(&[]).run(width);
         let (columns, rows) = output.size();
         let places = spread(GLANCE, columns * rows).chain(spread(LOOK, columns * rows));
         Self {
-            scene,
+            task,
             width,
             right: places.map(|n| (n, levels(&output, n))).collect(),
         }
@@ -117,7 +111,7 @@ impl Exam {
     /// Returns true if a program with the slip draws this very picture.
     fn hides(&self, slip: &'static Slip) -> bool {
         let [right, wrong] =
-            [&[][..], &[slip]].map(|slips| self.scene.program(slips).run(self.width));
+            [&[][..], &[slip]].map(|slips| self.task.program(slips).run(self.width));
         let is_right = |&(n, right): &(u32, [u8; 3])| levels(&wrong, n) == right;
         wrong.size() == right.size() && self.right.iter().all(is_right)
     }

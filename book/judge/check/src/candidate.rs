@@ -6,13 +6,13 @@ use slips::{Output, Slip};
 
 use crate::pixels::{Pixel, distance, spread};
 use crate::reading::Reading;
-use crate::scene::Scene;
+use crate::task::Task;
 
 /// A program that may have drawn a picture.
 #[derive(Clone)]
 pub(crate) struct Candidate {
     /// The scene.
-    pub(crate) scene: Scene,
+    pub(crate) task: Task,
     /// The slips that were made.
     pub(crate) slips: Vec<&'static Slip>,
     /// What becomes of numbers that are no levels.
@@ -67,7 +67,7 @@ const NEARLY_ALL: usize = 100;
 impl Candidate {
     /// Returns what the program prints, if its picture has the reader's size.
     pub(crate) fn output(&self, reading: &Reading) -> Option<Output> {
-        let program = self.scene.program(&self.slips);
+        let program = self.task.program(&self.slips);
         let size = (reading.width, reading.height);
         // A header may swap the two, and then the width that was asked for
         // stands where the height should.
@@ -131,9 +131,9 @@ impl Candidate {
     fn pixels<'a>(&'a self, reading: &'a Reading) -> Option<Box<dyn Iterator<Item = Pixel> + 'a>> {
         let output = self.output(reading)?;
         // The right picture is drawn sooner by what is compiled.
-        let is_compiled = self.slips.is_empty() && self.scene.is_as_compiled();
+        let is_compiled = self.slips.is_empty() && self.task.is_as_compiled();
         if is_compiled && self.conversion != Conversion::Wrapped {
-            let right = self.scene.right(reading.width, reading.height);
+            let right = self.task.right(reading.width, reading.height);
             let pixels = (0..reading.pixels.len()).map(move |n| {
                 let level = |channel: usize| right.rgb()[3 * n + channel].into();
                 [level(0), level(1), level(2)]

@@ -4,21 +4,21 @@ use slips::{Chapter, Edition, PROBES, Probe, Slip, SphereCount};
 
 use crate::candidate::{Candidate, Conversion};
 use crate::known::Evidence;
-use crate::scene::Scene;
+use crate::task::Task;
 
 /// The scene itself by each edition that will do, and as far as each step before the last.
 pub(crate) fn rights(evidence: &Evidence) -> Vec<Candidate> {
     let steps = steps(evidence).into_iter();
-    let scenes = by_editions(evidence, evidence.scene)
+    let tasks = by_editions(evidence, evidence.task)
         .into_iter()
         .chain(steps);
-    scenes.map(|scene| right(evidence, scene)).collect()
+    tasks.map(|task| right(evidence, task)).collect()
 }
 
 /// Other scenes, whose change was forgotten or is still there, and other chapters. A reader
 /// who types a chapter has no other picture at hand.
 pub(crate) fn elsewhere(evidence: &Evidence) -> Vec<Candidate> {
-    let own = evidence.scene;
+    let own = evidence.task;
     if evidence.known.sources.are_of_the_chapter() {
         return Vec::new();
     }
@@ -28,15 +28,15 @@ pub(crate) fn elsewhere(evidence: &Evidence) -> Vec<Candidate> {
     // Only sky is the picture of many things: of a probe only in its own width.
     let may_be = |probe: &Probe| probe.spheres.is_some() && (!is_sky || probe.width == width);
     let probes = PROBES.into_iter().filter(may_be);
-    let scenes = [None].into_iter().chain(probes.map(Some));
-    let scenes = scenes.filter(|probe| *probe != own.probe);
-    let scenes = scenes.filter_map(|probe| Scene::new(own.chapter, probe));
+    let tasks = [None].into_iter().chain(probes.map(Some));
+    let tasks = tasks.filter(|probe| *probe != own.probe);
+    let tasks = tasks.filter_map(|probe| Task::new(own.chapter, probe));
     let chapters = Chapter::OF_THE_BOOK.into_iter();
     let chapters = chapters.filter(|&chapter| chapter != own.chapter && !is_sky);
-    let all = scenes.chain(chapters.map(|chapter| own.of_chapter(chapter)));
-    let all = all.flat_map(|scene| by_editions(evidence, scene));
-    let all = all.filter(|scene| !scene.has_another_shape());
-    all.map(|scene| right(evidence, scene)).collect()
+    let all = tasks.chain(chapters.map(|chapter| own.of_chapter(chapter)));
+    let all = all.flat_map(|task| by_editions(evidence, task));
+    let all = all.filter(|task| !task.has_another_shape());
+    all.map(|task| right(evidence, task)).collect()
 }
 
 /// Programs with one slip: a group for each edition, step and conversion, the likeliest first.
@@ -48,12 +48,12 @@ pub(crate) fn singles<'a>(evidence: &'a Evidence) -> impl Iterator<Item = Vec<Ca
         ..right
     });
     let other = rights.clone().into_iter().filter_map(|right| {
-        let scene = right.scene.with_the_other_formula()?;
-        Some(Candidate { scene, ..right })
+        let task = right.task.with_the_other_formula()?;
+        Some(Candidate { task, ..right })
     });
     let groups = rights.into_iter().chain(other).chain(wrapped);
     groups.map(|right| {
-        let slips = evidence.slips(&right.scene);
+        let slips = evidence.slips(&right.task);
         slips.map(|slip| with(&right, vec![slip])).collect()
     })
 }
@@ -64,18 +64,18 @@ pub(crate) fn pairs<'a>(
     nearest: Edition,
 ) -> impl Iterator<Item = Vec<Candidate>> + 'a {
     let rights = with_slips_in(evidence).into_iter();
-    let rights = rights.filter(move |it| [Edition::V4, nearest].contains(&it.scene.edition));
+    let rights = rights.filter(move |it| [Edition::V4, nearest].contains(&it.task.edition));
     rights.map(|right| {
-        let slips: Vec<&'static Slip> = evidence.slips(&right.scene).collect();
+        let slips: Vec<&'static Slip> = evidence.slips(&right.task).collect();
         let all = (0..slips.len()).flat_map(|n| (n + 1..slips.len()).map(move |m| (n, m)));
         all.map(|(n, m)| with(&right, vec![slips[n], slips[m]]))
             .collect()
     })
 }
 
-fn right(evidence: &Evidence, scene: Scene) -> Candidate {
+fn right(evidence: &Evidence, task: Task) -> Candidate {
     Candidate {
-        scene,
+        task,
         slips: Vec::new(),
         conversion: if evidence.has_no_levels {
             Conversion::Printed
@@ -92,26 +92,26 @@ fn with(right: &Candidate, slips: Vec<&'static Slip>) -> Candidate {
     }
 }
 
-fn by_editions(evidence: &Evidence, scene: Scene) -> Vec<Scene> {
+fn by_editions(evidence: &Evidence, task: Task) -> Vec<Task> {
     let (width, height) = (evidence.reading.width, evidence.reading.height);
-    scene.by_editions(width, height).collect()
+    task.by_editions(width, height).collect()
 }
 
 /// As far as each step before the last, by the edition that was asked for.
-fn steps(evidence: &Evidence) -> Vec<Scene> {
-    let own = evidence.scene;
+fn steps(evidence: &Evidence) -> Vec<Task> {
+    let own = evidence.task;
     let before = evidence.known.steps.len().saturating_sub(1);
     let steps = (0..before).map(|step| own.at_step(step));
     let steps = steps.filter(|step| !evidence.is_past(step));
-    let scenes = steps.filter_map(|scene| by_editions(evidence, scene).into_iter().next());
-    scenes.collect()
+    let tasks = steps.filter_map(|task| by_editions(evidence, task).into_iter().next());
+    tasks.collect()
 }
 
 /// The right programs in which slips are made. A slip may give the picture its shape.
 fn with_slips_in(evidence: &Evidence) -> Vec<Candidate> {
-    let fitting = by_editions(evidence, evidence.scene);
-    let shaped = fitting.iter().filter(|scene| scene.has_another_shape());
-    let own: Vec<Scene> = shaped.map(|scene| scene.in_own_shape()).collect();
-    let scenes = fitting.into_iter().chain(own).chain(steps(evidence));
-    scenes.map(|scene| right(evidence, scene)).collect()
+    let fitting = by_editions(evidence, evidence.task);
+    let shaped = fitting.iter().filter(|task| task.has_another_shape());
+    let own: Vec<Task> = shaped.map(|task| task.in_own_shape()).collect();
+    let tasks = fitting.into_iter().chain(own).chain(steps(evidence));
+    tasks.map(|task| right(evidence, task)).collect()
 }

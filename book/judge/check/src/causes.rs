@@ -3,7 +3,7 @@
 use slips::{Edition, Letters, Program, Slip};
 
 use crate::reading::{Cause, Reading};
-use crate::scene::Scene;
+use crate::task::Task;
 
 /// The most pixels of a picture of a wrong shape that are looked at. Its shape says
 /// more than its pixels do, and to draw the right one in a shape that nobody wants may
@@ -12,18 +12,17 @@ pub(crate) const MOST_MISSHAPEN: u64 = 1 << 20;
 
 /// The slips with which a program draws `width` × `height` pixels where the
 /// right one does not, whatever the pixels are.
-pub(crate) fn slips_giving(scene: &Scene, width: u32, height: u32) -> Vec<&'static Slip> {
+pub(crate) fn slips_giving(task: &Task, width: u32, height: u32) -> Vec<&'static Slip> {
     let gives = |program: &Program| {
         [width, height]
             .into_iter()
             .any(|asked| program.run(asked).size() == (width, height))
     };
-    if gives(&scene.program(&[])) {
+    if gives(&task.program(&[])) {
         return Vec::new();
     }
-    scene
-        .slips()
-        .filter(|slip| gives(&scene.program(&[slip])))
+    task.slips()
+        .filter(|slip| gives(&task.program(&[slip])))
         .collect()
 }
 
@@ -34,10 +33,10 @@ pub(crate) fn is_a_shape_to_choose(width: u32, height: u32) -> bool {
 }
 
 /// Why the picture is not that of the probe, which is about one width.
-pub(crate) fn not_as_wide(scene: &Scene, reading: &Reading) -> Option<Cause> {
-    let probe = scene.probe.filter(|probe| probe.spheres.is_none())?;
+pub(crate) fn not_as_wide(task: &Task, reading: &Reading) -> Option<Cause> {
+    let probe = task.probe.filter(|probe| probe.spheres.is_none())?;
     let (width, height) = (reading.width, reading.height);
-    let (name, wanted, chapter) = (probe.name, probe.width, scene.chapter.name());
+    let (name, wanted, chapter) = (probe.name, probe.width, task.chapter.name());
     (wanted != width).then(|| Cause::new(
         "wrong-shape",
         format!(
@@ -48,16 +47,16 @@ pub(crate) fn not_as_wide(scene: &Scene, reading: &Reading) -> Option<Cause> {
 }
 
 /// Why the picture is not of the scene's shape, if it is not.
-pub(crate) fn wrong_shape(scene: &Scene, width: u32, height: u32) -> Option<Cause> {
-    if scene
+pub(crate) fn wrong_shape(task: &Task, width: u32, height: u32) -> Option<Cause> {
+    if task
         .by_editions(width, height)
-        .any(|scene| !scene.has_another_shape())
+        .any(|task| !task.has_another_shape())
     {
         return None;
     }
-    let name = scene.chapter.name();
-    let expected = scene.height(width);
-    let slips: Vec<&str> = slips_giving(scene, width, height)
+    let name = task.chapter.name();
+    let expected = task.height(width);
+    let slips: Vec<&str> = slips_giving(task, width, height)
         .iter()
         .map(|slip| slip.name)
         .collect();
@@ -117,11 +116,11 @@ pub(crate) fn no_levels(reading: &Reading) -> Option<Cause> {
 }
 
 /// Why a picture of `others`, scenes of this chapter, is not the right one.
-pub(crate) fn another(wanted: &Scene, others: &[Scene], letters: Option<Letters>) -> Cause {
+pub(crate) fn another(wanted: &Task, others: &[Task], letters: Option<Letters>) -> Cause {
     let own = wanted.chapter.name();
     let probes: Vec<&str> = others
         .iter()
-        .filter_map(|scene| Some(scene.probe?.name))
+        .filter_map(|task| Some(task.probe?.name))
         .collect();
     if others[0].chapter != wanted.chapter {
         let other = others[0];

@@ -8,7 +8,7 @@ use crate::candidates::{rights, singles};
 use crate::known::{Evidence, Known};
 use crate::pixels::{distance, spread};
 use crate::reading::Reading;
-use crate::scene::Scene;
+use crate::task::Task;
 
 /// How many pixels are looked at.
 const LOOK: u32 = 400;
@@ -17,16 +17,16 @@ const LOOK: u32 = 400;
 const NEAR: u16 = 2;
 
 /// The scene whose picture comes nearest: right, or with one slip. The first in the book of several that draw the same, as chapters 3 and 4 do.
-pub fn scene(reading: &Reading) -> Scene {
+pub fn task(reading: &Reading) -> Task {
     let mut nearest = (usize::MAX, own(Chapter::Gradient));
     for candidates in [right_ones, wrong_ones] {
-        for scene in Chapter::OF_THE_BOOK.map(own) {
+        for task in Chapter::OF_THE_BOOK.map(own) {
             let known = Known::default();
-            let evidence = Evidence::new(&scene, reading, &known);
-            for (scene, it) in candidates(&evidence) {
+            let evidence = Evidence::new(&task, reading, &known);
+            for (task, it) in candidates(&evidence) {
                 let off = off(&it, reading, nearest.0);
                 if off < nearest.0 {
-                    nearest = (off, scene);
+                    nearest = (off, task);
                 }
             }
         }
@@ -34,37 +34,36 @@ pub fn scene(reading: &Reading) -> Scene {
     nearest.1
 }
 
-fn own(chapter: Chapter) -> Scene {
-    Scene::new(chapter, None).expect("every chapter has a scene of its own")
+fn own(chapter: Chapter) -> Task {
+    Task::new(chapter, None).expect("every chapter can be drawn without a probe")
 }
 
 /// The chapter and its probes, by each edition. A reader who
 /// follows an earlier edition draws no probe.
-fn right_ones(evidence: &Evidence) -> Vec<(Scene, Candidate)> {
-    let (scene, reading) = (evidence.scene, evidence.reading);
+fn right_ones(evidence: &Evidence) -> Vec<(Task, Candidate)> {
+    let (task, reading) = (evidence.task, evidence.reading);
     let probes = PROBES.iter().filter(|probe| probe.spheres.is_some());
-    let probes = probes.filter_map(|&probe| Scene::new(scene.chapter, Some(probe)));
-    let probes = probes.map(|scene| {
-        scene
-            .only_by(Edition::V4)
+    let probes = probes.filter_map(|&probe| Task::new(task.chapter, Some(probe)));
+    let probes = probes.map(|task| {
+        task.only_by(Edition::V4)
             .fitting(reading.width, reading.height)
     });
     let own = rights(evidence);
     let plain = own[0].clone();
     let probed = probes.map(|probed| {
         let it = Candidate {
-            scene: probed,
+            task: probed,
             ..plain.clone()
         };
-        (Scene::new(scene.chapter, probed.probe).unwrap_or(scene), it)
+        (Task::new(task.chapter, probed.probe).unwrap_or(task), it)
     });
-    let all = own.into_iter().map(|it| (scene, it));
+    let all = own.into_iter().map(|it| (task, it));
     all.chain(probed).collect()
 }
 
-fn wrong_ones(evidence: &Evidence) -> Vec<(Scene, Candidate)> {
+fn wrong_ones(evidence: &Evidence) -> Vec<(Task, Candidate)> {
     let all = singles(evidence).flatten();
-    all.map(|it| (evidence.scene, it)).collect()
+    all.map(|it| (evidence.task, it)).collect()
 }
 
 /// How many of some pixels are not the program's, or `most`.

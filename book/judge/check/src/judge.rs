@@ -9,12 +9,12 @@ use crate::candidate::{Candidate, Left, Look};
 use crate::candidates::{elsewhere, pairs, rights, singles};
 use crate::known::Evidence;
 use crate::pixels::spread;
-use crate::scene::Scene;
+use crate::task::Task;
 
 /// What explains a picture.
 pub(crate) enum Explanation {
     /// It is the right one of other scenes, all of which look the same.
-    Another(Vec<Scene>),
+    Another(Vec<Task>),
     /// It is the right one, but for what is left.
     Near(Fit),
     /// It is drawn by programs with mistakes.
@@ -55,15 +55,15 @@ pub(crate) fn explain(evidence: &Evidence) -> Explanation {
     let (right, left) = nearest(evidence);
     let near = |left| Explanation::Near(Fit::of(right.clone(), left));
     let is_answered = || {
-        let program = right.scene.unchanged().program(&[]);
+        let program = right.task.unchanged().program(&[]);
         evidence.known.is_answered_by(&program)
     };
     if left.is_nothing() && is_answered() {
         return near(left);
     }
     let elsewhere = right_elsewhere(evidence).filter(|_| !left.is_nothing());
-    if let Some(scenes) = elsewhere.clone().filter(|it| is_forgotten(evidence, it)) {
-        return Explanation::Another(scenes);
+    if let Some(tasks) = elsewhere.clone().filter(|it| is_forgotten(evidence, it)) {
+        return Explanation::Another(tasks);
     }
     let single = first(evidence, &left, singles(evidence)).map(|it| in_the_text(evidence, it));
     let is_repaired = || evidence.repair().is_some();
@@ -76,14 +76,14 @@ pub(crate) fn explain(evidence: &Evidence) -> Explanation {
     if let Some(single) = single.filter(|_| !left.is_nothing()) {
         return Explanation::Mistakes(single);
     }
-    if let Some(scenes) = elsewhere {
-        return Explanation::Another(scenes);
+    if let Some(tasks) = elsewhere {
+        return Explanation::Another(tasks);
     }
     if left.is_nothing() || MANY * left.off <= reading.pixels.len() || left.is_rounding() {
         return near(left);
     }
     let beside = described_beside(evidence, right.clone());
-    if !evidence.drawn(&beside.scene).is_told()
+    if !evidence.drawn(&beside.task).is_told()
         && let Some(pair) = two_mistakes(evidence, &right, &left)
     {
         return Explanation::Mistakes(pair);
@@ -101,7 +101,7 @@ fn described_beside(evidence: &Evidence, nearest: Candidate) -> Candidate {
     let asked = rights(evidence).swap_remove(0);
     let is_like = PART * (looked - off(&nearest)) > looked;
     // Half a pixel, which sets editions apart, says nothing where much else is off.
-    let is_nearer = nearest.scene.step().is_some() || 2 * off(&nearest) < off(&asked);
+    let is_nearer = nearest.task.step().is_some() || 2 * off(&nearest) < off(&asked);
     if is_like && is_nearer { nearest } else { asked }
 }
 
@@ -135,7 +135,7 @@ fn nearest(evidence: &Evidence) -> (Candidate, Left) {
     let measured = likely.map(|(far, it)| (left(far, &it), far, it));
     // Where nothing comes near, one in its own shape does.
     let key = |(left, far, it): &(Left, usize, Candidate)| {
-        (left.far, left.off, it.scene.has_another_shape(), *far)
+        (left.far, left.off, it.task.has_another_shape(), *far)
     };
     let best = measured.min_by_key(key);
     let (left, _, it) = best.expect("the scene was fitted to the picture");
@@ -144,16 +144,16 @@ fn nearest(evidence: &Evidence) -> (Candidate, Left) {
 
 /// Returns true if a change of scene was forgotten, or is still there: a picture as wide as a
 /// probe's is hardly another one.
-fn is_forgotten(evidence: &Evidence, scenes: &[Scene]) -> bool {
-    let is_it = |scene: &Scene| match (evidence.scene.probe, scene.probe) {
+fn is_forgotten(evidence: &Evidence, tasks: &[Task]) -> bool {
+    let is_it = |task: &Task| match (evidence.task.probe, task.probe) {
         (Some(_), other) => other.is_none(),
         (None, other) => other.is_some_and(|probe| probe.width == evidence.reading.width),
     };
-    scenes[0].chapter == evidence.scene.chapter && scenes.iter().any(is_it)
+    tasks[0].chapter == evidence.task.chapter && tasks.iter().any(is_it)
 }
 
 /// The other scenes of which it is the very picture.
-fn right_elsewhere(evidence: &Evidence) -> Option<Vec<Scene>> {
+fn right_elsewhere(evidence: &Evidence) -> Option<Vec<Task>> {
     let reading = evidence.reading;
     // One color everywhere is the picture of many things.
     if reading.is_plain() && !evidence.known.sources.is_empty() {
@@ -163,17 +163,17 @@ fn right_elsewhere(evidence: &Evidence) -> Option<Vec<Scene>> {
         it.may_leave(reading, 0) && it.left(reading, 0).is_some_and(|left| left.is_nothing())
     };
     let found = elsewhere(evidence).into_iter().filter(is_it);
-    let mut scenes: Vec<Scene> = Vec::new();
-    for Candidate { scene, .. } in found {
-        let is_known = |other: &Scene| (other.chapter, other.probe) == (scene.chapter, scene.probe);
-        let is_like = scenes
+    let mut tasks: Vec<Task> = Vec::new();
+    for Candidate { task, .. } in found {
+        let is_known = |other: &Task| (other.chapter, other.probe) == (task.chapter, task.probe);
+        let is_like = tasks
             .first()
-            .is_none_or(|first| first.chapter == scene.chapter);
-        if is_like && !scenes.iter().any(is_known) {
-            scenes.push(scene);
+            .is_none_or(|first| first.chapter == task.chapter);
+        if is_like && !tasks.iter().any(is_known) {
+            tasks.push(task);
         }
     }
-    Some(scenes).filter(|scenes| !scenes.is_empty())
+    Some(tasks).filter(|tasks| !tasks.is_empty())
 }
 
 /// Where the reader's files are known, the programs whose wrong lines stand in them; or all, if
@@ -195,7 +195,7 @@ fn two_mistakes(evidence: &Evidence, nearest: &Candidate, all: &Left) -> Option<
     if evidence.reading.is_plain() {
         return None;
     }
-    let found = first(evidence, all, pairs(evidence, nearest.scene.edition))?;
+    let found = first(evidence, all, pairs(evidence, nearest.task.edition))?;
     Some(in_the_text(evidence, found)).filter(|it| it.candidates.len() <= PAIRS)
 }
 

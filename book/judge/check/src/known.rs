@@ -7,10 +7,10 @@ use slips::{Edition, Letters, Program, Slip, Words};
 use crate::blind_spots;
 use crate::candidate::Candidate;
 use crate::reading::Reading;
-use crate::scene::Scene;
 use crate::search::{self, Drawn, Repair};
 pub(crate) use crate::sources::Said;
 use crate::sources::{Found, Sources};
+use crate::task::Task;
 
 /// How many answers were given, and how many of them a program would not give.
 pub type Asked<'a> = dyn Fn(&Program) -> (usize, usize) + 'a;
@@ -45,40 +45,40 @@ impl Known<'_> {
     }
 
     /// Returns what there is to say of a slip in the scene, in the reader's letters.
-    pub fn words(&self, slip: &Slip, scene: &Scene) -> Words {
-        let is_older = scene.edition != Edition::V4;
+    pub fn words(&self, slip: &Slip, task: &Task) -> Words {
+        let is_older = task.edition != Edition::V4;
         let letters = match self.letters {
-            Some(Letters::Python(_)) => Letters::Python(scene.edition),
+            Some(Letters::Python(_)) => Letters::Python(task.edition),
             // In Rust there are the lines of our chapters, which follow version 4.
-            Some(Letters::Rust) if is_older && slip.has_older_words(scene.chapter) => {
-                Letters::Book(scene.edition)
+            Some(Letters::Rust) if is_older && slip.has_older_words(task.chapter) => {
+                Letters::Book(task.edition)
             }
             Some(letters) => letters,
-            None => Letters::Book(scene.edition),
+            None => Letters::Book(task.edition),
         };
-        slip.words(letters, scene.chapter)
+        slip.words(letters, task.chapter)
     }
 
     /// Returns true if the reader can have made the slip, as far as it is known.
-    pub fn can_be_made(&self, slip: &Slip, scene: &Scene) -> bool {
-        self.can_be_made.is_none_or(|can_be| can_be(slip)) && self.said(slip, scene) != Said::Right
+    pub fn can_be_made(&self, slip: &Slip, task: &Task) -> bool {
+        self.can_be_made.is_none_or(|can_be| can_be(slip)) && self.said(slip, task) != Said::Right
     }
 
     /// Returns true if the slip's line is right in the reader's files once they are repaired.
-    pub(crate) fn is_mended(&self, slip: &Slip, scene: &Scene, repair: &Repair) -> bool {
+    pub(crate) fn is_mended(&self, slip: &Slip, task: &Task, repair: &Repair) -> bool {
         let repaired = Sources::new(repair.files.clone(), Vec::new());
-        self.sources.say(slip, scene).0 == Said::Wrong && repaired.say(slip, scene).0 == Said::Right
+        self.sources.say(slip, task).0 == Said::Wrong && repaired.say(slip, task).0 == Said::Right
     }
 
     /// Returns what the reader's files say of the slip. A line that an older edition has is wrong
     /// in a mixture only, which no single line tells.
-    pub(crate) fn said(&self, slip: &Slip, scene: &Scene) -> Said {
-        self.sources.say(slip, scene).0
+    pub(crate) fn said(&self, slip: &Slip, task: &Task) -> Said {
+        self.sources.say(slip, task).0
     }
 
     /// The reader's line that makes the slip, if it is found.
-    pub(crate) fn line_of(&self, slip: &Slip, scene: &Scene) -> Option<Found> {
-        self.sources.say(slip, scene).1
+    pub(crate) fn line_of(&self, slip: &Slip, task: &Task) -> Option<Found> {
+        self.sources.say(slip, task).1
     }
 
     /// Returns true if the reader's functions answer as the program would.
@@ -91,7 +91,7 @@ impl Known<'_> {
 pub(crate) struct Evidence<'a> {
     /// The scene that the picture is meant to show; the chapter's own instead of a probe
     /// that is about another width.
-    pub(crate) scene: Scene,
+    pub(crate) task: Task,
     /// The picture.
     pub(crate) reading: &'a Reading,
     /// True if it has numbers that are no levels.
@@ -104,15 +104,15 @@ pub(crate) struct Evidence<'a> {
 }
 
 impl<'a> Evidence<'a> {
-    pub(crate) fn new(scene: &Scene, reading: &'a Reading, known: &'a Known<'a>) -> Self {
-        let is_about_another_width = scene
+    pub(crate) fn new(task: &Task, reading: &'a Reading, known: &'a Known<'a>) -> Self {
+        let is_about_another_width = task
             .probe
             .is_some_and(|probe| probe.spheres.is_none() && probe.width != reading.width);
         Self {
-            scene: if is_about_another_width {
-                scene.without_probe()
+            task: if is_about_another_width {
+                task.without_probe()
             } else {
-                *scene
+                *task
             },
             reading,
             has_no_levels: reading.outside().is_some(),
@@ -126,32 +126,32 @@ impl<'a> Evidence<'a> {
     /// Returns what makes the reader's program right.
     pub(crate) fn repair(&self) -> Option<&Repair> {
         let before = self.known.steps.len().saturating_sub(1);
-        let repair = || Repair::of(&self.scene, self.reading, &self.known.sources, before);
+        let repair = || Repair::of(&self.task, self.reading, &self.known.sources, before);
         self.repair.get_or_init(repair).as_ref()
     }
 
     /// The single edits that draw the picture, of the text of the scene that comes nearest.
-    pub(crate) fn drawn(&self, right: &Scene) -> &Drawn {
+    pub(crate) fn drawn(&self, right: &Task) -> &Drawn {
         let drawn = || search::drawn(right, self.reading, &self.known.sources);
         self.drawn.get_or_init(drawn)
     }
 
     /// The slips that the reader can have made in the scene.
-    pub(crate) fn slips(&self, scene: &Scene) -> impl Iterator<Item = &'static Slip> {
-        let chapter = scene.chapter;
+    pub(crate) fn slips(&self, task: &Task) -> impl Iterator<Item = &'static Slip> {
+        let chapter = task.chapter;
         let unnamed = slips::unnamed().filter(move |slip| slip.is_in(chapter));
         let can_be_made = |slip: &&Slip| self.known.can_be_made.is_none_or(|can_be| can_be(slip));
-        let all = scene.slips().chain(unnamed).filter(can_be_made);
+        let all = task.slips().chain(unnamed).filter(can_be_made);
         all.filter(|slip| self.has_passed(slip))
     }
 
     /// Returns true if a program with that slip draws the right picture of the chapter, which a
     /// probe follows.
     fn has_passed(&self, slip: &Slip) -> bool {
-        if self.scene.probe.is_none() || slip.name.is_empty() {
+        if self.task.probe.is_none() || slip.name.is_empty() {
             return true;
         }
-        let hidden = || blind_spots::hidden(&self.scene, self.scene.chapter.book_width());
+        let hidden = || blind_spots::hidden(&self.task, self.task.chapter.book_width());
         let passed = self.passed.get_or_init(hidden);
         passed.iter().any(|it| it.name == slip.name)
     }
@@ -161,33 +161,32 @@ impl<'a> Evidence<'a> {
     /// none.
     pub(crate) fn is_refuted(&self, it: &Candidate) -> bool {
         let known = self.known;
-        let is_right = |slip: &&'static Slip| known.said(slip, &it.scene) == Said::Right;
+        let is_right = |slip: &&'static Slip| known.said(slip, &it.task) == Said::Right;
         if it.slips.iter().any(is_right) {
             return true;
         }
-        let is_further = it.scene.step().is_some() && known.sources.is_written();
-        let is_right = it.slips.is_empty() && it.scene.step().is_none();
+        let is_further = it.task.step().is_some() && known.sources.is_written();
+        let is_right = it.slips.is_empty() && it.task.step().is_none();
         is_further
             || !is_right
                 && known.answers.is_some_and(|unlike| {
-                    let (asked, unlike) = unlike(&it.scene.unchanged().program(&it.slips));
+                    let (asked, unlike) = unlike(&it.task.unchanged().program(&it.slips));
                     unlike * REFUTING > asked
                 })
     }
 
     /// Returns true if the reader's functions answer more like the whole chapter's than like those
     /// of this step: the reader is past it.
-    pub(crate) fn is_past(&self, step: &Scene) -> bool {
+    pub(crate) fn is_past(&self, step: &Task) -> bool {
         self.known.answers.is_some_and(|unlike| {
-            let [whole, step] =
-                [self.scene, *step].map(|it| unlike(&it.unchanged().program(&[])).1);
+            let [whole, step] = [self.task, *step].map(|it| unlike(&it.unchanged().program(&[])).1);
             whole < step
         })
     }
 
     /// Returns true if the wrong line of each of its slips stands in the reader's files.
     pub(crate) fn is_found(&self, it: &Candidate) -> bool {
-        let is_found = |slip: &&Slip| self.known.said(slip, &it.scene) == Said::Wrong;
+        let is_found = |slip: &&Slip| self.known.said(slip, &it.task) == Said::Wrong;
         it.slips.iter().all(is_found)
     }
 }

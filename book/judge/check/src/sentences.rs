@@ -14,9 +14,9 @@ use crate::causes;
 use crate::known::Known;
 use crate::names;
 use crate::reading::Cause;
-use crate::scene::Scene;
 use crate::search::{Change, Drawn, Mutant, Repair, Right as Mended};
 use crate::sources::Found;
+use crate::task::Task;
 use crate::verdict::{Check, Finding, Mistakes, Right};
 
 /// So many mistakes that draw the same are named.
@@ -33,10 +33,10 @@ impl Attempt<'_> {
             (1, 1) => "its one pixel".to_owned(),
             (width, height) => format!("all {width} × {height} pixels"),
         };
-        let same = format!("{size} of {}, to the last bit.", named(&self.scene));
-        if right.scene.has_another_shape() {
+        let same = format!("{size} of {}, to the last bit.", named(&self.task));
+        if right.task.has_another_shape() {
             let rest = format!("{by} in this shape, which is not the book's: {same}");
-            let next = self.shape_is(&right.scene, &right.shape_given_by);
+            let next = self.shape_is(&right.task, &right.shape_given_by);
             return Answer::of(Mark::OnTheWay, &self.name, "right", rest).then(next);
         }
         if right.levels > 0 {
@@ -51,8 +51,8 @@ impl Attempt<'_> {
     }
 
     fn right_in_all(&self, right: &Right, mut rest: String) -> Answer {
-        let chapter = self.scene.chapter;
-        let mut done = vec![match self.scene.probe {
+        let chapter = self.task.chapter;
+        let mut done = vec![match self.task.probe {
             Some(probe) => format!("{}, probe {}: right", chapter.name(), probe.name),
             None => picture_is_right(chapter),
         }];
@@ -76,7 +76,7 @@ impl Attempt<'_> {
 
     /// Right but for odd pixels.
     pub(crate) fn nearly_right(&self, finding: &Finding, left: &Left) -> Answer {
-        let step = finding.scene.step();
+        let step = finding.task.step();
         let as_step = step.map_or(String::new(), |step| format!(" as step {}", step + 1));
         let but = format!("{as_step}, but for {}", left.said(finding.total()));
         if let Some(Laws::Broken(report)) = self.laws
@@ -85,10 +85,10 @@ impl Attempt<'_> {
             let rest = format!("{but}; and a law is broken.");
             return Answer::of(Mark::Wrong, &self.name, "right", rest).with(law(report));
         }
-        let next = if finding.scene.has_another_shape() {
+        let next = if finding.task.has_another_shape() {
             let (width, height) = (finding.yours.width(), finding.yours.height());
-            let slips = causes::slips_giving(&self.scene, width, height);
-            self.shape_is(&finding.scene, &slips)
+            let slips = causes::slips_giving(&self.task, width, height);
+            self.shape_is(&finding.task, &slips)
         } else {
             "look at these pixels: the book's program draws them otherwise".to_owned()
         };
@@ -97,7 +97,7 @@ impl Attempt<'_> {
     }
 
     pub(crate) fn step(&self, step: usize, finding: &Finding) -> Answer {
-        let (chapter, number) = (self.scene.chapter, step + 1);
+        let (chapter, number) = (self.task.chapter, step + 1);
         let name = step_of(chapter, step);
         match self.laws {
             Some(Laws::Broken(_) | Laws::BrokenPrelude(_)) if finding.is_answered => {}
@@ -118,12 +118,12 @@ impl Attempt<'_> {
 
     pub(crate) fn wrong(&self, finding: &Finding) -> Answer {
         let count = finding.difference.as_ref().map_or(0, |it| it.count);
-        let (pixels, scene) = (differ(count, finding.total()), named(&finding.scene));
-        let rest = format!(": {pixels} from {scene}{}.", by(&finding.editions));
+        let (pixels, from) = (differ(count, finding.total()), named(&finding.task));
+        let rest = format!(": {pixels} from {from}{}.", by(&finding.editions));
         let nearly = "right within one level, but not to the last bit";
-        let answer = match finding.scene.step() {
+        let answer = match finding.task.step() {
             Some(step) if count == 0 => {
-                let name = step_of(self.scene.chapter, step);
+                let name = step_of(self.task.chapter, step);
                 Answer::of(Mark::Wrong, &name, "right", BUT_A_LAW)
             }
             None if count == 0 => Answer::of(Mark::Wrong, "The picture", "right", BUT_A_LAW),
@@ -235,7 +235,7 @@ impl Finding {
     pub fn rows(&self, known: &Known) -> Vec<Row> {
         if let Some(repair) = &self.repair {
             let slip = self.single().first();
-            let why = slip.map_or("", |slip| known.words(slip, &self.scene).why);
+            let why = slip.map_or("", |slip| known.words(slip, &self.task).why);
             return repair.rows().chain(row(Kind::Why, why)).collect();
         }
         if self.near.is_some() {
@@ -256,19 +256,19 @@ impl Finding {
                 return rows.chain(row(Kind::More, many)).collect();
             }
             Some(it) => return it.rows(known, self.total()),
-            None if self.drawn.is_told() => return self.drawn.rows(known, &self.scene),
+            None if self.drawn.is_told() => return self.drawn.rows(known, &self.task),
             None => {}
         }
         let seen = self.sights.iter().map(|it| Row::new(Kind::Seen, it));
         let seen = seen.chain(self.first.iter().cloned());
-        let drawn = self.drawn.rows(known, &self.scene);
+        let drawn = self.drawn.rows(known, &self.task);
         let unknown =
             (drawn.is_empty() && self.sights.len() != 1).then(|| self.nothing_known(known));
         seen.chain(drawn).chain(unknown).collect()
     }
 
     fn nothing_known(&self, known: &Known) -> Row {
-        let said = match self.scene.probe {
+        let said = match self.task.probe {
             Some(_) => {
                 "no known mistake draws this picture and the chapter's own right: is that right?"
             }
@@ -295,12 +295,12 @@ impl Mistakes {
 
     fn in_full(&self, mistake: &[&'static Slip], known: &Known) -> Vec<Row> {
         let rows = mistake.iter().flat_map(|slip| {
-            let words = known.words(slip, &self.scene);
+            let words = known.words(slip, &self.task);
             let kind = match self.is_in_text {
                 true => Kind::Probably,
                 false => Kind::Perhaps,
             };
-            let lines = match known.line_of(slip, &self.scene) {
+            let lines = match known.line_of(slip, &self.task) {
                 Some(found) => found.rows(),
                 None => line_and_right(kind, &words.wrong, &words.right),
             };
@@ -313,7 +313,7 @@ impl Mistakes {
     /// The first of several, each in the reader's letters.
     fn perhaps(&self, known: &Known) -> impl Iterator<Item = Row> {
         let wrong = |mistake: &Vec<&'static Slip>| {
-            let words = mistake.iter().map(|slip| known.words(slip, &self.scene));
+            let words = mistake.iter().map(|slip| known.words(slip, &self.task));
             let wrong: Vec<String> = words.map(|words| words.wrong.into_owned()).collect();
             format!("{}  ({})", wrong.join("; "), names_of(mistake))
         };
@@ -354,9 +354,9 @@ impl Mistakes {
 
 impl Drawn {
     /// The likeliest edits, each in the reader's letters.
-    fn rows(&self, known: &Known, scene: &Scene) -> Vec<Row> {
-        let letters = known.letters.unwrap_or(Letters::Book(scene.edition));
-        let typed = |line: &str| letters.spelled(line, scene.chapter);
+    fn rows(&self, known: &Known, task: &Task) -> Vec<Row> {
+        let letters = known.letters.unwrap_or(Letters::Book(task.edition));
+        let typed = |line: &str| letters.spelled(line, task.chapter);
         let said = |it: &Mutant| match (&*it.wrong, &it.yours) {
             (_, Some(yours)) => yours.line.to_string(),
             ("", None) => format!("{}  left out", typed(&it.right)),
@@ -477,13 +477,13 @@ impl Attempt<'_> {
     /// The chapter that was guessed; chapters 3 and 4 draw the same picture.
     pub(crate) fn taken_for(&self) -> Row {
         let also = self
-            .scene
+            .task
             .with_the_other_formula()
             .map(|other| other.chapter);
         let also = also.map_or(String::new(), |other| format!(" or {}", other.name()));
         Row::new(
             Kind::Besides,
-            format!("it was taken for {}{also}", named(&self.scene)),
+            format!("it was taken for {}{also}", named(&self.task)),
         )
     }
 }
@@ -494,22 +494,22 @@ impl Attempt<'_> {
     /// A further picture that shows most of what can hide from a right one: but not what the
     /// reader can't have done, nor what would answer otherwise.
     fn to_test_more(&self, right: &Right) -> Option<Row> {
-        let chapter = self.scene.chapter;
+        let chapter = self.task.chapter;
         let may_be = |slip: &Slip| {
-            self.known.can_be_made(slip, &self.scene)
+            self.known.can_be_made(slip, &self.task)
                 && (self.known.answers).is_none_or(|unlike| unlike(&slip.program(chapter)).1 == 0)
         };
-        let Next { scene, width, .. } = &blind_spots::next(&right.scene, right.width, may_be)?;
+        let Next { task, width, .. } = &blind_spots::next(&right.task, right.width, may_be)?;
         // A program may have its height as a number.
         let line = format!("image_width = {width}");
-        let both = format!("{line}, so that image_height is {}", scene.height(*width));
-        let change = scene.change(*width, self.known.letters).replace('\n', "; ");
+        let both = format!("{line}, so that image_height is {}", task.height(*width));
+        let change = task.change(*width, self.known.letters).replace('\n', "; ");
         let change = change.replacen(&line, &both, 1);
-        let (name, what) = match scene.probe {
+        let (name, what) = match task.probe {
             Some(probe) => (probe.name, format!("the probe {}", probe.name)),
             None => ("", format!("it {width} wide")),
         };
-        let judge = (self.commands.judge)(scene.probe);
+        let judge = (self.commands.judge)(task.probe);
         let said = format!("to test more, draw {what}: {change}; then {judge}");
         Some(Row::new(Kind::Probe(name), said))
     }
@@ -518,7 +518,7 @@ impl Attempt<'_> {
     fn to_tell_apart(&self, finding: &Finding) -> Option<Row> {
         let probe = finding.mistakes.as_ref()?.telling?;
         let change = probe
-            .lines(finding.scene.chapter, self.known.letters)
+            .lines(finding.task.chapter, self.known.letters)
             .replace('\n', "; ");
         let (name, judge) = (probe.name, (self.commands.judge)(Some(probe)));
         let said = format!(
@@ -528,9 +528,8 @@ impl Attempt<'_> {
     }
 
     /// Returns what is to be thought of a shape that is not the book's.
-    fn shape_is(&self, scene: &Scene, slips: &[&Slip]) -> String {
-        let said =
-            |slip: &&Slip| format!("{} ({})", slip.name, self.known.words(slip, scene).wrong);
+    fn shape_is(&self, task: &Task, slips: &[&Slip]) -> String {
+        let said = |slip: &&Slip| format!("{} ({})", slip.name, self.known.words(slip, task).wrong);
         let look = match slips {
             [] => String::new(),
             slips => {
@@ -559,14 +558,14 @@ pub fn picture_is_right(chapter: Chapter) -> String {
 // 4. Words that stand in several sentences.
 
 /// Names a scene: `step 1 of normals`, `normals with the probe far`.
-fn named(scene: &Scene) -> String {
-    let step = scene
+fn named(task: &Task) -> String {
+    let step = task
         .step()
         .map_or(String::new(), |step| format!("step {} of ", step + 1));
-    let probe = scene
+    let probe = task
         .probe
         .map_or(String::new(), |it| format!(" with the probe {}", it.name));
-    format!("{step}{}{probe}", scene.chapter.name())
+    format!("{step}{}{probe}", task.chapter.name())
 }
 
 fn step_of(chapter: Chapter, step: usize) -> String {

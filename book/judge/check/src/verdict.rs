@@ -9,8 +9,8 @@ use crate::comparison::{Comparison, Difference};
 use crate::judge::{Explanation, Fit, explain};
 use crate::known::{Evidence, Known};
 use crate::reading::{self, Cause, Reading};
-use crate::scene::Scene;
 use crate::search::{Drawn, Repair};
+use crate::task::Task;
 use crate::telling;
 use crate::{candidates, causes, seen};
 
@@ -29,7 +29,7 @@ pub enum Check {
         /// Which one it is, and how to go on.
         cause: Cause,
         /// The scenes that it shows: several if their right pictures are the same.
-        scenes: Vec<Scene>,
+        tasks: Vec<Task>,
     },
     /// It is a picture of another shape than the scene's.
     WrongShape {
@@ -51,7 +51,7 @@ pub enum Check {
 #[derive(Clone, Debug)]
 pub struct Right {
     /// The scene, by the latest edition of the book that draws this picture.
-    pub scene: Scene,
+    pub task: Task,
     /// All editions that do.
     pub editions: Vec<Edition>,
     /// Pixels in a row.
@@ -72,7 +72,7 @@ pub struct Right {
 #[derive(Debug)]
 pub struct Finding {
     /// The scene that it shows, by the edition that explains most.
-    pub scene: Scene,
+    pub task: Task,
     /// All editions that explain as much.
     pub editions: Vec<Edition>,
     /// The right picture of that scene in the same size.
@@ -102,7 +102,7 @@ pub struct Finding {
 #[derive(Clone, Debug)]
 pub struct Near {
     /// The scene.
-    pub scene: Scene,
+    pub task: Task,
     /// The pixels that are not explained.
     pub left: Left,
 }
@@ -111,7 +111,7 @@ pub struct Near {
 #[derive(Clone, Debug)]
 pub struct Mistakes {
     /// The scene that they were made in.
-    pub scene: Scene,
+    pub task: Task,
     /// One slip each, or two that were made together; those that more people
     /// reported come first.
     pub all: Vec<Vec<&'static Slip>>,
@@ -127,14 +127,14 @@ pub struct Mistakes {
 
 /// Compares the picture in `bytes` with the scene's, by each edition of the book that
 /// will do, and accepts components that are at most `tolerance` levels off.
-pub fn check(scene: &Scene, bytes: &[u8], tolerance: u8) -> Check {
-    check_knowing(scene, bytes, tolerance, &Known::default())
+pub fn check(task: &Task, bytes: &[u8], tolerance: u8) -> Check {
+    check_knowing(task, bytes, tolerance, &Known::default())
 }
 
 /// Judges a picture beside all that is known of its program.
-pub fn check_knowing(scene: &Scene, bytes: &[u8], tolerance: u8, known: &Known) -> Check {
+pub fn check_knowing(task: &Task, bytes: &[u8], tolerance: u8, known: &Known) -> Check {
     match reading::read(bytes) {
-        Ok(reading) => judge(scene, &reading, tolerance, known),
+        Ok(reading) => judge(task, &reading, tolerance, known),
         Err(cause) => Check::NotAPicture {
             cause,
             finding: None,
@@ -143,19 +143,19 @@ pub fn check_knowing(scene: &Scene, bytes: &[u8], tolerance: u8, known: &Known) 
 }
 
 /// Judges a picture that was read.
-pub fn judge(scene: &Scene, reading: &Reading, tolerance: u8, known: &Known) -> Check {
-    let newest = scene.only_by(Edition::V4);
-    let scene = if known.follows_version_4() {
+pub fn judge(task: &Task, reading: &Reading, tolerance: u8, known: &Known) -> Check {
+    let newest = task.only_by(Edition::V4);
+    let task = if known.follows_version_4() {
         &newest
     } else {
-        scene
+        task
     };
     let (width, height) = (reading.width, reading.height);
-    let another_width = causes::not_as_wide(scene, reading);
+    let another_width = causes::not_as_wide(task, reading);
     let may_be_right = another_width.is_none();
-    let shape = another_width.or_else(|| causes::wrong_shape(scene, width, height));
+    let shape = another_width.or_else(|| causes::wrong_shape(task, width, height));
     if let Some(cause) = causes::no_levels(reading) {
-        let finding = match Finding::of(scene, reading, known) {
+        let finding = match Finding::of(task, reading, known) {
             Answer::Of(finding) => Some(finding),
             Answer::Another(_) => None,
         };
@@ -163,21 +163,21 @@ pub fn judge(scene: &Scene, reading: &Reading, tolerance: u8, known: &Known) -> 
     }
     if may_be_right
         && (shape.is_none() || causes::is_a_shape_to_choose(width, height))
-        && let Some(right) = Right::of(scene, reading, tolerance)
+        && let Some(right) = Right::of(task, reading, tolerance)
     {
-        return of_right(scene, reading, known, right, shape.is_some());
+        return of_right(task, reading, known, right, shape.is_some());
     }
     let size = u64::from(width) * u64::from(height);
-    let has_own_shape = scene.without_probe().height(width) == height;
+    let has_own_shape = task.without_probe().height(width) == height;
     match shape {
         Some(cause) if size > causes::MOST_MISSHAPEN && !has_own_shape => Check::WrongShape {
             cause,
             finding: None,
         },
-        shape => match (Finding::of(scene, reading, known), shape) {
-            (Answer::Another(scenes), _) => Check::Another {
-                cause: causes::another(scene, &scenes, known.letters),
-                scenes,
+        shape => match (Finding::of(task, reading, known), shape) {
+            (Answer::Another(tasks), _) => Check::Another {
+                cause: causes::another(task, &tasks, known.letters),
+                tasks,
             },
             // In a shape that nobody chooses, a right picture is none.
             (Answer::Of(finding), None) if finding.near.is_some() => Check::Near(*finding),
@@ -198,37 +198,37 @@ pub fn judge(scene: &Scene, reading: &Reading, tolerance: u8, known: &Known) -> 
 /// Judges a picture whose scene was guessed: as one of another scene, if it shows that. Returns
 /// the scene, too.
 pub fn judge_guessed(
-    scene: &Scene,
+    task: &Task,
     reading: &Reading,
     tolerance: u8,
     known: &Known,
-) -> (Scene, Check) {
-    let check = judge(scene, reading, tolerance, known);
-    let Check::Another { scenes, .. } = &check else {
-        return (*scene, check);
+) -> (Task, Check) {
+    let check = judge(task, reading, tolerance, known);
+    let Check::Another { tasks, .. } = &check else {
+        return (*task, check);
     };
-    let other = scene.of_chapter(scenes[0].chapter);
-    let probed = scenes[0].probe.and_then(|probe| other.with_probe(probe));
+    let other = task.of_chapter(tasks[0].chapter);
+    let probed = tasks[0].probe.and_then(|probe| other.with_probe(probe));
     let other = probed.unwrap_or(other);
     (other, judge(&other, reading, tolerance, known))
 }
 
 /// A right picture, unless the reader's functions answer as with a mistake that it hides.
 fn of_right(
-    scene: &Scene,
+    task: &Task,
     reading: &Reading,
     known: &Known,
     right: Right,
     has_another_shape: bool,
 ) -> Check {
-    if !known.is_answered_by(&right.scene.program(&[]))
-        && let Answer::Of(finding) = Finding::of(scene, reading, known)
+    if !known.is_answered_by(&right.task.program(&[]))
+        && let Answer::Of(finding) = Finding::of(task, reading, known)
         && (finding.mistakes.is_some() || finding.repair.is_some())
     {
         return Check::Wrong(*finding);
     }
     let shape_given_by = if has_another_shape {
-        causes::slips_giving(scene, right.width, right.height)
+        causes::slips_giving(task, right.width, right.height)
     } else {
         Vec::new()
     };
@@ -241,26 +241,26 @@ fn of_right(
 /// What an explanation says.
 enum Answer {
     /// It is a picture of these scenes.
-    Another(Vec<Scene>),
+    Another(Vec<Task>),
     /// It is a picture of the scene, or of nothing that is known.
     Of(Box<Finding>),
 }
 
 impl Finding {
     /// Returns what explains the picture.
-    fn of(scene: &Scene, reading: &Reading, known: &Known) -> Answer {
-        let evidence = Evidence::new(scene, reading, known);
+    fn of(task: &Task, reading: &Reading, known: &Known) -> Answer {
+        let evidence = Evidence::new(task, reading, known);
         let finding = match explain(&evidence) {
-            Explanation::Another(scenes) => return Answer::Another(scenes),
+            Explanation::Another(tasks) => return Answer::Another(tasks),
             // The width that a probe is about was forgotten.
             Explanation::Near(fit)
-                if fit.left.is_nothing() && evidence.scene.probe != scene.probe =>
+                if fit.left.is_nothing() && evidence.task.probe != task.probe =>
             {
-                return Answer::Another(vec![evidence.scene]);
+                return Answer::Another(vec![evidence.task]);
             }
             Explanation::Near(fit) => {
                 let near = Near {
-                    scene: fit.candidates[0].scene,
+                    task: fit.candidates[0].task,
                     left: fit.left,
                 };
                 Self {
@@ -285,20 +285,20 @@ impl Finding {
         let (sources, known) = (&evidence.known.sources, evidence.known);
         let is_exact = |it: &Self| it.near.as_ref().is_some_and(Near::is_exact);
         let step = evidence.repair().and_then(|it| it.step);
-        if self.scene.step() != step
+        if self.task.step() != step
             && (sources.is_written() || !is_exact(&self))
             && evidence.repair().is_some_and(Repair::is_of_lines)
         {
             // A line is wrong in what is written: in all of the chapter, or as far as a step.
             let rights = candidates::rights(evidence);
-            let right = rights.iter().find(|it| it.scene.step() == step);
+            let right = rights.iter().find(|it| it.task.step() == step);
             self = Self::beside(evidence, right.unwrap_or(&rights[0]));
         }
-        if self.scene.step() != step || is_exact(&self) && self.is_answered {
+        if self.task.step() != step || is_exact(&self) && self.is_answered {
             return self;
         }
         // A slip's line in another language is said in that.
-        let is_found = |slip: &&Slip| known.line_of(slip, &self.scene).is_some();
+        let is_found = |slip: &&Slip| known.line_of(slip, &self.task).is_some();
         if sources.in_rust().is_empty() && self.single().iter().any(is_found) {
             return self;
         }
@@ -307,8 +307,8 @@ impl Finding {
         };
         self.near = None;
         if let Some(mistakes) = &mut self.mistakes {
-            let scene = mistakes.scene;
-            let is_mended = |slip: &&'static Slip| known.is_mended(slip, &scene, &repair);
+            let task = mistakes.task;
+            let is_mended = |slip: &&'static Slip| known.is_mended(slip, &task, &repair);
             mistakes.all.retain(|slips| slips.iter().all(is_mended));
         }
         self.mistakes = self.mistakes.filter(|it| it.all.len() == 1);
@@ -318,17 +318,17 @@ impl Finding {
 
     /// Returns a finding with what every explanation shares.
     fn beside(evidence: &Evidence, by: &Candidate) -> Self {
-        let (reading, scene) = (evidence.reading, by.scene);
-        let right = scene.right(reading.width, reading.height);
+        let (reading, task) = (evidence.reading, by.task);
+        let right = task.right(reading.width, reading.height);
         let yours = reading.picture();
         let difference = match Comparison::of(&right, &yours) {
             Comparison::Pixels(difference) => Some(difference),
             _ => None,
         };
-        let program = by.scene.unchanged().program(&by.slips);
+        let program = by.task.unchanged().program(&by.slips);
         Self {
-            scene,
-            editions: vec![scene.edition],
+            task,
+            editions: vec![task.edition],
             right,
             yours,
             difference,
@@ -345,13 +345,13 @@ impl Finding {
     /// Returns what can be seen, where no program that is known draws it.
     fn unknown(evidence: &Evidence, right: &Candidate) -> Self {
         let finding = Self::beside(evidence, right);
-        let (sights, first) = seen::seen(&finding.scene, evidence.reading, &finding.right);
+        let (sights, first) = seen::seen(&finding.task, evidence.reading, &finding.right);
         Self {
             sights,
             first,
             drawn: match evidence.repair() {
                 Some(_) => Drawn::default(),
-                None => evidence.drawn(&right.scene).clone(),
+                None => evidence.drawn(&right.task).clone(),
             },
             ..finding
         }
@@ -373,8 +373,8 @@ impl Finding {
     /// Returns true if the reader's picture shows the sky of the scene and no sphere.
     pub(crate) fn shows_only_sky(&self) -> bool {
         let (width, height) = (self.yours.width(), self.yours.height());
-        self.scene.chapter.sphere_count() != SphereCount::None
-            && self.yours == self.scene.of_sky(width, height)
+        self.task.chapter.sphere_count() != SphereCount::None
+            && self.yours == self.task.of_sky(width, height)
     }
 
     /// The farthest that a component is off, in levels.
@@ -395,19 +395,19 @@ impl Fit {
     /// The editions in which the same leaves the same.
     fn editions(&self, reading: &Reading) -> Vec<Edition> {
         let it = &self.candidates[0];
-        let own = it.scene.edition;
+        let own = it.task.edition;
         if own == Edition::V4 {
             return vec![own];
         }
-        let scenes = it.scene.by_editions(reading.width, reading.height);
-        let is_same = |scene: &Scene| {
+        let tasks = it.task.by_editions(reading.width, reading.height);
+        let is_same = |task: &Task| {
             let candidate = Candidate {
-                scene: *scene,
+                task: *task,
                 ..it.clone()
             };
             candidate.left(reading, self.left.off) == Some(self.left)
         };
-        let same = scenes.filter(is_same).map(|scene| scene.edition);
+        let same = tasks.filter(is_same).map(|task| task.edition);
         let others = same.filter(|edition| *edition != own);
         [own].into_iter().chain(others).collect()
     }
@@ -419,8 +419,8 @@ impl Mistakes {
         let all: Vec<Vec<&'static Slip>> =
             fit.candidates.iter().map(|it| it.slips.clone()).collect();
         Self {
-            scene: first.scene,
-            telling: telling::apart(&first.scene, &all),
+            task: first.task,
+            telling: telling::apart(&first.task, &all),
             all,
             conversion: first.conversion,
             is_in_text: fit.is_in_text,
@@ -448,24 +448,24 @@ impl Right {
 
     /// The first edition that draws the picture to the last bit, or else the first that
     /// draws it within the tolerance.
-    fn of(scene: &Scene, reading: &Reading, tolerance: u8) -> Option<Self> {
+    fn of(task: &Task, reading: &Reading, tolerance: u8) -> Option<Self> {
         let (width, height) = (reading.width, reading.height);
         let within = |tolerance| {
-            let scenes = scene.by_editions(width, height);
-            let off = |scene: Scene| {
-                let is_near = scene.may_be_shown_by(reading, tolerance);
-                let right = is_near.then(|| scene.right(width, height))?;
+            let tasks = task.by_editions(width, height);
+            let off = |task: Task| {
+                let is_near = task.may_be_shown_by(reading, tolerance);
+                let right = is_near.then(|| task.right(width, height))?;
                 let (off, levels) = match Comparison::of(&right, &reading.picture()) {
                     Comparison::Pixels(difference) => (difference.count, difference.levels),
                     _ => (0, 0),
                 };
-                (levels <= tolerance).then_some((scene, off, levels))
+                (levels <= tolerance).then_some((task, off, levels))
             };
-            let near: Vec<_> = scenes.filter_map(off).collect();
-            let &(scene, off, levels) = near.first()?;
+            let near: Vec<_> = tasks.filter_map(off).collect();
+            let &(task, off, levels) = near.first()?;
             Some(Self {
-                scene,
-                editions: near.iter().map(|(scene, ..)| scene.edition).collect(),
+                task,
+                editions: near.iter().map(|(task, ..)| task.edition).collect(),
                 width,
                 height,
                 off,

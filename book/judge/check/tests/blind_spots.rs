@@ -3,7 +3,7 @@
 
 use check::blind_spots;
 use check::png;
-use check::scene::Scene;
+use check::task::Task;
 use check::verdict::{Check, check};
 use slips::Chapter;
 use slips::{self, PROBES, Probe, Slip, Unseen};
@@ -14,7 +14,7 @@ const WIDTH: u32 = 227;
 #[test]
 fn those_slips_are_hidden_that_draw_the_right_picture() {
     for chapter in Chapter::OF_THE_BOOK {
-        let own = scene(chapter, None);
+        let own = task(chapter, None);
         let right = chapter.picture(WIDTH);
         let hidden = own.slips().filter(|slip| {
             let equivalent = matches!(slip.unseen_in(chapter), Some(Unseen::Equivalent(_)));
@@ -33,19 +33,19 @@ fn those_slips_are_hidden_that_draw_the_right_picture() {
 #[test]
 fn the_next_picture_shows_what_it_is_said_to_show() {
     for chapter in [Chapter::Gradient, Chapter::Normals] {
-        let own = scene(chapter, None);
+        let own = task(chapter, None);
         let mut hidden = blind_spots::hidden(&own, 400);
         let mut next = blind_spots::next(&own, 400, |_| true);
         let mut drawn = 0;
         while let Some(it) = next {
-            let draw = |slips: &[&Slip]| it.scene.program(slips).run(it.width).picture();
+            let draw = |slips: &[&Slip]| it.task.program(slips).run(it.width).picture();
             for slip in &it.slips {
                 assert!(draw(&[slip]) != draw(&[]), "{chapter:?}: {}", slip.name);
             }
             hidden.retain(|slip| it.slips.iter().all(|shown| shown.name != slip.name));
             drawn += 1;
             assert!(drawn <= PROBES.len(), "{chapter:?} goes round in a circle");
-            next = blind_spots::next(&it.scene, it.width, |_| true);
+            next = blind_spots::next(&it.task, it.width, |_| true);
         }
         let is_unseen = |slip: &&Slip| slip.unseen_in(chapter).is_some();
         assert!(hidden.iter().all(is_unseen), "{chapter:?}: {hidden:?}");
@@ -54,17 +54,17 @@ fn the_next_picture_shows_what_it_is_said_to_show() {
 
 #[test]
 fn a_picture_that_is_too_small_is_to_be_drawn_as_large_as_in_the_book() {
-    let own = scene(Chapter::Gradient, None);
+    let own = task(Chapter::Gradient, None);
     let next = blind_spots::next(&own, 60, |_| true).expect("a picture");
-    assert_eq!((next.scene.probe, next.width), (None, 400));
+    assert_eq!((next.task.probe, next.width), (None, 400));
 }
 
 /// The other changes show mistakes of chapters before, or take more to type.
 #[test]
 fn chapter_5_begins_with_the_probe_that_shows_the_first_hit_returned() {
-    let own = scene(Chapter::HittableList, None);
+    let own = task(Chapter::HittableList, None);
     let next = blind_spots::next(&own, 400, |_| true).expect("a picture");
-    assert_eq!(next.scene.probe, slips::find_probe("reversed"));
+    assert_eq!(next.task.probe, slips::find_probe("reversed"));
     assert!(next.slips.iter().any(|slip| slip.name == "first-hit-wins"));
 }
 
@@ -72,17 +72,17 @@ fn chapter_5_begins_with_the_probe_that_shows_the_first_hit_returned() {
 fn a_forgotten_change_is_recognized() {
     const WIDTH: u32 = 57;
     for (chapter, probe) in probes() {
-        let wanted = scene(chapter, Some(probe));
+        let wanted = task(chapter, Some(probe));
         let own = chapter.picture(WIDTH);
         if probe.spheres.is_some() && own == wanted.right(WIDTH, own.height()) {
             continue;
         }
         let check = check(&wanted, &png::encode(&own), 0);
         assert_eq!(check.exit_code(), 1);
-        let Check::Another { cause, scenes } = check else {
+        let Check::Another { cause, tasks } = check else {
             panic!("{} in {chapter:?}: {check:?}", probe.name);
         };
-        assert_eq!(scenes[0].probe, None);
+        assert_eq!(tasks[0].probe, None);
         let lines = probe.lines(chapter, None).replace('\n', "; ");
         assert!(cause.fix.contains(&lines), "{cause}");
     }
@@ -92,9 +92,9 @@ fn a_forgotten_change_is_recognized() {
 fn probes() -> impl Iterator<Item = (Chapter, Probe)> {
     let all = Chapter::OF_THE_BOOK.into_iter();
     all.flat_map(|chapter| PROBES.map(|probe| (chapter, probe)))
-        .filter(|&(chapter, probe)| Scene::new(chapter, Some(probe)).is_some())
+        .filter(|&(chapter, probe)| Task::new(chapter, Some(probe)).is_some())
 }
 
-fn scene(chapter: Chapter, probe: Option<Probe>) -> Scene {
-    Scene::new(chapter, probe).expect("the chapter has room for it")
+fn task(chapter: Chapter, probe: Option<Probe>) -> Task {
+    Task::new(chapter, probe).expect("the chapter has room for it")
 }

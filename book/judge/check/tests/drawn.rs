@@ -4,8 +4,8 @@
 use check::answer::{Kind, Row};
 use check::known::Known;
 use check::reading::Reading;
-use check::scene::Scene;
 use check::sources::Sources;
+use check::task::Task;
 use check::verdict::judge;
 use slips::{Chapter, Edit, Letters, Program};
 
@@ -115,7 +115,7 @@ fn rows(chapter: Chapter, reading: &Reading, sources: Sources) -> Vec<Row> {
         sources,
         ..Known::default()
     };
-    let scene = Scene::new(chapter, None).expect("without a probe it is a scene");
-    let check = judge(&scene, reading, 0, &known);
+    let task = Task::new(chapter, None).expect("every chapter can be drawn without a probe");
+    let check = judge(&task, reading, 0, &known);
     check.finding().map_or(Vec::new(), |it| it.rows(&known))
 }

@@ -3,8 +3,8 @@
 use check::answer::{Kind, Row};
 use check::known::Known;
 use check::png;
-use check::scene::Scene;
 use check::sources::Sources;
+use check::task::Task;
 use check::verdict::{Check, check_knowing};
 use common::rtweekend::*;
 use slips::{Chapter, Edit, Edition, Letters, Program};
@@ -83,24 +83,24 @@ fn a_readers_line_of_the_camera_is_named() {
 
 /// Returns true if the changed line of the program is named, and nothing beside the right one.
 fn is_named_alone(picture: &[u8], right: &str, wrong: &str) {
-    let scene = scene(Chapter::HalfBSphere);
+    let task = task(Chapter::HalfBSphere);
     assert!(PROGRAM.contains(right), "{right}");
-    let rows = rows(&scene, picture, &in_python(&PROGRAM.replace(right, wrong)));
+    let rows = rows(&task, picture, &in_python(&PROGRAM.replace(right, wrong)));
     let yours: Vec<&Row> = rows.iter().filter(|it| it.kind == Kind::Yours).collect();
     let is_it = matches!(yours[..], [it] if it.text.contains(wrong));
     assert!(is_it, "{wrong}: {rows:?}");
-    let rows = self::rows(&scene, picture, &in_python(PROGRAM));
+    let rows = self::rows(&task, picture, &in_python(PROGRAM));
     assert!(rows.iter().all(|it| it.kind != Kind::Yours), "{rows:?}");
 }
 
 /// Only sky is drawn by dozens of mistakes: of these none is named whose right line is there.
 #[test]
 fn what_a_readers_line_refutes_is_not_named() {
-    let scene = scene(Chapter::HalfBSphere);
+    let task = task(Chapter::HalfBSphere);
     let miss = [Edit::new("discriminant < 0.0", "true")];
-    let sky = scene.program(&[]).with(&miss).expect("it stands there");
+    let sky = task.program(&[]).with(&miss).expect("it stands there");
     let picture = png::encode(&sky.run(100).picture());
-    for Row { kind, text } in rows(&scene, &picture, &in_python(PROGRAM)) {
+    for Row { kind, text } in rows(&task, &picture, &in_python(PROGRAM)) {
         let innocent = ["discriminant", "oc =", "a =", "h =", "c =", "viewport"];
         let is_innocent = innocent.iter().any(|it| text.starts_with(it));
         assert!(kind == Kind::Seen || !is_innocent, "{kind:?} {text}");
@@ -127,7 +127,7 @@ int main() {
 /// It draws the very picture, and whether the reader's line is it nobody knows.
 #[test]
 fn a_mistake_is_only_a_perhaps_beside_a_text_that_does_not_have_its_line() {
-    let scene = scene(Chapter::HittableList);
+    let task = task(Chapter::HittableList);
     for name in [
         "h-sign",
         "integer-viewport-ratio",
@@ -136,8 +136,8 @@ fn a_mistake_is_only_a_perhaps_beside_a_text_that_does_not_have_its_line() {
         "faces-swapped",
     ] {
         let slip = slips::find(name).expect("a slip");
-        let picture = png::encode(&scene.program(&[slip]).run(100).picture());
-        let rows = rows(&scene, &picture, &in_cpp(LIST));
+        let picture = png::encode(&task.program(&[slip]).run(100).picture());
+        let rows = rows(&task, &picture, &in_cpp(LIST));
         let is_named = |it: &Row| [Kind::Probably, Kind::Yours].contains(&it.kind);
         assert!(!rows.iter().any(is_named), "{name}: {rows:?}");
         assert_eq!(rows[0].kind, Kind::Perhaps, "{name}: {rows:?}");
@@ -147,13 +147,13 @@ fn a_mistake_is_only_a_perhaps_beside_a_text_that_does_not_have_its_line() {
 /// A ball of radius 0 is not seen.
 #[test]
 fn whole_numbers_are_divided_as_cpp_does() {
-    let scene = scene(Chapter::HittableList);
+    let task = task(Chapter::HittableList);
     let no_ball = [Edit::new("-1.0), 0.5)", "-1.0), 0.0)")];
-    let ground = scene.program(&[]).with(&no_ball).expect("it stands there");
+    let ground = task.program(&[]).with(&no_ball).expect("it stands there");
     let picture = png::encode(&ground.run(100).picture());
     let line = "world.add(make_shared<sphere>(point3{0,0,-1}, 1 / 2));";
     let text = LIST.replace("world.add(make_shared<sphere>(point3(0,0,-1), 0.5));", line);
-    let rows = rows(&scene, &picture, &in_cpp(&text));
+    let rows = rows(&task, &picture, &in_cpp(&text));
     let yours = rows.iter().find(|it| it.kind == Kind::Yours);
     let is_it = yours.is_some_and(|it| it.text == format!("main.cpp:10  {line}"));
     assert!(is_it, "{rows:?}");
@@ -169,13 +169,13 @@ fn a_right_program_gets_no_remark() {
     for text in [later, at_once, chosen] {
         let known = in_python(&(text.to_owned() + PROGRAM));
         let picture = png::encode(&Chapter::HalfBSphere.picture(100));
-        let check = check_knowing(&scene(Chapter::HalfBSphere), &picture, 0, &known);
+        let check = check_knowing(&task(Chapter::HalfBSphere), &picture, 0, &known);
         assert!(matches!(check, Check::Right(_)), "{text}");
     }
 }
 
-fn rows(scene: &Scene, picture: &[u8], known: &Known) -> Vec<Row> {
-    let check = check_knowing(scene, picture, 0, known);
+fn rows(task: &Task, picture: &[u8], known: &Known) -> Vec<Row> {
+    let check = check_knowing(task, picture, 0, known);
     check
         .finding()
         .map_or(Vec::new(), |finding| finding.rows(known))
@@ -198,6 +198,6 @@ fn in_cpp(text: &str) -> Known<'static> {
     }
 }
 
-fn scene(chapter: Chapter) -> Scene {
-    Scene::new(chapter, None).expect("without a probe it is a scene")
+fn task(chapter: Chapter) -> Task {
+    Task::new(chapter, None).expect("every chapter can be drawn without a probe")
 }

@@ -6,7 +6,7 @@ use check::answer::{Attempt, Commands};
 use check::known::Known;
 use check::names_of;
 use check::reading::Reading;
-use check::scene::Scene;
+use check::task::Task;
 use check::text::{MOST_LINES, Style, lines};
 use check::verdict::{Check, judge, judge_guessed};
 use check::{guess, png, verdict};
@@ -84,7 +84,7 @@ fn each_picture_has_its_answer() {
     let mut wrong = String::new();
     for (chapter, names, way, expected) in ANSWERS {
         let slips: Vec<&Slip> = names.split_whitespace().map(slip).collect();
-        let output = scene(chapter).program(&slips).run(WIDTH);
+        let output = task(chapter).program(&slips).run(WIDTH);
         let said = said(&answer(chapter, &way(&output.picture())));
         if said != expected {
             wrong += &format!("{chapter:?} {names}: {said}, and not {expected}\n");
@@ -155,13 +155,13 @@ fn unnamed_in(slip: &'static Slip, chapter: Chapter, width: u32, way: Way) -> St
 /// The answer as it is read in a terminal that is 80 characters wide.
 fn laid_out(chapter: Chapter, check: Check) -> Vec<String> {
     let attempt = Attempt {
-        scene: scene(chapter),
+        task: task(chapter),
         is_guessed: false,
         name: "picture.ppm".to_owned(),
         encoding: None,
         known: &Known::default(),
         laws: None,
-        commands: Commands::of_pictures(scene(chapter)),
+        commands: Commands::of_pictures(task(chapter)),
     };
     let style = Style { is_colored: false };
     lines(&attempt.answer(check), style, 80, MOST_LINES)
@@ -173,15 +173,15 @@ fn each_edition_is_right_and_known_by_its_picture_alone() {
         for edition in Edition::ALL {
             let picture = edition.program(chapter).run(WIDTH).picture();
             let reading = Reading::of(&picture);
-            let (scene, check) =
-                judge_guessed(&guess::scene(&reading), &reading, 0, &Known::default());
+            let (task, check) =
+                judge_guessed(&guess::task(&reading), &reading, 0, &Known::default());
             let Check::Right(right) = check else {
                 panic!("{chapter:?} by {edition:?}: {}", said(&check));
             };
             assert!(right.editions.contains(&edition), "{chapter:?}");
             // Chapters 3 and 4 draw the same.
-            let is_it = scene.chapter == chapter || chapter == Chapter::HalfBSphere;
-            assert!(is_it, "{chapter:?} is taken for {:?}", scene.chapter);
+            let is_it = task.chapter == chapter || chapter == Chapter::HalfBSphere;
+            assert!(is_it, "{chapter:?} is taken for {:?}", task.chapter);
         }
     }
 }
@@ -214,10 +214,10 @@ fn with(chapter: Chapter, edit: &Edit) -> Program {
 fn an_egg_is_not_right() {
     for edition in [Edition::V4, Edition::V3] {
         for (width, height) in [(160, 120), (160, 90)] {
-            let scene = scene(Chapter::RedSphere)
+            let task = task(Chapter::RedSphere)
                 .only_by(edition)
                 .fitting(width, height);
-            let egg = scene.program(&[slip("viewport-width-four")]);
+            let egg = task.program(&[slip("viewport-width-four")]);
             let picture = egg.run(width).picture();
             assert_eq!((picture.width(), picture.height()), (width, height));
             let said = said(&answer(Chapter::RedSphere, &picture));
@@ -258,7 +258,7 @@ fn numbers_that_are_no_levels_and_levels_that_wrap_name_their_mistake() {
         .program(Chapter::Normals)
         .run(WIDTH);
     let text = shifted.to_string();
-    let check = verdict::check(&scene(Chapter::Normals), text.as_bytes(), 0);
+    let check = verdict::check(&task(Chapter::Normals), text.as_bytes(), 0);
     assert!(matches!(check, Check::NotAPicture { .. }));
     assert_eq!(said(&check), "normal-only-shifted");
 
@@ -274,13 +274,13 @@ fn numbers_that_are_no_levels_and_levels_that_wrap_name_their_mistake() {
 #[test]
 fn a_probe_remembers_what_was_passed() {
     let inside = slips::find_probe("inside");
-    let scene = Scene::new(Chapter::HittableList, inside).expect("there is room");
+    let task = Task::new(Chapter::HittableList, inside).expect("there is room");
     for (name, expected) in [
         ("near-root-only", "near-root-only"),
         ("normal-only-shifted", "unknown: "),
     ] {
-        let drawn = scene.program(&[slip(name)]).run(128).picture();
-        let check = verdict::check(&scene, &png::encode(&drawn), 0);
+        let drawn = task.program(&[slip(name)]).run(128).picture();
+        let check = verdict::check(&task, &png::encode(&drawn), 0);
         assert!(
             said(&check).starts_with(expected),
             "{name}: {}",
@@ -300,10 +300,10 @@ fn no_shape_and_no_numbers_are_too_odd_for_an_answer() {
                 pixels: pixels.collect(),
                 encoding: None,
             };
-            let guessed = guess::scene(&reading);
+            let guessed = guess::task(&reading);
             judge_guessed(&guessed, &reading, 0, &Known::default());
             for chapter in Chapter::OF_THE_BOOK {
-                judge(&scene(chapter), &reading, 0, &Known::default());
+                judge(&task(chapter), &reading, 0, &Known::default());
             }
         }
     }
@@ -313,7 +313,7 @@ fn no_shape_and_no_numbers_are_too_odd_for_an_answer() {
 const WIDTH: u32 = 90;
 
 fn answer(chapter: Chapter, picture: &Picture) -> Check {
-    judge(&scene(chapter), &Reading::of(picture), 0, &Known::default())
+    judge(&task(chapter), &Reading::of(picture), 0, &Known::default())
 }
 
 /// Returns what is said, in short.
@@ -338,8 +338,8 @@ fn said(check: &Check) -> String {
     names.join("; ") + &left
 }
 
-fn scene(chapter: Chapter) -> Scene {
-    Scene::new(chapter, None).expect("without a probe it is a scene")
+fn task(chapter: Chapter) -> Task {
+    Task::new(chapter, None).expect("every chapter can be drawn without a probe")
 }
 
 fn slip(name: &str) -> &'static Slip {

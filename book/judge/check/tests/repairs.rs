@@ -7,8 +7,8 @@ use std::thread;
 use check::answer::{Kind, Row};
 use check::known::Known;
 use check::reading::Reading;
-use check::scene::Scene;
 use check::sources::Sources;
+use check::task::Task;
 use check::verdict::{Check, judge};
 use slips::{Chapter, Letters, Program, steps};
 
@@ -292,8 +292,8 @@ fn said(chapter: Chapter, files: &[(String, String)], is_wrong: bool) -> Vec<Row
         steps: vec![false; steps::of(chapter).len()],
         ..Known::default()
     };
-    let scene = Scene::new(chapter, None).expect("without a probe it is a scene");
-    let check = judge(&scene, &Reading::of(&picture), 0, &known);
+    let task = Task::new(chapter, None).expect("every chapter can be drawn without a probe");
+    let check = judge(&task, &Reading::of(&picture), 0, &known);
     match &check {
         Check::Right(_) => vec![Row::new(Kind::Laws, "right")],
         _ => check.finding().map_or(Vec::new(), |it| it.rows(&known)),

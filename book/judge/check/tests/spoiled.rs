@@ -6,7 +6,7 @@ use check::answer::{Attempt, Commands};
 use check::known::Known;
 use check::png;
 use check::reading::{MOST_PIXELS, read};
-use check::scene::Scene;
+use check::task::Task;
 use check::text::{MOST_LINES, Style, lines};
 use check::verdict::{Check, check};
 use proptest::prelude::*;
@@ -19,34 +19,34 @@ proptest! {
 
     #[test]
     fn no_picture_does_any_harm(
-        (scene, mut bytes) in scenes().prop_flat_map(|scene| (Just(scene), pictures(scene))),
+        (task, mut bytes) in tasks().prop_flat_map(|task| (Just(task), pictures(task))),
         damages in collection::vec((any::<Index>(), 0..9_usize, damages()), 0..5),
     ) {
         for (at, length, damage) in damages {
             damage.put_to(&mut bytes, at, length);
         }
-        let answer = check(&scene, &bytes, 0);
-        assert_sane(scene, &bytes, answer);
+        let answer = check(&task, &bytes, 0);
+        assert_sane(task, &bytes, answer);
     }
 }
 
-fn scenes() -> impl Strategy<Value = Scene> {
+fn tasks() -> impl Strategy<Value = Task> {
     let chapters = select(&Chapter::OF_THE_BOOK[..]);
     let probes = option::weighted(0.25, select(&PROBES[..]));
     (chapters, probes).prop_filter_map("room for the probe", |(chapter, probe)| {
-        Scene::new(chapter, probe)
+        Task::new(chapter, probe)
     })
 }
 
 /// A small picture as text or PNG: the right one, one in any shape, or one that a known
 /// mistake draws.
-fn pictures(scene: Scene) -> impl Strategy<Value = Vec<u8>> {
+fn pictures(task: Task) -> impl Strategy<Value = Vec<u8>> {
     const SHAPES: [(u32, u32); 6] = [(1, 1), (1, 200), (200, 1), (2, 97), (97, 2), (16, 16)];
     let shapes = select(&SHAPES[..]);
-    let shaped = shapes.prop_map(move |(width, height)| png::encode(&scene.right(width, height)));
-    let slips = option::weighted(0.7, select(scene.slips().collect::<Vec<_>>()));
+    let shaped = shapes.prop_map(move |(width, height)| png::encode(&task.right(width, height)));
+    let slips = option::weighted(0.7, select(task.slips().collect::<Vec<_>>()));
     let drawn = (slips, 1..21_u32, any::<bool>()).prop_map(move |(slip, width, is_text)| {
-        let output = scene.program(slip.as_slice()).run(width);
+        let output = task.program(slip.as_slice()).run(width);
         let (width, height) = output.size();
         if is_text || width == 0 || height == 0 {
             return output.to_string().into_bytes();
@@ -112,7 +112,7 @@ impl Damage {
     }
 }
 
-fn assert_sane(scene: Scene, bytes: &[u8], answer: Check) {
+fn assert_sane(task: Task, bytes: &[u8], answer: Check) {
     match (&answer, read(bytes)) {
         (
             Check::NotAPicture {
@@ -122,7 +122,7 @@ fn assert_sane(scene: Scene, bytes: &[u8], answer: Check) {
             Err(why),
         ) => assert_eq!(*cause, why),
         (Check::Right(right), Ok(reading)) => {
-            assert!(reading.picture() == right.scene.right(right.width, right.height));
+            assert!(reading.picture() == right.task.right(right.width, right.height));
         }
         (_, Ok(reading)) => {
             let size = u64::from(reading.width) * u64::from(reading.height);
@@ -137,18 +137,18 @@ fn assert_sane(scene: Scene, bytes: &[u8], answer: Check) {
     if let Some(mistakes) = answer.finding().and_then(|it| it.mistakes.as_ref()) {
         assert!(mistakes.all.iter().all(|mistake| !mistake.is_empty()));
     }
-    assert_says_something(scene, answer);
+    assert_says_something(task, answer);
 }
 
-fn assert_says_something(scene: Scene, check: Check) {
+fn assert_says_something(task: Task, check: Check) {
     let attempt = Attempt {
-        scene,
+        task,
         is_guessed: false,
         name: "it".to_owned(),
         encoding: None,
         known: &Known::default(),
         laws: None,
-        commands: Commands::of_pictures(scene),
+        commands: Commands::of_pictures(task),
     };
     let answer = attempt.answer(check);
     assert_readable(&answer.headline.to_string());

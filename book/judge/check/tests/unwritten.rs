@@ -2,26 +2,27 @@
 
 use check::answer::{Answer, Attempt, Commands, Laws};
 use check::known::Known;
-use check::scene::Scene;
+use check::task::Task;
 use check::verdict::check_knowing;
 use slips::{Chapter, steps};
 
 fn answer(text: &str, laws: &Laws) -> Answer {
-    let scene = Scene::new(Chapter::Gradient, None).expect("it is a scene");
+    let task =
+        Task::new(Chapter::Gradient, None).expect("every chapter can be drawn without a probe");
     let known = Known {
         steps: vec![false; steps::of(Chapter::Gradient).len()],
         ..Known::default()
     };
     let attempt = Attempt {
-        scene,
+        task,
         is_guessed: false,
         name: String::new(),
         encoding: None,
         known: &known,
         laws: Some(laws),
-        commands: Commands::of_pictures(scene),
+        commands: Commands::of_pictures(task),
     };
-    attempt.answer(check_knowing(&scene, text.as_bytes(), 0, &known))
+    attempt.answer(check_knowing(&task, text.as_bytes(), 0, &known))
 }
 
 #[test]

@@ -11,8 +11,8 @@ use check::html::{Place, below, escaped, headline};
 use check::known::Known;
 use check::reading::{self, Cause, MOST_PIXELS, Reading};
 use check::report::difference_picture;
-use check::scene::Scene;
 use check::sentences;
+use check::task::Task;
 use check::verdict::{self, Check};
 use slips::{Chapter, Edition, PROBES, Probe, Slip};
 
@@ -46,7 +46,7 @@ pub struct Answered {
 struct Traced {
     reading: Reading,
     /// The scene by the edition that the picture is judged by.
-    scene: Scene,
+    task: Task,
     /// The mistake that draws the picture, if one is known.
     mistake: Option<Vec<&'static Slip>>,
 }
@@ -67,15 +67,15 @@ impl Question {
     }
 
     /// The scene that is asked for. A probe for which the chapter has no room is none.
-    fn scene(&self, reading: Option<&Reading>) -> Scene {
+    fn task(&self, reading: Option<&Reading>) -> Task {
         let plain = match (self.chapter, reading) {
-            (None, Some(reading)) => guess::scene(reading),
-            (chapter, _) => Scene::new(chapter.unwrap_or(Chapter::BuildTest), None)
-                .expect("without a probe it is a scene"),
+            (None, Some(reading)) => guess::task(reading),
+            (chapter, _) => Task::new(chapter.unwrap_or(Chapter::BuildTest), None)
+                .expect("every chapter can be drawn without a probe"),
         };
         let probed = self.probe.and_then(|probe| plain.with_probe(probe));
-        let scene = probed.unwrap_or(plain);
-        self.edition.map_or(scene, |edition| scene.only_by(edition))
+        let task = probed.unwrap_or(plain);
+        self.edition.map_or(task, |edition| task.only_by(edition))
     }
 }
 
@@ -126,9 +126,9 @@ pub fn decoded(question: Question, why: &[u8], size: (u32, u32), rgba: &[u8]) ->
 /// `foreign` says why only the browser can read the file.
 fn judged(question: Question, reading: Reading, foreign: Option<Cause>) -> Answered {
     let known = Known::default();
-    let wanted = question.scene(Some(&reading));
+    let wanted = question.task(Some(&reading));
     let is_guessed = question.chapter.is_none();
-    let (scene, check) = if is_guessed {
+    let (task, check) = if is_guessed {
         verdict::judge_guessed(&wanted, &reading, 0, &known)
     } else {
         (wanted, verdict::judge(&wanted, &reading, 0, &known))
@@ -143,27 +143,27 @@ fn judged(question: Question, reading: Reading, foreign: Option<Cause>) -> Answe
     {
         return refused(question, cause.clone());
     }
-    let facts = facts(&scene, &check, &reading);
+    let facts = facts(&task, &check, &reading);
     let mistakes = check.finding().and_then(|it| it.mistakes.as_ref());
     let mistake = mistakes.map(|it| it.all[0].clone());
     let judged_by = match &check {
-        Check::Right(right) => right.scene,
-        other => other.finding().map_or(scene, |finding| finding.scene),
+        Check::Right(right) => right.task,
+        other => other.finding().map_or(task, |finding| finding.task),
     };
     let attempt = Attempt {
-        scene,
+        task,
         is_guessed,
         name: question.name,
         encoding: reading.encoding.clone(),
         known: &known,
         laws: None,
-        commands: Commands::of_pictures(scene),
+        commands: Commands::of_pictures(task),
     };
     let answer = attempt.answer(check);
     Answered {
         text: laid_out(&facts, &answer) + &foreign.map_or(String::new(), |it| read_by_browser(&it)),
         traced: Some(Traced {
-            scene: judged_by.fitting(reading.width, reading.height),
+            task: judged_by.fitting(reading.width, reading.height),
             reading,
             mistake,
         }),
@@ -182,12 +182,12 @@ fn refused(question: Question, cause: Cause) -> Answered {
 
 /// The facts that the script asks for: chapter, probe, cause, the size with the first pixel that
 /// differs, and how many differ.
-fn facts(scene: &Scene, check: &Check, reading: &Reading) -> String {
+fn facts(task: &Task, check: &Check, reading: &Reading) -> String {
     let difference = check.finding().and_then(|it| it.difference.as_ref());
     let (column, row) = difference.map_or((0, 0), |it| it.first);
     let facts = [
-        scene.chapter.name(),
-        scene.probe.map_or("", |probe| probe.name),
+        task.chapter.name(),
+        task.probe.map_or("", |probe| probe.name),
         check.cause().map_or("", |cause| cause.name),
         &format!("{} {} {column} {row}", reading.width, reading.height),
         &difference.map_or(0, |it| it.count).to_string(),
@@ -240,7 +240,7 @@ impl Answered {
         let traced = iter::once(&[][..])
             .chain(it.mistake.as_deref())
             .map(|slips| {
-                it.scene
+                it.task
                     .program(slips)
                     .run(it.reading.width)
                     .traced(at as u32)

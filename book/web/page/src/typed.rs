@@ -9,9 +9,9 @@ use check::html::{self, Place};
 use check::known::Known;
 use check::names::companion;
 use check::reading::Reading;
-use check::scene::Scene;
 use check::sentences;
 use check::sources::Sources;
+use check::task::Task;
 use check::verdict;
 use common::rtweekend::*;
 use interpreter::{Fault, FaultKind};
@@ -159,7 +159,8 @@ impl Text {
     /// # Panics
     /// Never: without a probe each chapter is a scene.
     pub fn answer(&self, program: &interpreter::Program, picture: &Picture) -> Answer {
-        let scene = Scene::new(self.chapter, None).expect("without a probe it is a scene");
+        let task =
+            Task::new(self.chapter, None).expect("every chapter can be drawn without a probe");
         let asked = self.in_place_of_ours(program);
         let laws = laws_of(&asked);
         let answers = Answers::of(&asked, lawful::questions(self.chapter));
@@ -177,7 +178,7 @@ impl Text {
         };
         let name = self.chapter.name();
         let attempt = Attempt {
-            scene,
+            task,
             is_guessed: false,
             name: String::new(),
             encoding: None,
@@ -194,7 +195,7 @@ impl Text {
             },
         };
         let reading = Reading::of(picture);
-        attempt.answer(verdict::judge(&scene, &reading, 0, &known))
+        attempt.answer(verdict::judge(&task, &reading, 0, &known))
     }
 
     /// Returns what the compiler would refuse and was seen only when the laws asked.

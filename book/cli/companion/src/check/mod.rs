@@ -15,7 +15,7 @@ use check::known::Known;
 use check::names::{self, companion};
 use check::reading::{self, Reading};
 use check::report::Report;
-use check::scene::Scene;
+use check::task::Task;
 use check::verdict::{self, Check};
 use clap::Args;
 use clap::builder::TypedValueParser;
@@ -83,9 +83,7 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
     if let Some(folder) = &arguments.report {
         files::refuse_strangers(folder, REPORT)?;
     }
-    let scene = chapter
-        .map(|chapter| arguments.scene(chapter))
-        .transpose()?;
+    let task = chapter.map(|chapter| arguments.task(chapter)).transpose()?;
     // What a program is made of may lie beside it.
     let found = match source {
         Source::File(picture) => sources::beside(picture),
@@ -100,8 +98,8 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
         can_be_made: Some(&can_be_made),
         ..Known::default()
     };
-    let (attempt, check) = arguments.judged(scene, &source, &known)?;
-    let chapter = attempt.scene.chapter;
+    let (attempt, check) = arguments.judged(task, &source, &known)?;
+    let chapter = attempt.task.chapter;
     let code = check.exit_code();
     let why_none = found.why_none.filter(|_| check.finding().is_some());
     let answer = attempt.answer(check);
@@ -156,63 +154,63 @@ impl Arguments {
         }
     }
 
-    /// Judges the picture: by the `scene`, if a chapter is named.
+    /// Judges the picture: by the `task`, if a chapter is named.
     fn judged<'a>(
         &self,
-        scene: Option<Scene>,
+        task: Option<Task>,
         source: &Source,
         known: &'a Known<'a>,
     ) -> Result<(Attempt<'a>, Check), Box<dyn Error>> {
-        let (is_guessed, tolerance) = (scene.is_none(), self.tolerance);
+        let (is_guessed, tolerance) = (task.is_none(), self.tolerance);
         let bytes = source.read(self.timeout);
-        let (scene, check, encoding) = match (bytes.and_then(|it| reading::read(&it)), scene) {
-            (Ok(reading), Some(scene)) => {
-                let check = verdict::judge(&scene, &reading, tolerance, known);
-                (scene, check, reading.encoding)
+        let (task, check, encoding) = match (bytes.and_then(|it| reading::read(&it)), task) {
+            (Ok(reading), Some(task)) => {
+                let check = verdict::judge(&task, &reading, tolerance, known);
+                (task, check, reading.encoding)
             }
             (Ok(reading), None) => {
                 let guessed = self.guessed(&reading)?;
-                let (scene, check) = verdict::judge_guessed(&guessed, &reading, tolerance, known);
-                (scene, check, reading.encoding)
+                let (task, check) = verdict::judge_guessed(&guessed, &reading, tolerance, known);
+                (task, check, reading.encoding)
             }
-            (Err(cause), scene) => {
-                let scene = scene.map_or_else(|| self.scene(Chapter::BuildTest), Ok)?;
+            (Err(cause), task) => {
+                let task = task.map_or_else(|| self.task(Chapter::BuildTest), Ok)?;
                 let finding = None;
-                (scene, Check::NotAPicture { cause, finding }, None)
+                (task, Check::NotAPicture { cause, finding }, None)
             }
         };
         let attempt = Attempt {
-            scene,
+            task,
             is_guessed,
             name: source.to_string(),
             encoding,
             known,
             laws: None,
-            commands: Commands::of_pictures(scene),
+            commands: Commands::of_pictures(task),
         };
         Ok((attempt, check))
     }
 
-    fn scene(&self, chapter: Chapter) -> Result<Scene, Box<dyn Error>> {
-        let scene = Scene::new(chapter, self.probe).ok_or_else(|| {
+    fn task(&self, chapter: Chapter) -> Result<Task, Box<dyn Error>> {
+        let task = Task::new(chapter, self.probe).ok_or_else(|| {
             format!(
                 "this chapter has no place for the spheres of that probe; `{} probes CHAPTER` lists those it has",
                 companion()
             )
         })?;
         Ok(match self.edition {
-            Some(edition) => scene.only_by(edition),
-            None => scene,
+            Some(edition) => task.only_by(edition),
+            None => task,
         })
     }
 
     /// The scene that comes nearest, with the probe and the edition that are named.
-    fn guessed(&self, reading: &Reading) -> Result<Scene, Box<dyn Error>> {
-        let guessed = guess::scene(reading);
-        let scene = self.scene(guessed.chapter)?;
+    fn guessed(&self, reading: &Reading) -> Result<Task, Box<dyn Error>> {
+        let guessed = guess::task(reading);
+        let task = self.task(guessed.chapter)?;
         Ok(match (self.probe, guessed.probe) {
-            (None, Some(probe)) => scene.with_probe(probe).unwrap_or(scene),
-            _ => scene,
+            (None, Some(probe)) => task.with_probe(probe).unwrap_or(task),
+            _ => task,
         })
     }
 }

@@ -18,8 +18,8 @@ use check::answer::{Answer, Attempt, Commands, Kind, Laws, Row};
 use check::known::Known;
 use check::names::{companion, from_here};
 use check::reading::{Cause, read};
-use check::scene::Scene;
 use check::sentences::{self, printed, step_is_done};
+use check::task::Task;
 use check::verdict::check_knowing;
 use clap::Args;
 use common::engine::output;
@@ -116,7 +116,7 @@ const MOST_UNLIKE: usize = 60;
 
 /// What is watched and judged.
 struct Subject {
-    scene: Scene,
+    task: Task,
     /// The reader's program with its arguments, or none for the crate in `folder`.
     program: Vec<OsString>,
     folder: PathBuf,
@@ -130,7 +130,7 @@ struct Subject {
 impl Subject {
     fn of(arguments: &Arguments) -> Result<Self, Box<dyn Error>> {
         let chapter = arguments.chapter;
-        let scene = Scene::new(chapter, arguments.probe)
+        let task = Task::new(chapter, arguments.probe)
             .ok_or_else(|| misuse("this chapter has no place for the spheres of that probe"))?;
         let mine = Mine::find(arguments.in_folder.as_deref());
         let (folder, done) = if arguments.program.is_empty() {
@@ -153,7 +153,7 @@ impl Subject {
         }
         let (program, limit) = (arguments.program.clone(), arguments.timeout);
         Ok(Self {
-            scene,
+            task,
             program,
             folder,
             limit,
@@ -164,8 +164,8 @@ impl Subject {
     }
 
     fn title(&self) -> String {
-        let name = self.scene.chapter.name();
-        match self.scene.probe {
+        let name = self.task.chapter.name();
+        match self.task.probe {
             Some(probe) => format!("{name}, probe {}", probe.name),
             None => name.to_owned(),
         }
@@ -195,9 +195,9 @@ impl Subject {
         match (subprocess::printed(&words, end, self.limit), place) {
             (Ok(bytes), _) => self.of_picture(&bytes, built, &mut ask),
             (Err(_), Some(place)) => {
-                let asks = is_crate && self.scene.chapter != Chapter::RedSphere;
+                let asks = is_crate && self.task.chapter != Chapter::RedSphere;
                 let asked = if asks { ask()? } else { None };
-                Ok(not_written(self.scene.chapter, place, asked))
+                Ok(not_written(self.task.chapter, place, asked))
             }
             (Err(cause), None) => Ok(stopped(&cause, &errors)),
         }
@@ -210,13 +210,13 @@ impl Subject {
         }
         let test = build::laws(&self.folder, waits, is_old)?;
         self.misses_laws.set(test.is_none());
-        Ok(test.map(|test| laws::ask(&test, self.scene.chapter, &self.folder, self.limit)))
+        Ok(test.map(|test| laws::ask(&test, self.task.chapter, &self.folder, self.limit)))
     }
 
     /// Returns true if chapter 2 has only its sky yet: there is nothing to ask, and no reader waits
     /// for the laws.
     fn is_before_the_laws(&self, bytes: &[u8]) -> bool {
-        let chapter = self.scene.chapter;
+        let chapter = self.task.chapter;
         let is_sky = |picture: Picture| picture == Chapter::Gradient.picture(picture.width());
         chapter == Chapter::RedSphere
             && !self.done.has(&step_is_done(chapter, 1))
@@ -230,7 +230,7 @@ impl Subject {
         built: Option<Built>,
         ask: &mut dyn FnMut() -> Result<Option<Asked>, Stop>,
     ) -> Result<Answer, Stop> {
-        let chapter = self.scene.chapter;
+        let chapter = self.task.chapter;
         let is_crate = built.is_some();
         let (sources, letters) = if is_crate {
             let sources = sources::of_crate(&self.folder, chapter);
@@ -259,13 +259,13 @@ impl Subject {
             sources,
             answers: unlike.as_ref().map(|unlike| unlike as _),
             warnings,
-            steps: match self.scene.probe {
+            steps: match self.task.probe {
                 Some(_) => Vec::new(),
                 None => (1..=steps::of(chapter).len()).map(is_done).collect(),
             },
         };
         let attempt = Attempt {
-            scene: self.scene,
+            task: self.task,
             is_guessed: false,
             name: String::new(),
             encoding: None,
@@ -280,7 +280,7 @@ impl Subject {
                 test: "cargo test, in the folder of your crate, shows more",
             },
         };
-        let mut answer = attempt.answer(check_knowing(&self.scene, bytes, 0, &known));
+        let mut answer = attempt.answer(check_knowing(&self.task, bytes, 0, &known));
         if answer.is_right() && !is_crate && ASKED.contains(&chapter) {
             let (companion, name) = (companion(), chapter.name());
             let asks = format!(
@@ -293,7 +293,7 @@ impl Subject {
 
     /// The command that watches this, or a probe of it.
     fn watch(&self, probe: Option<Probe>) -> String {
-        let chapter = self.scene.chapter;
+        let chapter = self.task.chapter;
         let probe = probe.map_or(String::new(), |probe| format!(" --probe {}", probe.name));
         if self.program.is_empty() {
             self.mine.watch(chapter) + &probe

@@ -13,7 +13,7 @@ use slips::{Chapter, lawful};
 
 use crate::pixels::spread;
 use crate::reading::Reading;
-use crate::scene::Scene;
+use crate::task::Task;
 
 /// So many wrong and right pixels are looked at, the wrong ones first.
 pub(super) const LOOKED: u32 = 100;
@@ -87,8 +87,8 @@ impl Goal {
     }
 
     /// Adds what a reader's own loop over all pixels is to draw.
-    pub(super) fn looping(self, scene: &Scene) -> Self {
-        let small = scene.right(SMALL, scene.height(SMALL));
+    pub(super) fn looping(self, task: &Task) -> Self {
+        let small = task.right(SMALL, task.height(SMALL));
         Self {
             small: Some(small),
             ..self

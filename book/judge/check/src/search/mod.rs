@@ -23,8 +23,8 @@ use std::cmp::Reverse;
 use slips::Edition;
 
 use crate::reading::Reading;
-use crate::scene::Scene;
 use crate::sources::{Lines, Sources};
+use crate::task::Task;
 pub use everywhere::{FileEdit, edits_everywhere};
 use forwards::Forwards;
 pub(crate) use forwards::{Drawn, Mutant};
@@ -36,24 +36,24 @@ const LARGEST: usize = 500_000;
 
 /// Finds the single edits of the chapter that draw the picture, as far as the reader's files can
 /// have them.
-pub(crate) fn drawn(scene: &Scene, reading: &Reading, sources: &Sources) -> Drawn {
-    if scene.probe.is_some() || reading.pixels.len() > LARGEST {
+pub(crate) fn drawn(task: &Task, reading: &Reading, sources: &Sources) -> Drawn {
+    if task.probe.is_some() || reading.pixels.len() > LARGEST {
         return Drawn::default();
     }
-    searched(scene, reading, sources, |it| Some(it.mutants())).unwrap_or_default()
+    searched(task, reading, sources, |it| Some(it.mutants())).unwrap_or_default()
 }
 
 /// Searches forwards, from the edition to which the lines keep, or else from that of the scene.
 fn searched<T>(
-    scene: &Scene,
+    task: &Task,
     reading: &Reading,
     sources: &Sources,
     search: impl Fn(&Forwards) -> Option<T>,
 ) -> Option<T> {
     let programs = match sources.typed().is_empty() {
-        true => vec![scene.program(&[])],
+        true => vec![task.program(&[])],
         false => [Edition::V4, Edition::V3]
-            .map(|it| it.program(scene.chapter))
+            .map(|it| it.program(task.chapter))
             .to_vec(),
     };
     let functions: Vec<_> = programs

@@ -13,8 +13,8 @@ use super::goal::{self, Goal, program};
 use super::searched;
 use super::tree::squeezed;
 use crate::reading::Reading;
-use crate::scene::Scene;
 use crate::sources::{Line, Sources};
+use crate::task::Task;
 
 /// What makes a program right, tried.
 #[derive(Clone, Debug)]
@@ -59,8 +59,8 @@ impl Repair {
     }
 
     /// Finds the line in another language with which the chapter draws the picture.
-    fn transplanted(scene: &Scene, reading: &Reading, sources: &Sources) -> Option<Self> {
-        let found = searched(scene, reading, sources, |it| it.transplanted())?;
+    fn transplanted(task: &Task, reading: &Reading, sources: &Sources) -> Option<Self> {
+        let found = searched(task, reading, sources, |it| it.transplanted())?;
         let (yours, right) = (found.line, Right::Spelled(found.right));
         Some(Self {
             changes: vec![Change { yours, right }],
@@ -73,42 +73,42 @@ impl Repair {
     /// Finds what makes a program right that draws this picture of the scene, or of one of so many
     /// steps on the way to it.
     pub(crate) fn of(
-        scene: &Scene,
+        task: &Task,
         reading: &Reading,
         sources: &Sources,
         steps: usize,
     ) -> Option<Self> {
         let files = sources.in_rust();
-        if sources.is_empty() || files.is_empty() && scene.probe.is_some() {
+        if sources.is_empty() || files.is_empty() && task.probe.is_some() {
             return None;
         }
         if files.is_empty() {
-            return Self::transplanted(scene, reading, sources);
+            return Self::transplanted(task, reading, sources);
         }
         let (yours, loops) = drawing(&files, reading)?;
-        let chapter = slips::Program::right(scene.chapter);
+        let chapter = slips::Program::right(task.chapter);
         let chapter = chapter.interpreted();
         let (own, theirs) = (functions(&yours), functions(chapter));
-        let right = |scene: &Scene| scene.right(reading.width, scene.height(reading.width));
-        let goal_of = |scene: &Scene| {
-            let goal = Goal::new(scene.chapter, &right(scene), reading);
-            if loops { goal.looping(scene) } else { goal }
+        let right = |task: &Task| task.right(reading.width, task.height(reading.width));
+        let goal_of = |task: &Task| {
+            let goal = Goal::new(task.chapter, &right(task), reading);
+            if loops { goal.looping(task) } else { goal }
         };
         let swapped = || with_one_of_the_chapter(&yours, &own, &theirs);
         let on_the_way = (0..steps).find_map(|step| {
-            let scene = scene.at_step(step);
-            let goal = goal_of(&scene);
+            let task = task.at_step(step);
+            let goal = goal_of(&task);
             let there = swapped().filter(|it| goal.is_met_by(it));
-            let mut goals = there.map(|it| goal_of(&scene).asking(&it));
-            Some((scene, goals.find(|goal| !goal.is_met_by(&yours))?))
+            let mut goals = there.map(|it| goal_of(&task).asking(&it));
+            Some((task, goals.find(|goal| !goal.is_met_by(&yours))?))
         });
-        let (scene, goal) = match on_the_way {
+        let (task, goal) = match on_the_way {
             Some(found) => found,
             // Of another scene only the picture is known.
-            None if scene.probe.is_some() => (*scene, goal_of(scene)),
-            None => (*scene, goal_of(scene).asking(chapter)),
+            None if task.probe.is_some() => (*task, goal_of(task)),
+            None => (*task, goal_of(task).asking(chapter)),
         };
-        let is_hidden = right(&scene) == reading.picture();
+        let is_hidden = right(&task) == reading.picture();
         if is_hidden && goal.is_answered_by(&yours) {
             return None;
         }
@@ -126,7 +126,7 @@ impl Repair {
             changes: changes.collect(),
             files: with(&files, &texts),
             is_hidden,
-            step: scene.step(),
+            step: task.step(),
         })
     }
 }

@@ -14,8 +14,8 @@ use slips::SphereCount;
 use crate::answer::Row;
 use crate::pixels::distance;
 use crate::reading::Reading;
-use crate::scene::Scene;
 use crate::sentences::ONLY_SKY;
+use crate::task::Task;
 
 use view::View;
 
@@ -26,8 +26,8 @@ const EDGE: u16 = 16;
 
 /// Returns what can be seen, the most telling first, and the numbers of the first pixel that
 /// differs.
-pub(crate) fn seen(scene: &Scene, reading: &Reading, right: &Picture) -> (Vec<String>, Vec<Row>) {
-    let view = View::new(scene, reading, right);
+pub(crate) fn seen(task: &Task, reading: &Reading, right: &Picture) -> (Vec<String>, Vec<Row>) {
+    let view = View::new(task, reading, right);
     if view.wrong.is_empty() {
         return (Vec::new(), view.first_pixel());
     }
@@ -73,11 +73,11 @@ impl View<'_> {
     }
 
     fn only_sky(&self) -> Option<String> {
-        if self.scene.chapter.sphere_count() == SphereCount::None || self.scene.probe.is_some() {
+        if self.task.chapter.sphere_count() == SphereCount::None || self.task.probe.is_some() {
             return None;
         }
         let (width, height) = (self.reading.width, self.reading.height);
-        let sky = self.scene.of_sky(width, height);
+        let sky = self.task.of_sky(width, height);
         let (sky, _) = sky.rgb().as_chunks::<3>();
         let is_sky = |n: &u32| distance(sky[*n as usize].map(i16::from), self.found(*n)) <= 1;
         let is_all = self.places.iter().all(is_sky);
@@ -131,7 +131,7 @@ impl View<'_> {
         let (spheres, sky): (Vec<u32>, Vec<u32>) =
             self.wrong.iter().partition(|&&n| self.is_hit(n));
         let said = match (spheres.len(), sky.len()) {
-            _ if self.scene.chapter.sphere_count() == SphereCount::None => return None,
+            _ if self.task.chapter.sphere_count() == SphereCount::None => return None,
             (_, 0) => "Only where spheres should be is anything wrong by more than a level.",
             (0, _) => "Where spheres should be all is right; only beside them it is wrong.",
             _ => return None,

@@ -39,10 +39,10 @@ impl View<'_> {
     /// From where to where the one sphere reaches, if the sky around it is right.
     pub(super) fn disc(&self) -> Option<String> {
         let is_sphere_right = !self.wrong.iter().any(|n| self.is_hit(*n));
-        if self.scene.chapter.sphere_count() != SphereCount::One || is_sphere_right {
+        if self.task.chapter.sphere_count() != SphereCount::One || is_sphere_right {
             return None;
         }
-        let sky = self.scene.of_sky(self.reading.width, self.reading.height);
+        let sky = self.task.of_sky(self.reading.width, self.reading.height);
         let (sky, _) = sky.rgb().as_chunks::<3>();
         let is_disc = |pixel: &dyn Fn(u32) -> [i16; 3], n: u32| {
             distance(sky[n as usize].map(i16::from), pixel(n)) > SKY

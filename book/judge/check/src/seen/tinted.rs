@@ -21,7 +21,7 @@ impl View<'_> {
         }
         let (spheres, sky): (Vec<u32>, Vec<u32>) =
             self.places.iter().partition(|&&n| self.is_hit(n));
-        let background = match self.scene.chapter {
+        let background = match self.task.chapter {
             Chapter::BuildTest => "the picture",
             _ => "the sky",
         };

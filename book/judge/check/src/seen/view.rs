@@ -7,14 +7,14 @@ use slips::Output;
 
 use crate::pixels::{distance, spread};
 use crate::reading::Reading;
-use crate::scene::Scene;
+use crate::task::Task;
 
 /// How many pixels are looked at where all would be too many.
 const LOOK: u32 = 5000;
 
 /// A reader's picture beside the right one.
 pub(super) struct View<'a> {
-    pub(super) scene: &'a Scene,
+    pub(super) task: &'a Task,
     pub(super) reading: &'a Reading,
     pub(super) right: &'a Picture,
     /// Pixels to look at.
@@ -26,10 +26,10 @@ pub(super) struct View<'a> {
 }
 
 impl<'a> View<'a> {
-    pub(super) fn new(scene: &'a Scene, reading: &'a Reading, right: &'a Picture) -> Self {
+    pub(super) fn new(task: &'a Task, reading: &'a Reading, right: &'a Picture) -> Self {
         let places: Vec<u32> = spread(LOOK, reading.pixels.len() as u32).collect();
         let mut view = Self {
-            scene,
+            task,
             reading,
             right,
             places: Vec::new(),
@@ -57,7 +57,7 @@ impl View<'_> {
 
     /// The right program's output.
     pub(super) fn output(&self) -> Output {
-        let fitting = self.scene.fitting(self.reading.width, self.reading.height);
+        let fitting = self.task.fitting(self.reading.width, self.reading.height);
         fitting.program(&[]).run(self.reading.width)
     }
 

@@ -9,7 +9,7 @@ use std::fmt;
 use language::{Language, Role, Statement, Tree, canonical, functions, normal, statements};
 use slips::{Chapter, Edition, Slip};
 
-use crate::scene::Scene;
+use crate::task::Task;
 
 pub(crate) use lines::{Difference, Found, Lines, Transplant};
 
@@ -84,28 +84,28 @@ impl Sources {
     }
 
     /// Returns what they say of a slip in a scene, and the line that makes it, if that is found.
-    pub(crate) fn say(&self, slip: &Slip, scene: &Scene) -> (Said, Option<Found>) {
+    pub(crate) fn say(&self, slip: &Slip, task: &Task) -> (Said, Option<Found>) {
         if self.typed.is_empty() {
             return (Said::Neither, None);
         }
-        let scene = scene.unchanged();
+        let task = task.unchanged();
         let key = (
             slip.name,
             std::ptr::from_ref(slip) as usize,
-            scene.chapter,
-            scene.edition,
-            scene.step(),
+            task.chapter,
+            task.edition,
+            task.step(),
         );
         if let Some(said) = self.said.borrow().get(&key) {
             return said.clone();
         }
-        let said = self.says(slip, &scene);
+        let said = self.says(slip, &task);
         self.said.borrow_mut().insert(key, said.clone());
         said
     }
 
-    fn says(&self, slip: &Slip, scene: &Scene) -> (Said, Option<Found>) {
-        let (right, wrong) = (scene.program(&[]), scene.program(&[slip]));
+    fn says(&self, slip: &Slip, task: &Task) -> (Said, Option<Found>) {
+        let (right, wrong) = (task.program(&[]), task.program(&[slip]));
         let pairs = right.functions().zip(wrong.functions());
         let changed = pairs.filter(|((_, right), (_, wrong))| right != wrong);
         let change =
@@ -114,7 +114,7 @@ impl Sources {
         match lines.say(&change) {
             // What an older edition has is wrong in a mixture only, which no single line tells.
             Said::Wrong
-                if change.is_in(Edition::V3.program(scene.chapter).functions())
+                if change.is_in(Edition::V3.program(task.chapter).functions())
                     && self.in_rust().is_empty() =>
             {
                 (Said::Neither, None)

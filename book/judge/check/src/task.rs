@@ -12,7 +12,7 @@ use slips::{Chapter, Edition, Letters, Probe, Program, Slip, steps, width_line};
 
 /// A chapter's scene, or a probe's in that chapter, by one edition of the book.
 #[derive(Clone, Copy, Debug)]
-pub struct Scene {
+pub struct Task {
     /// The chapter.
     pub chapter: Chapter,
     /// The probe, or `None` for the book's own scene.
@@ -27,7 +27,7 @@ pub struct Scene {
     shape: Option<(u32, u32)>,
 }
 
-impl Scene {
+impl Task {
     /// The scene, or `None` if the chapter has no place for the probe's spheres.
     pub fn new(chapter: Chapter, probe: Option<Probe>) -> Option<Self> {
         let has_room = probe.is_none_or(|probe| probe.fits(chapter));
