@@ -13,7 +13,7 @@ use crate::known::Known;
 use crate::reading::Cause;
 use crate::sentences::{law, refused};
 use crate::task::Task;
-use crate::verdict::{Check, Finding};
+use crate::verdict::{Finding, Verdict};
 
 /// All that a reader is told of a picture or a program.
 #[derive(Debug, Default)]
@@ -171,18 +171,18 @@ impl Answer {
 
 impl Pictures {
     /// Takes those of a verdict, if it has some.
-    fn of(check: Check) -> Option<Self> {
-        let finding = match check {
-            Check::Right(right) => {
+    fn of(verdict: Verdict) -> Option<Self> {
+        let finding = match verdict {
+            Verdict::Right(right) => {
                 let picture = || right.task.right(right.width, right.height);
                 return (right.levels == 0).then(|| Self {
                     yours: picture(),
                     right: picture(),
                 });
             }
-            Check::Near(finding) | Check::Wrong(finding) => finding,
-            Check::WrongShape { finding, .. } | Check::NotAPicture { finding, .. } => *finding?,
-            Check::Another { .. } => return None,
+            Verdict::Near(finding) | Verdict::Wrong(finding) => finding,
+            Verdict::WrongShape { finding, .. } | Verdict::NotAPicture { finding, .. } => *finding?,
+            Verdict::Another { .. } => return None,
         };
         Some(Self {
             yours: finding.yours,
@@ -331,42 +331,42 @@ impl Commands<'_> {
 
 impl Attempt<'_> {
     /// Answers what was found in the picture.
-    pub fn answer(&self, check: Check) -> Answer {
-        let mut answer = match (self.unrecognized(&check), self.laws) {
+    pub fn answer(&self, verdict: Verdict) -> Answer {
+        let mut answer = match (self.unrecognized(&verdict), self.laws) {
             (Some(answer), _) => answer,
             (None, Some(Laws::BrokenPrelude(report))) => Answer {
                 rows: law(report),
-                ..self.judged(&check)
+                ..self.judged(&verdict)
             }
             .then("put this right first: what else is wrong may stand on it"),
-            (None, _) => self.judged(&check),
+            (None, _) => self.judged(&verdict),
         };
         if self.is_guessed && answer.headline.verdict != "not recognized" {
             answer.rows.push(self.taken_for());
         }
         let besides = |it: &Cause| Row::new(Kind::Besides, format!("{}. {}", it.problem, it.fix));
         answer.rows.extend(self.encoding.iter().map(besides));
-        answer.pictures = Pictures::of(check);
+        answer.pictures = Pictures::of(verdict);
         answer
     }
 
-    fn judged(&self, check: &Check) -> Answer {
-        match check {
-            Check::Right(right) => self.right(right),
-            Check::Near(finding) => match (&finding.near, finding.task.step()) {
+    fn judged(&self, verdict: &Verdict) -> Answer {
+        match verdict {
+            Verdict::Right(right) => self.right(right),
+            Verdict::Near(finding) => match (&finding.near, finding.task.step()) {
                 (Some(near), Some(step)) if near.is_exact() => self.step(step, finding),
                 (near, _) => {
                     let left = near.as_ref().map(|it| it.left).unwrap_or_default();
                     self.nearly_right(finding, &left)
                 }
             },
-            Check::Wrong(finding) => self.wrong(finding),
-            Check::Another { cause, .. } => refused(&self.name, "wrong", cause),
-            Check::WrongShape { cause, finding } => {
+            Verdict::Wrong(finding) => self.wrong(finding),
+            Verdict::Another { cause, .. } => refused(&self.name, "wrong", cause),
+            Verdict::WrongShape { cause, finding } => {
                 let answer = refused(&self.name, "wrong", cause);
                 self.with_pixels(answer, finding.as_deref())
             }
-            Check::NotAPicture { cause, finding } => {
+            Verdict::NotAPicture { cause, finding } => {
                 let verdict = match finding {
                     Some(_) => "not a valid picture",
                     None => "not a picture",

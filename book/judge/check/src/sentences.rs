@@ -17,7 +17,7 @@ use crate::reading::Cause;
 use crate::search::{Change, Drawn, Mutant, Repair, Right as Mended};
 use crate::sources::Found;
 use crate::task::Task;
-use crate::verdict::{Check, Finding, Mistakes, Right};
+use crate::verdict::{Finding, Mistakes, Right, Verdict};
 
 /// So many mistakes that draw the same are named.
 const NAMED: usize = 3;
@@ -146,12 +146,12 @@ impl Attempt<'_> {
     }
 
     /// Returns what is seen, where the chapter was guessed and the picture says too little of it.
-    pub(crate) fn unrecognized(&self, check: &Check) -> Option<Answer> {
-        let seen = match (check, check.finding()) {
+    pub(crate) fn unrecognized(&self, verdict: &Verdict) -> Option<Answer> {
+        let seen = match (verdict, verdict.finding()) {
             // Levels that are none are said first.
             _ if !self.is_guessed => return None,
-            (Check::NotAPicture { .. }, _) => return None,
-            (Check::WrongShape { finding: None, .. }, _) => {
+            (Verdict::NotAPicture { .. }, _) => return None,
+            (Verdict::WrongShape { finding: None, .. }, _) => {
                 "it has the shape of none of these chapters' pictures".to_owned()
             }
             (_, finding) => match only_color(&finding?.yours) {

@@ -16,7 +16,7 @@ use crate::{candidates, causes, seen};
 
 /// What there is to say about a picture.
 #[derive(Debug)]
-pub enum Check {
+pub enum Verdict {
     /// It is right.
     Right(Right),
     /// It is right but for something that is no mistake.
@@ -125,17 +125,11 @@ pub struct Mistakes {
     pub telling: Option<Probe>,
 }
 
-/// Compares the picture in `bytes` with the scene's, by each edition of the book that
-/// will do, and accepts components that are at most `tolerance` levels off.
-pub fn check(task: &Task, bytes: &[u8], tolerance: u8) -> Check {
-    check_knowing(task, bytes, tolerance, &Known::default())
-}
-
-/// Judges a picture beside all that is known of its program.
-pub fn check_knowing(task: &Task, bytes: &[u8], tolerance: u8, known: &Known) -> Check {
+/// Judges the picture in the `bytes` of a file, PPM or PNG, as [`judge`] does.
+pub fn judge_file(task: &Task, bytes: &[u8], tolerance: u8, known: &Known) -> Verdict {
     match reading::read(bytes) {
         Ok(reading) => judge(task, &reading, tolerance, known),
-        Err(cause) => Check::NotAPicture {
+        Err(cause) => Verdict::NotAPicture {
             cause,
             finding: None,
         },
@@ -143,7 +137,7 @@ pub fn check_knowing(task: &Task, bytes: &[u8], tolerance: u8, known: &Known) ->
 }
 
 /// Judges a picture that was read.
-pub fn judge(task: &Task, reading: &Reading, tolerance: u8, known: &Known) -> Check {
+pub fn judge(task: &Task, reading: &Reading, tolerance: u8, known: &Known) -> Verdict {
     let newest = task.only_by(Edition::V4);
     let task = if known.follows_version_4() {
         &newest
@@ -159,7 +153,7 @@ pub fn judge(task: &Task, reading: &Reading, tolerance: u8, known: &Known) -> Ch
             Answer::Of(finding) => Some(finding),
             Answer::Another(_) => None,
         };
-        return Check::NotAPicture { cause, finding };
+        return Verdict::NotAPicture { cause, finding };
     }
     if may_be_right
         && (shape.is_none() || causes::is_a_shape_to_choose(width, height))
@@ -170,27 +164,29 @@ pub fn judge(task: &Task, reading: &Reading, tolerance: u8, known: &Known) -> Ch
     let size = u64::from(width) * u64::from(height);
     let has_own_shape = task.without_probe().height(width) == height;
     match shape {
-        Some(cause) if size > causes::MOST_MISSHAPEN && !has_own_shape => Check::WrongShape {
+        Some(cause) if size > causes::MOST_MISSHAPEN && !has_own_shape => Verdict::WrongShape {
             cause,
             finding: None,
         },
         shape => match (Finding::of(task, reading, known), shape) {
-            (Answer::Another(tasks), _) => Check::Another {
+            (Answer::Another(tasks), _) => Verdict::Another {
                 cause: causes::another(task, &tasks, known.letters),
                 tasks,
             },
             // In a shape that nobody chooses, a right picture is none.
-            (Answer::Of(finding), None) if finding.near.is_some() => Check::Near(*finding),
+            (Answer::Of(finding), None) if finding.near.is_some() => Verdict::Near(*finding),
             (Answer::Of(finding), Some(_))
                 if finding.near.as_ref().is_some_and(Near::has_odd_pixels) =>
             {
-                Check::Near(*finding)
+                Verdict::Near(*finding)
             }
-            (Answer::Of(finding), Some(cause)) if finding.mistakes.is_none() => Check::WrongShape {
-                cause,
-                finding: Some(finding),
-            },
-            (Answer::Of(finding), _) => Check::Wrong(*finding),
+            (Answer::Of(finding), Some(cause)) if finding.mistakes.is_none() => {
+                Verdict::WrongShape {
+                    cause,
+                    finding: Some(finding),
+                }
+            }
+            (Answer::Of(finding), _) => Verdict::Wrong(*finding),
         },
     }
 }
@@ -202,10 +198,10 @@ pub fn judge_guessed(
     reading: &Reading,
     tolerance: u8,
     known: &Known,
-) -> (Task, Check) {
-    let check = judge(task, reading, tolerance, known);
-    let Check::Another { tasks, .. } = &check else {
-        return (*task, check);
+) -> (Task, Verdict) {
+    let verdict = judge(task, reading, tolerance, known);
+    let Verdict::Another { tasks, .. } = &verdict else {
+        return (*task, verdict);
     };
     let other = task.of_chapter(tasks[0].chapter);
     let probed = tasks[0].probe.and_then(|probe| other.with_probe(probe));
@@ -220,19 +216,19 @@ fn of_right(
     known: &Known,
     right: Right,
     has_another_shape: bool,
-) -> Check {
+) -> Verdict {
     if !known.is_answered_by(&right.task.program(&[]))
         && let Answer::Of(finding) = Finding::of(task, reading, known)
         && (finding.mistakes.is_some() || finding.repair.is_some())
     {
-        return Check::Wrong(*finding);
+        return Verdict::Wrong(*finding);
     }
     let shape_given_by = if has_another_shape {
         causes::slips_giving(task, right.width, right.height)
     } else {
         Vec::new()
     };
-    Check::Right(Right {
+    Verdict::Right(Right {
         shape_given_by,
         ..right
     })
@@ -477,7 +473,7 @@ impl Right {
     }
 }
 
-impl Check {
+impl Verdict {
     /// The exit code: 0 for right, 1 for wrong, 2 for not a picture. Right is what an
     /// edition of the book draws, to the last bit or within the tolerance, in a shape that
     /// no slip gives.

@@ -2,9 +2,10 @@
 //! it is.
 
 use check::blind_spots;
+use check::known::Known;
 use check::png;
 use check::task::Task;
-use check::verdict::{Check, check};
+use check::verdict::{Verdict, judge_file};
 use slips::Chapter;
 use slips::{self, PROBES, Probe, Slip, Unseen};
 
@@ -77,10 +78,10 @@ fn a_forgotten_change_is_recognized() {
         if probe.spheres.is_some() && own == wanted.right(WIDTH, own.height()) {
             continue;
         }
-        let check = check(&wanted, &png::encode(&own), 0);
-        assert_eq!(check.exit_code(), 1);
-        let Check::Another { cause, tasks } = check else {
-            panic!("{} in {chapter:?}: {check:?}", probe.name);
+        let verdict = judge_file(&wanted, &png::encode(&own), 0, &Known::default());
+        assert_eq!(verdict.exit_code(), 1);
+        let Verdict::Another { cause, tasks } = verdict else {
+            panic!("{} in {chapter:?}: {verdict:?}", probe.name);
         };
         assert_eq!(tasks[0].probe, None);
         let lines = probe.lines(chapter, None).replace('\n', "; ");

@@ -116,6 +116,6 @@ fn rows(chapter: Chapter, reading: &Reading, sources: Sources) -> Vec<Row> {
         ..Known::default()
     };
     let task = Task::new(chapter, None).expect("every chapter can be drawn without a probe");
-    let check = judge(&task, reading, 0, &known);
-    check.finding().map_or(Vec::new(), |it| it.rows(&known))
+    let verdict = judge(&task, reading, 0, &known);
+    verdict.finding().map_or(Vec::new(), |it| it.rows(&known))
 }

@@ -5,7 +5,7 @@ use check::known::Known;
 use check::png;
 use check::sources::Sources;
 use check::task::Task;
-use check::verdict::{Check, check_knowing};
+use check::verdict::{Verdict, judge_file};
 use common::rtweekend::*;
 use slips::{Chapter, Edit, Edition, Letters, Program};
 
@@ -169,14 +169,14 @@ fn a_right_program_gets_no_remark() {
     for text in [later, at_once, chosen] {
         let known = in_python(&(text.to_owned() + PROGRAM));
         let picture = png::encode(&Chapter::HalfBSphere.picture(100));
-        let check = check_knowing(&task(Chapter::HalfBSphere), &picture, 0, &known);
-        assert!(matches!(check, Check::Right(_)), "{text}");
+        let verdict = judge_file(&task(Chapter::HalfBSphere), &picture, 0, &known);
+        assert!(matches!(verdict, Verdict::Right(_)), "{text}");
     }
 }
 
 fn rows(task: &Task, picture: &[u8], known: &Known) -> Vec<Row> {
-    let check = check_knowing(task, picture, 0, known);
-    check
+    let verdict = judge_file(task, picture, 0, known);
+    verdict
         .finding()
         .map_or(Vec::new(), |finding| finding.rows(known))
 }

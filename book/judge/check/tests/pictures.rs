@@ -8,8 +8,8 @@ use check::names_of;
 use check::reading::Reading;
 use check::task::Task;
 use check::text::{MOST_LINES, Style, lines};
-use check::verdict::{Check, judge, judge_guessed};
-use check::{guess, png, verdict};
+use check::verdict::{Verdict, judge, judge_file, judge_guessed};
+use check::{guess, png};
 use common::rtweekend::*;
 use slips::{Chapter, Edit, Edition, Program, Slip};
 
@@ -120,11 +120,11 @@ fn unnamed_in(slip: &'static Slip, chapter: Chapter, width: u32, way: Way) -> St
         return String::new();
     }
     let picture = way(&drawn.picture());
-    let check = answer(chapter, &picture);
+    let verdict = answer(chapter, &picture);
     let few = picture.rgb().len() / 3 / 50;
-    let is_named = match &check {
-        Check::Right(_) => true,
-        Check::Near(finding) => {
+    let is_named = match &verdict {
+        Verdict::Right(_) => true,
+        Verdict::Near(finding) => {
             let has_few = finding
                 .near
                 .as_ref()
@@ -138,9 +138,9 @@ fn unnamed_in(slip: &'static Slip, chapter: Chapter, width: u32, way: Way) -> St
         }),
     };
     if !is_named {
-        return format!("{} in {chapter:?}: {}\n", slip.name, said(&check));
+        return format!("{} in {chapter:?}: {}\n", slip.name, said(&verdict));
     }
-    let lines = laid_out(chapter, check);
+    let lines = laid_out(chapter, verdict);
     let is_short = lines.len() <= MOST_LINES && !lines.contains(&"…".to_owned());
     if is_short {
         return String::new();
@@ -153,7 +153,7 @@ fn unnamed_in(slip: &'static Slip, chapter: Chapter, width: u32, way: Way) -> St
 }
 
 /// The answer as it is read in a terminal that is 80 characters wide.
-fn laid_out(chapter: Chapter, check: Check) -> Vec<String> {
+fn laid_out(chapter: Chapter, verdict: Verdict) -> Vec<String> {
     let attempt = Attempt {
         task: task(chapter),
         is_guessed: false,
@@ -164,7 +164,7 @@ fn laid_out(chapter: Chapter, check: Check) -> Vec<String> {
         commands: Commands::of_pictures(task(chapter)),
     };
     let style = Style { is_colored: false };
-    lines(&attempt.answer(check), style, 80, MOST_LINES)
+    lines(&attempt.answer(verdict), style, 80, MOST_LINES)
 }
 
 #[test]
@@ -173,10 +173,10 @@ fn each_edition_is_right_and_known_by_its_picture_alone() {
         for edition in Edition::ALL {
             let picture = edition.program(chapter).run(WIDTH).picture();
             let reading = Reading::of(&picture);
-            let (task, check) =
+            let (task, verdict) =
                 judge_guessed(&guess::task(&reading), &reading, 0, &Known::default());
-            let Check::Right(right) = check else {
-                panic!("{chapter:?} by {edition:?}: {}", said(&check));
+            let Verdict::Right(right) = verdict else {
+                panic!("{chapter:?} by {edition:?}: {}", said(&verdict));
             };
             assert!(right.editions.contains(&edition), "{chapter:?}");
             // Chapters 3 and 4 draw the same.
@@ -258,9 +258,14 @@ fn numbers_that_are_no_levels_and_levels_that_wrap_name_their_mistake() {
         .program(Chapter::Normals)
         .run(WIDTH);
     let text = shifted.to_string();
-    let check = verdict::check(&task(Chapter::Normals), text.as_bytes(), 0);
-    assert!(matches!(check, Check::NotAPicture { .. }));
-    assert_eq!(said(&check), "normal-only-shifted");
+    let verdict = judge_file(
+        &task(Chapter::Normals),
+        text.as_bytes(),
+        0,
+        &Known::default(),
+    );
+    assert!(matches!(verdict, Verdict::NotAPicture { .. }));
+    assert_eq!(said(&verdict), "normal-only-shifted");
 
     let doubled = slip("times-256").program(Chapter::BuildTest).run(64);
     let wrapped = doubled
@@ -280,11 +285,11 @@ fn a_probe_remembers_what_was_passed() {
         ("normal-only-shifted", "unknown: "),
     ] {
         let drawn = task.program(&[slip(name)]).run(128).picture();
-        let check = verdict::check(&task, &png::encode(&drawn), 0);
+        let verdict = judge_file(&task, &png::encode(&drawn), 0, &Known::default());
         assert!(
-            said(&check).starts_with(expected),
+            said(&verdict).starts_with(expected),
             "{name}: {}",
-            said(&check)
+            said(&verdict)
         );
     }
 }
@@ -312,17 +317,17 @@ fn no_shape_and_no_numbers_are_too_odd_for_an_answer() {
 /// Wide enough that no two slips look alike by chance, and small.
 const WIDTH: u32 = 90;
 
-fn answer(chapter: Chapter, picture: &Picture) -> Check {
+fn answer(chapter: Chapter, picture: &Picture) -> Verdict {
     judge(&task(chapter), &Reading::of(picture), 0, &Known::default())
 }
 
 /// Returns what is said, in short.
-fn said(check: &Check) -> String {
-    if let Check::Right(_) = check {
+fn said(verdict: &Verdict) -> String {
+    if let Verdict::Right(_) = verdict {
         return "right".to_owned();
     }
-    let Some(finding) = check.finding() else {
-        return format!("{:?}", check.cause().map(|cause| &cause.problem));
+    let Some(finding) = verdict.finding() else {
+        return format!("{:?}", verdict.cause().map(|cause| &cause.problem));
     };
     if let Some(near) = &finding.near {
         return format!("right but for {}", near.left.off);

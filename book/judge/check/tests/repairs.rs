@@ -9,7 +9,7 @@ use check::known::Known;
 use check::reading::Reading;
 use check::sources::Sources;
 use check::task::Task;
-use check::verdict::{Check, judge};
+use check::verdict::{Verdict, judge};
 use slips::{Chapter, Letters, Program, steps};
 
 /// Chapters, whether in their own text or in another form, and what stands there wrong for what
@@ -293,10 +293,10 @@ fn said(chapter: Chapter, files: &[(String, String)], is_wrong: bool) -> Vec<Row
         ..Known::default()
     };
     let task = Task::new(chapter, None).expect("every chapter can be drawn without a probe");
-    let check = judge(&task, &Reading::of(&picture), 0, &known);
-    match &check {
-        Check::Right(_) => vec![Row::new(Kind::Laws, "right")],
-        _ => check.finding().map_or(Vec::new(), |it| it.rows(&known)),
+    let verdict = judge(&task, &Reading::of(&picture), 0, &known);
+    match &verdict {
+        Verdict::Right(_) => vec![Row::new(Kind::Laws, "right")],
+        _ => verdict.finding().map_or(Vec::new(), |it| it.rows(&known)),
     }
 }
 

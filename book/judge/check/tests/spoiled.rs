@@ -8,7 +8,7 @@ use check::png;
 use check::reading::{MOST_PIXELS, read};
 use check::task::Task;
 use check::text::{MOST_LINES, Style, lines};
-use check::verdict::{Check, check};
+use check::verdict::{Verdict, judge_file};
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
 use proptest::{collection, option};
@@ -25,7 +25,7 @@ proptest! {
         for (at, length, damage) in damages {
             damage.put_to(&mut bytes, at, length);
         }
-        let answer = check(&task, &bytes, 0);
+        let answer = judge_file(&task, &bytes, 0, &Known::default());
         assert_sane(task, &bytes, answer);
     }
 }
@@ -112,16 +112,16 @@ impl Damage {
     }
 }
 
-fn assert_sane(task: Task, bytes: &[u8], answer: Check) {
+fn assert_sane(task: Task, bytes: &[u8], answer: Verdict) {
     match (&answer, read(bytes)) {
         (
-            Check::NotAPicture {
+            Verdict::NotAPicture {
                 cause,
                 finding: None,
             },
             Err(why),
         ) => assert_eq!(*cause, why),
-        (Check::Right(right), Ok(reading)) => {
+        (Verdict::Right(right), Ok(reading)) => {
             assert!(reading.picture() == right.task.right(right.width, right.height));
         }
         (_, Ok(reading)) => {
@@ -140,7 +140,7 @@ fn assert_sane(task: Task, bytes: &[u8], answer: Check) {
     assert_says_something(task, answer);
 }
 
-fn assert_says_something(task: Task, check: Check) {
+fn assert_says_something(task: Task, verdict: Verdict) {
     let attempt = Attempt {
         task,
         is_guessed: false,
@@ -150,7 +150,7 @@ fn assert_says_something(task: Task, check: Check) {
         laws: None,
         commands: Commands::of_pictures(task),
     };
-    let answer = attempt.answer(check);
+    let answer = attempt.answer(verdict);
     assert_readable(&answer.headline.to_string());
     let next = Some(&answer.next).filter(|next| !next.is_empty());
     let rows = answer.rows.iter().map(|row| &row.text);

@@ -3,7 +3,7 @@
 use check::answer::{Answer, Attempt, Commands, Laws};
 use check::known::Known;
 use check::task::Task;
-use check::verdict::check_knowing;
+use check::verdict::judge_file;
 use slips::{Chapter, steps};
 
 fn answer(text: &str, laws: &Laws) -> Answer {
@@ -22,7 +22,7 @@ fn answer(text: &str, laws: &Laws) -> Answer {
         laws: Some(laws),
         commands: Commands::of_pictures(task),
     };
-    attempt.answer(check_knowing(&task, text.as_bytes(), 0, &known))
+    attempt.answer(judge_file(&task, text.as_bytes(), 0, &known))
 }
 
 #[test]

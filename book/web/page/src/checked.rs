@@ -13,7 +13,7 @@ use check::reading::{self, Cause, MOST_PIXELS, Reading};
 use check::report::difference_picture;
 use check::sentences;
 use check::task::Task;
-use check::verdict::{self, Check};
+use check::verdict::{self, Verdict};
 use slips::{Chapter, Edition, PROBES, Probe, Slip};
 
 use crate::rgba;
@@ -128,7 +128,7 @@ fn judged(question: Question, reading: Reading, foreign: Option<Cause>) -> Answe
     let known = Known::default();
     let wanted = question.task(Some(&reading));
     let is_guessed = question.chapter.is_none();
-    let (task, check) = if is_guessed {
+    let (task, verdict) = if is_guessed {
         verdict::judge_guessed(&wanted, &reading, 0, &known)
     } else {
         (wanted, verdict::judge(&wanted, &reading, 0, &known))
@@ -139,15 +139,15 @@ fn judged(question: Question, reading: Reading, foreign: Option<Cause>) -> Answe
             .any(|kind| it.problem.contains(kind))
     };
     if let Some(cause) = foreign.as_ref().filter(|it| loses_levels(it))
-        && !matches!(check, Check::Right(_))
+        && !matches!(verdict, Verdict::Right(_))
     {
         return refused(question, cause.clone());
     }
-    let facts = facts(&task, &check, &reading);
-    let mistakes = check.finding().and_then(|it| it.mistakes.as_ref());
+    let facts = facts(&task, &verdict, &reading);
+    let mistakes = verdict.finding().and_then(|it| it.mistakes.as_ref());
     let mistake = mistakes.map(|it| it.all[0].clone());
-    let judged_by = match &check {
-        Check::Right(right) => right.task,
+    let judged_by = match &verdict {
+        Verdict::Right(right) => right.task,
         other => other.finding().map_or(task, |finding| finding.task),
     };
     let attempt = Attempt {
@@ -159,7 +159,7 @@ fn judged(question: Question, reading: Reading, foreign: Option<Cause>) -> Answe
         laws: None,
         commands: Commands::of_pictures(task),
     };
-    let answer = attempt.answer(check);
+    let answer = attempt.answer(verdict);
     Answered {
         text: laid_out(&facts, &answer) + &foreign.map_or(String::new(), |it| read_by_browser(&it)),
         traced: Some(Traced {
@@ -182,13 +182,13 @@ fn refused(question: Question, cause: Cause) -> Answered {
 
 /// The facts that the script asks for: chapter, probe, cause, the size with the first pixel that
 /// differs, and how many differ.
-fn facts(task: &Task, check: &Check, reading: &Reading) -> String {
-    let difference = check.finding().and_then(|it| it.difference.as_ref());
+fn facts(task: &Task, verdict: &Verdict, reading: &Reading) -> String {
+    let difference = verdict.finding().and_then(|it| it.difference.as_ref());
     let (column, row) = difference.map_or((0, 0), |it| it.first);
     let facts = [
         task.chapter.name(),
         task.probe.map_or("", |probe| probe.name),
-        check.cause().map_or("", |cause| cause.name),
+        verdict.cause().map_or("", |cause| cause.name),
         &format!("{} {} {column} {row}", reading.width, reading.height),
         &difference.map_or(0, |it| it.count).to_string(),
     ];

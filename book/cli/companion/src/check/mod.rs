@@ -16,7 +16,7 @@ use check::names::{self, companion};
 use check::reading::{self, Reading};
 use check::report::Report;
 use check::task::Task;
-use check::verdict::{self, Check};
+use check::verdict::{self, Verdict};
 use clap::Args;
 use clap::builder::TypedValueParser;
 use common::engine::output;
@@ -98,11 +98,11 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
         can_be_made: Some(&can_be_made),
         ..Known::default()
     };
-    let (attempt, check) = arguments.judged(task, &source, &known)?;
+    let (attempt, verdict) = arguments.judged(task, &source, &known)?;
     let chapter = attempt.task.chapter;
-    let code = check.exit_code();
-    let why_none = found.why_none.filter(|_| check.finding().is_some());
-    let answer = attempt.answer(check);
+    let code = verdict.exit_code();
+    let why_none = found.why_none.filter(|_| verdict.finding().is_some());
+    let answer = attempt.answer(verdict);
     let why_none = why_none.map(|why| Row::new(Kind::Besides, why));
     let answer = answer.with(why_none);
     let page = arguments.report.as_deref();
@@ -160,23 +160,23 @@ impl Arguments {
         task: Option<Task>,
         source: &Source,
         known: &'a Known<'a>,
-    ) -> Result<(Attempt<'a>, Check), Box<dyn Error>> {
+    ) -> Result<(Attempt<'a>, Verdict), Box<dyn Error>> {
         let (is_guessed, tolerance) = (task.is_none(), self.tolerance);
         let bytes = source.read(self.timeout);
-        let (task, check, encoding) = match (bytes.and_then(|it| reading::read(&it)), task) {
+        let (task, verdict, encoding) = match (bytes.and_then(|it| reading::read(&it)), task) {
             (Ok(reading), Some(task)) => {
-                let check = verdict::judge(&task, &reading, tolerance, known);
-                (task, check, reading.encoding)
+                let verdict = verdict::judge(&task, &reading, tolerance, known);
+                (task, verdict, reading.encoding)
             }
             (Ok(reading), None) => {
                 let guessed = self.guessed(&reading)?;
-                let (task, check) = verdict::judge_guessed(&guessed, &reading, tolerance, known);
-                (task, check, reading.encoding)
+                let (task, verdict) = verdict::judge_guessed(&guessed, &reading, tolerance, known);
+                (task, verdict, reading.encoding)
             }
             (Err(cause), task) => {
                 let task = task.map_or_else(|| self.task(Chapter::BuildTest), Ok)?;
                 let finding = None;
-                (task, Check::NotAPicture { cause, finding }, None)
+                (task, Verdict::NotAPicture { cause, finding }, None)
             }
         };
         let attempt = Attempt {
@@ -188,7 +188,7 @@ impl Arguments {
             laws: None,
             commands: Commands::of_pictures(task),
         };
-        Ok((attempt, check))
+        Ok((attempt, verdict))
     }
 
     fn task(&self, chapter: Chapter) -> Result<Task, Box<dyn Error>> {

@@ -20,7 +20,7 @@ use check::names::{companion, from_here};
 use check::reading::{Cause, read};
 use check::sentences::{self, printed, step_is_done};
 use check::task::Task;
-use check::verdict::check_knowing;
+use check::verdict::judge_file;
 use clap::Args;
 use common::engine::output;
 use common::rtweekend::Picture;
@@ -280,7 +280,7 @@ impl Subject {
                 test: "cargo test, in the folder of your crate, shows more",
             },
         };
-        let mut answer = attempt.answer(check_knowing(&self.task, bytes, 0, &known));
+        let mut answer = attempt.answer(judge_file(&self.task, bytes, 0, &known));
         if answer.is_right() && !is_crate && ASKED.contains(&chapter) {
             let (companion, name) = (companion(), chapter.name());
             let asks = format!(
