@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use check::comparison::Comparison;
-use check::known::Known;
+use check::context::Context;
 use check::task::Task;
 use common::rtweekend::*;
 use hittable_list::{HittableList, Sphere};
@@ -131,15 +131,15 @@ fn a_slip_of_an_older_edition_is_said_in_its_words() {
         Some(Letters::Python(Edition::V4)),
         Some(Letters::Rust),
     ] {
-        let known = Known {
+        let context = Context {
             letters,
-            ..Known::default()
+            ..Context::default()
         };
         for (slip, line) in [
             ("deltas-from-last-pixel", "u = (i + 0.5) / …"),
             ("viewport-mirrored", "horizontal = (-viewport_width, 0, 0)"),
         ] {
-            let words = known.words(suite::slip(slip), &task);
+            let words = context.words(suite::slip(slip), &task);
             assert!(
                 words.wrong.starts_with(line),
                 "{slip} in {letters:?} is said as {}",

@@ -9,7 +9,7 @@ use common::rtweekend::Picture;
 use laws::Report;
 use slips::{Chapter, Probe, Slip};
 
-use crate::known::Known;
+use crate::context::Context;
 use crate::reading::Cause;
 use crate::sentences::{law, refused};
 use crate::task::Task;
@@ -297,7 +297,7 @@ pub struct Attempt<'a> {
     /// What keeps viewers from the file.
     pub encoding: Option<Cause>,
     /// What is known of the reader.
-    pub known: &'a Known<'a>,
+    pub context: &'a Context<'a>,
     /// What the laws say, where functions can be asked.
     pub laws: Option<&'a Laws>,
     /// What the reader can do next.

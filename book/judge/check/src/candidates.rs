@@ -3,7 +3,7 @@
 use slips::{Chapter, Edition, PROBES, Probe, Slip, SphereCount};
 
 use crate::candidate::{Candidate, Conversion};
-use crate::known::Evidence;
+use crate::context::Evidence;
 use crate::task::Task;
 
 /// The scene itself by each edition that will do, and as far as each step before the last.
@@ -19,7 +19,7 @@ pub(crate) fn rights(evidence: &Evidence) -> Vec<Candidate> {
 /// who types a chapter has no other picture at hand.
 pub(crate) fn elsewhere(evidence: &Evidence) -> Vec<Candidate> {
     let own = evidence.task;
-    if evidence.known.sources.are_of_the_chapter() {
+    if evidence.context.sources.are_of_the_chapter() {
         return Vec::new();
     }
     let (width, height) = (evidence.reading.width, evidence.reading.height);
@@ -100,7 +100,7 @@ fn by_editions(evidence: &Evidence, task: Task) -> Vec<Task> {
 /// As far as each step before the last, by the edition that was asked for.
 fn steps(evidence: &Evidence) -> Vec<Task> {
     let own = evidence.task;
-    let before = evidence.known.steps.len().saturating_sub(1);
+    let before = evidence.context.steps.len().saturating_sub(1);
     let steps = (0..before).map(|step| own.at_step(step));
     let steps = steps.filter(|step| !evidence.is_past(step));
     let tasks = steps.filter_map(|task| by_editions(evidence, task).into_iter().next());

@@ -5,7 +5,7 @@ use slips::{Chapter, Edition, PROBES};
 
 use crate::candidate::Candidate;
 use crate::candidates::{rights, singles};
-use crate::known::{Evidence, Known};
+use crate::context::{Context, Evidence};
 use crate::pixels::{distance, spread};
 use crate::reading::Reading;
 use crate::task::Task;
@@ -21,8 +21,8 @@ pub fn task(reading: &Reading) -> Task {
     let mut nearest = (usize::MAX, own(Chapter::Gradient));
     for candidates in [right_ones, wrong_ones] {
         for task in Chapter::OF_THE_BOOK.map(own) {
-            let known = Known::default();
-            let evidence = Evidence::new(&task, reading, &known);
+            let context = Context::default();
+            let evidence = Evidence::new(&task, reading, &context);
             for (task, it) in candidates(&evidence) {
                 let off = off(&it, reading, nearest.0);
                 if off < nearest.0 {

@@ -7,7 +7,7 @@ use std::cmp::Reverse;
 
 use crate::candidate::{Candidate, Left, Look};
 use crate::candidates::{elsewhere, pairs, rights, singles};
-use crate::known::Evidence;
+use crate::context::Evidence;
 use crate::pixels::spread;
 use crate::task::Task;
 
@@ -56,7 +56,7 @@ pub(crate) fn explain(evidence: &Evidence) -> Explanation {
     let near = |left| Explanation::Near(Fit::of(right.clone(), left));
     let is_answered = || {
         let program = right.task.unchanged().program(&[]);
-        evidence.known.is_answered_by(&program)
+        evidence.context.is_answered_by(&program)
     };
     if left.is_nothing() && is_answered() {
         return near(left);
@@ -156,7 +156,7 @@ fn is_forgotten(evidence: &Evidence, tasks: &[Task]) -> bool {
 fn right_elsewhere(evidence: &Evidence) -> Option<Vec<Task>> {
     let reading = evidence.reading;
     // One color everywhere is the picture of many things.
-    if reading.is_plain() && !evidence.known.sources.is_empty() {
+    if reading.is_plain() && !evidence.context.sources.is_empty() {
         return None;
     }
     let is_it = |it: &Candidate| {
@@ -179,7 +179,7 @@ fn right_elsewhere(evidence: &Evidence) -> Option<Vec<Task>> {
 /// Where the reader's files are known, the programs whose wrong lines stand in them; or all, if
 /// none of these is found.
 fn in_the_text(evidence: &Evidence, mut found: Fit) -> Fit {
-    if evidence.known.sources.is_empty() {
+    if evidence.context.sources.is_empty() {
         return found;
     }
     found.is_in_text = found.candidates.iter().any(|it| evidence.is_found(it));

@@ -11,7 +11,7 @@ use crate::answer::{Answer, Attempt, Kind, Laws, Mark, Row};
 use crate::blind_spots::{self, Next};
 use crate::candidate::{Conversion, Left};
 use crate::causes;
-use crate::known::Known;
+use crate::context::Context;
 use crate::names;
 use crate::reading::Cause;
 use crate::search::{Change, Drawn, Mutant, Repair, Right as Mended};
@@ -104,7 +104,7 @@ impl Attempt<'_> {
             None | Some(Laws::Obeyed | Laws::Unknown(_) | Laws::Coming) => {}
             Some(laws) => return right_but(laws, &name, self.commands.test),
         }
-        let again = if self.known.steps[step] {
+        let again = if self.context.steps[step] {
             ", again"
         } else {
             ""
@@ -142,7 +142,7 @@ impl Attempt<'_> {
             read: read.copied().collect(),
             ..answer
         }
-        .with(finding.rows(self.known))
+        .with(finding.rows(self.context))
     }
 
     /// Returns what is seen, where the chapter was guessed and the picture says too little of it.
@@ -232,47 +232,47 @@ pub fn broken_so_far(report: &Report, place: &str) -> Answer {
 
 impl Finding {
     /// Lists what explains the picture, or else what is to be seen.
-    pub fn rows(&self, known: &Known) -> Vec<Row> {
+    pub fn rows(&self, context: &Context) -> Vec<Row> {
         if let Some(repair) = &self.repair {
             let slip = self.single().first();
-            let why = slip.map_or("", |slip| known.words(slip, &self.task).why);
+            let why = slip.map_or("", |slip| context.words(slip, &self.task).why);
             return repair.rows().chain(row(Kind::Why, why)).collect();
         }
         if self.near.is_some() {
             return Vec::new();
         }
-        let warnings = known.warnings.iter().take(WARNINGS);
+        let warnings = context.warnings.iter().take(WARNINGS);
         let warnings = warnings.map(|it| Row::new(Kind::Warned, it));
-        warnings.chain(self.explained(known)).collect()
+        warnings.chain(self.explained(context)).collect()
     }
 
-    fn explained(&self, known: &Known) -> Vec<Row> {
+    fn explained(&self, context: &Context) -> Vec<Row> {
         // A hundred mistakes draw only sky: a picture alone tells none of them.
         let is_sky = self.shows_only_sky();
         match &self.mistakes {
-            Some(it) if is_sky && (known.sources.is_empty() || !it.is_in_text) => {
+            Some(it) if is_sky && (context.sources.is_empty() || !it.is_in_text) => {
                 let many = "and many others draw only sky: the picture does not tell which it is";
-                let rows = iter::once(Row::new(Kind::Seen, ONLY_SKY)).chain(it.perhaps(known));
+                let rows = iter::once(Row::new(Kind::Seen, ONLY_SKY)).chain(it.perhaps(context));
                 return rows.chain(row(Kind::More, many)).collect();
             }
-            Some(it) => return it.rows(known, self.total()),
-            None if self.drawn.is_told() => return self.drawn.rows(known, &self.task),
+            Some(it) => return it.rows(context, self.total()),
+            None if self.drawn.is_told() => return self.drawn.rows(context, &self.task),
             None => {}
         }
         let seen = self.sights.iter().map(|it| Row::new(Kind::Seen, it));
         let seen = seen.chain(self.first.iter().cloned());
-        let drawn = self.drawn.rows(known, &self.task);
+        let drawn = self.drawn.rows(context, &self.task);
         let unknown =
-            (drawn.is_empty() && self.sights.len() != 1).then(|| self.nothing_known(known));
+            (drawn.is_empty() && self.sights.len() != 1).then(|| self.nothing_known(context));
         seen.chain(drawn).chain(unknown).collect()
     }
 
-    fn nothing_known(&self, known: &Known) -> Row {
+    fn nothing_known(&self, context: &Context) -> Row {
         let said = match self.task.probe {
             Some(_) => {
                 "no known mistake draws this picture and the chapter's own right: is that right?"
             }
-            None if known.sources.is_empty() => "no known mistake draws this picture",
+            None if context.sources.is_empty() => "no known mistake draws this picture",
             None => "no known mistake that your files can have draws this picture",
         };
         Row::new(Kind::Tried, said)
@@ -283,24 +283,24 @@ impl Finding {
 pub(crate) const ONLY_SKY: &str = "There is only sky: no sphere is to be seen.";
 
 impl Mistakes {
-    fn rows(&self, known: &Known, pixels: usize) -> Vec<Row> {
+    fn rows(&self, context: &Context, pixels: usize) -> Vec<Row> {
         let rows = match &self.all[..] {
-            [mistake] => self.in_full(mistake, known),
-            _ => self.perhaps(known).collect(),
+            [mistake] => self.in_full(mistake, context),
+            _ => self.perhaps(context).collect(),
         };
         rows.into_iter()
             .chain([Row::new(Kind::Tried, self.tried(pixels))])
             .collect()
     }
 
-    fn in_full(&self, mistake: &[&'static Slip], known: &Known) -> Vec<Row> {
+    fn in_full(&self, mistake: &[&'static Slip], context: &Context) -> Vec<Row> {
         let rows = mistake.iter().flat_map(|slip| {
-            let words = known.words(slip, &self.task);
+            let words = context.words(slip, &self.task);
             let kind = match self.is_in_text {
                 true => Kind::Probably,
                 false => Kind::Perhaps,
             };
-            let lines = match known.line_of(slip, &self.task) {
+            let lines = match context.line_of(slip, &self.task) {
                 Some(found) => found.rows(),
                 None => line_and_right(kind, &words.wrong, &words.right),
             };
@@ -311,9 +311,9 @@ impl Mistakes {
     }
 
     /// The first of several, each in the reader's letters.
-    fn perhaps(&self, known: &Known) -> impl Iterator<Item = Row> {
+    fn perhaps(&self, context: &Context) -> impl Iterator<Item = Row> {
         let wrong = |mistake: &Vec<&'static Slip>| {
-            let words = mistake.iter().map(|slip| known.words(slip, &self.task));
+            let words = mistake.iter().map(|slip| context.words(slip, &self.task));
             let wrong: Vec<String> = words.map(|words| words.wrong.into_owned()).collect();
             format!("{}  ({})", wrong.join("; "), names_of(mistake))
         };
@@ -354,8 +354,8 @@ impl Mistakes {
 
 impl Drawn {
     /// The likeliest edits, each in the reader's letters.
-    fn rows(&self, known: &Known, task: &Task) -> Vec<Row> {
-        let letters = known.letters.unwrap_or(Letters::Book(task.edition));
+    fn rows(&self, context: &Context, task: &Task) -> Vec<Row> {
+        let letters = context.letters.unwrap_or(Letters::Book(task.edition));
         let typed = |line: &str| letters.spelled(line, task.chapter);
         let said = |it: &Mutant| match (&*it.wrong, &it.yours) {
             (_, Some(yours)) => yours.line.to_string(),
@@ -496,14 +496,16 @@ impl Attempt<'_> {
     fn to_test_more(&self, right: &Right) -> Option<Row> {
         let chapter = self.task.chapter;
         let may_be = |slip: &Slip| {
-            self.known.can_be_made(slip, &self.task)
-                && (self.known.answers).is_none_or(|unlike| unlike(&slip.program(chapter)).1 == 0)
+            self.context.can_be_made(slip, &self.task)
+                && (self.context.answers).is_none_or(|unlike| unlike(&slip.program(chapter)).1 == 0)
         };
         let Next { task, width, .. } = &blind_spots::next(&right.task, right.width, may_be)?;
         // A program may have its height as a number.
         let line = format!("image_width = {width}");
         let both = format!("{line}, so that image_height is {}", task.height(*width));
-        let change = task.change(*width, self.known.letters).replace('\n', "; ");
+        let change = task
+            .change(*width, self.context.letters)
+            .replace('\n', "; ");
         let change = change.replacen(&line, &both, 1);
         let (name, what) = match task.probe {
             Some(probe) => (probe.name, format!("the probe {}", probe.name)),
@@ -518,7 +520,7 @@ impl Attempt<'_> {
     fn to_tell_apart(&self, finding: &Finding) -> Option<Row> {
         let probe = finding.mistakes.as_ref()?.telling?;
         let change = probe
-            .lines(finding.task.chapter, self.known.letters)
+            .lines(finding.task.chapter, self.context.letters)
             .replace('\n', "; ");
         let (name, judge) = (probe.name, (self.commands.judge)(Some(probe)));
         let said = format!(
@@ -529,7 +531,8 @@ impl Attempt<'_> {
 
     /// Returns what is to be thought of a shape that is not the book's.
     fn shape_is(&self, task: &Task, slips: &[&Slip]) -> String {
-        let said = |slip: &&Slip| format!("{} ({})", slip.name, self.known.words(slip, task).wrong);
+        let said =
+            |slip: &&Slip| format!("{} ({})", slip.name, self.context.words(slip, task).wrong);
         let look = match slips {
             [] => String::new(),
             slips => {

@@ -6,8 +6,8 @@ use slips::{Edition, Probe, Slip, SphereCount};
 use crate::answer::Row;
 use crate::candidate::{Candidate, Conversion, Left};
 use crate::comparison::{Comparison, Difference};
+use crate::context::{Context, Evidence};
 use crate::judge::{Explanation, Fit, explain};
-use crate::known::{Evidence, Known};
 use crate::reading::{self, Cause, Reading};
 use crate::search::{Drawn, Repair};
 use crate::task::Task;
@@ -126,9 +126,9 @@ pub struct Mistakes {
 }
 
 /// Judges the picture in the `bytes` of a file, PPM or PNG, as [`judge`] does.
-pub fn judge_file(task: &Task, bytes: &[u8], tolerance: u8, known: &Known) -> Verdict {
+pub fn judge_file(task: &Task, bytes: &[u8], tolerance: u8, context: &Context) -> Verdict {
     match reading::read(bytes) {
-        Ok(reading) => judge(task, &reading, tolerance, known),
+        Ok(reading) => judge(task, &reading, tolerance, context),
         Err(cause) => Verdict::NotAPicture {
             cause,
             finding: None,
@@ -137,9 +137,9 @@ pub fn judge_file(task: &Task, bytes: &[u8], tolerance: u8, known: &Known) -> Ve
 }
 
 /// Judges a picture that was read.
-pub fn judge(task: &Task, reading: &Reading, tolerance: u8, known: &Known) -> Verdict {
+pub fn judge(task: &Task, reading: &Reading, tolerance: u8, context: &Context) -> Verdict {
     let newest = task.only_by(Edition::V4);
-    let task = if known.follows_version_4() {
+    let task = if context.follows_version_4() {
         &newest
     } else {
         task
@@ -149,7 +149,7 @@ pub fn judge(task: &Task, reading: &Reading, tolerance: u8, known: &Known) -> Ve
     let may_be_right = another_width.is_none();
     let shape = another_width.or_else(|| causes::wrong_shape(task, width, height));
     if let Some(cause) = causes::no_levels(reading) {
-        let finding = match Finding::of(task, reading, known) {
+        let finding = match Finding::of(task, reading, context) {
             Answer::Of(finding) => Some(finding),
             Answer::Another(_) => None,
         };
@@ -159,7 +159,7 @@ pub fn judge(task: &Task, reading: &Reading, tolerance: u8, known: &Known) -> Ve
         && (shape.is_none() || causes::is_a_shape_to_choose(width, height))
         && let Some(right) = Right::of(task, reading, tolerance)
     {
-        return of_right(task, reading, known, right, shape.is_some());
+        return of_right(task, reading, context, right, shape.is_some());
     }
     let size = u64::from(width) * u64::from(height);
     let has_own_shape = task.without_probe().height(width) == height;
@@ -168,9 +168,9 @@ pub fn judge(task: &Task, reading: &Reading, tolerance: u8, known: &Known) -> Ve
             cause,
             finding: None,
         },
-        shape => match (Finding::of(task, reading, known), shape) {
+        shape => match (Finding::of(task, reading, context), shape) {
             (Answer::Another(tasks), _) => Verdict::Another {
-                cause: causes::another(task, &tasks, known.letters),
+                cause: causes::another(task, &tasks, context.letters),
                 tasks,
             },
             // In a shape that nobody chooses, a right picture is none.
@@ -197,28 +197,28 @@ pub fn judge_guessed(
     task: &Task,
     reading: &Reading,
     tolerance: u8,
-    known: &Known,
+    context: &Context,
 ) -> (Task, Verdict) {
-    let verdict = judge(task, reading, tolerance, known);
+    let verdict = judge(task, reading, tolerance, context);
     let Verdict::Another { tasks, .. } = &verdict else {
         return (*task, verdict);
     };
     let other = task.of_chapter(tasks[0].chapter);
     let probed = tasks[0].probe.and_then(|probe| other.with_probe(probe));
     let other = probed.unwrap_or(other);
-    (other, judge(&other, reading, tolerance, known))
+    (other, judge(&other, reading, tolerance, context))
 }
 
 /// A right picture, unless the reader's functions answer as with a mistake that it hides.
 fn of_right(
     task: &Task,
     reading: &Reading,
-    known: &Known,
+    context: &Context,
     right: Right,
     has_another_shape: bool,
 ) -> Verdict {
-    if !known.is_answered_by(&right.task.program(&[]))
-        && let Answer::Of(finding) = Finding::of(task, reading, known)
+    if !context.is_answered_by(&right.task.program(&[]))
+        && let Answer::Of(finding) = Finding::of(task, reading, context)
         && (finding.mistakes.is_some() || finding.repair.is_some())
     {
         return Verdict::Wrong(*finding);
@@ -244,8 +244,8 @@ enum Answer {
 
 impl Finding {
     /// Returns what explains the picture.
-    fn of(task: &Task, reading: &Reading, known: &Known) -> Answer {
-        let evidence = Evidence::new(task, reading, known);
+    fn of(task: &Task, reading: &Reading, context: &Context) -> Answer {
+        let evidence = Evidence::new(task, reading, context);
         let finding = match explain(&evidence) {
             Explanation::Another(tasks) => return Answer::Another(tasks),
             // The width that a probe is about was forgotten.
@@ -278,7 +278,7 @@ impl Finding {
     /// Adds what makes the reader's program right, and keeps of the mistakes that draw its picture
     /// only the one that goes with it.
     fn repaired(mut self, evidence: &Evidence) -> Self {
-        let (sources, known) = (&evidence.known.sources, evidence.known);
+        let (sources, context) = (&evidence.context.sources, evidence.context);
         let is_exact = |it: &Self| it.near.as_ref().is_some_and(Near::is_exact);
         let step = evidence.repair().and_then(|it| it.step);
         if self.task.step() != step
@@ -294,7 +294,7 @@ impl Finding {
             return self;
         }
         // A slip's line in another language is said in that.
-        let is_found = |slip: &&Slip| known.line_of(slip, &self.task).is_some();
+        let is_found = |slip: &&Slip| context.line_of(slip, &self.task).is_some();
         if sources.in_rust().is_empty() && self.single().iter().any(is_found) {
             return self;
         }
@@ -304,7 +304,7 @@ impl Finding {
         self.near = None;
         if let Some(mistakes) = &mut self.mistakes {
             let task = mistakes.task;
-            let is_mended = |slip: &&'static Slip| known.is_mended(slip, &task, &repair);
+            let is_mended = |slip: &&'static Slip| context.is_mended(slip, &task, &repair);
             mistakes.all.retain(|slips| slips.iter().all(is_mended));
         }
         self.mistakes = self.mistakes.filter(|it| it.all.len() == 1);
@@ -334,7 +334,7 @@ impl Finding {
             sights: Vec::new(),
             first: Vec::new(),
             repair: None,
-            is_answered: evidence.known.is_answered_by(&program),
+            is_answered: evidence.context.is_answered_by(&program),
         }
     }
 

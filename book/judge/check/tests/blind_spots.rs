@@ -2,7 +2,7 @@
 //! it is.
 
 use check::blind_spots;
-use check::known::Known;
+use check::context::Context;
 use check::png;
 use check::task::Task;
 use check::verdict::{Verdict, judge_file};
@@ -78,7 +78,7 @@ fn a_forgotten_change_is_recognized() {
         if probe.spheres.is_some() && own == wanted.right(WIDTH, own.height()) {
             continue;
         }
-        let verdict = judge_file(&wanted, &png::encode(&own), 0, &Known::default());
+        let verdict = judge_file(&wanted, &png::encode(&own), 0, &Context::default());
         assert_eq!(verdict.exit_code(), 1);
         let Verdict::Another { cause, tasks } = verdict else {
             panic!("{} in {chapter:?}: {verdict:?}", probe.name);

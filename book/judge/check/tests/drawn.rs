@@ -2,7 +2,7 @@
 //! that is named for each.
 
 use check::answer::{Kind, Row};
-use check::known::Known;
+use check::context::Context;
 use check::reading::Reading;
 use check::sources::Sources;
 use check::task::Task;
@@ -110,12 +110,12 @@ fn picture(chapter: Chapter, right: &'static str, wrong: &'static str) -> Readin
 }
 
 fn rows(chapter: Chapter, reading: &Reading, sources: Sources) -> Vec<Row> {
-    let known = Known {
+    let context = Context {
         letters: Some(Letters::Rust),
         sources,
-        ..Known::default()
+        ..Context::default()
     };
     let task = Task::new(chapter, None).expect("every chapter can be drawn without a probe");
-    let verdict = judge(&task, reading, 0, &known);
-    verdict.finding().map_or(Vec::new(), |it| it.rows(&known))
+    let verdict = judge(&task, reading, 0, &context);
+    verdict.finding().map_or(Vec::new(), |it| it.rows(&context))
 }

@@ -1,7 +1,7 @@
 //! A reader's own program beside the picture: its lines are named, and no innocent ones.
 
 use check::answer::{Kind, Row};
-use check::known::Known;
+use check::context::Context;
 use check::png;
 use check::sources::Sources;
 use check::task::Task;
@@ -167,34 +167,34 @@ fn a_right_program_gets_no_remark() {
     let at_once = "image_height = max(1, int(image_width / aspect))\n";
     let chosen = "h = int(image_width / aspect)\nimage_height = 1 if h < 1 else h\n";
     for text in [later, at_once, chosen] {
-        let known = in_python(&(text.to_owned() + PROGRAM));
+        let context = in_python(&(text.to_owned() + PROGRAM));
         let picture = png::encode(&Chapter::HalfBSphere.picture(100));
-        let verdict = judge_file(&task(Chapter::HalfBSphere), &picture, 0, &known);
+        let verdict = judge_file(&task(Chapter::HalfBSphere), &picture, 0, &context);
         assert!(matches!(verdict, Verdict::Right(_)), "{text}");
     }
 }
 
-fn rows(task: &Task, picture: &[u8], known: &Known) -> Vec<Row> {
-    let verdict = judge_file(task, picture, 0, known);
+fn rows(task: &Task, picture: &[u8], context: &Context) -> Vec<Row> {
+    let verdict = judge_file(task, picture, 0, context);
     verdict
         .finding()
-        .map_or(Vec::new(), |finding| finding.rows(known))
+        .map_or(Vec::new(), |finding| finding.rows(context))
 }
 
-fn in_python(text: &str) -> Known<'static> {
+fn in_python(text: &str) -> Context<'static> {
     let files = vec![("main.py".to_owned(), text.to_owned())];
-    Known {
+    Context {
         letters: Some(Letters::Python(Edition::V4)),
         sources: Sources::new(files, Vec::new()),
-        ..Known::default()
+        ..Context::default()
     }
 }
 
-fn in_cpp(text: &str) -> Known<'static> {
+fn in_cpp(text: &str) -> Context<'static> {
     let files = vec![("main.cpp".to_owned(), text.to_owned())];
-    Known {
+    Context {
         sources: Sources::new(files, Vec::new()),
-        ..Known::default()
+        ..Context::default()
     }
 }
 

@@ -3,7 +3,7 @@
 use std::{slice, thread};
 
 use check::answer::{Attempt, Commands};
-use check::known::Known;
+use check::context::Context;
 use check::names_of;
 use check::reading::Reading;
 use check::task::Task;
@@ -159,7 +159,7 @@ fn laid_out(chapter: Chapter, verdict: Verdict) -> Vec<String> {
         is_guessed: false,
         name: "picture.ppm".to_owned(),
         encoding: None,
-        known: &Known::default(),
+        context: &Context::default(),
         laws: None,
         commands: Commands::of_pictures(task(chapter)),
     };
@@ -174,7 +174,7 @@ fn each_edition_is_right_and_known_by_its_picture_alone() {
             let picture = edition.program(chapter).run(WIDTH).picture();
             let reading = Reading::of(&picture);
             let (task, verdict) =
-                judge_guessed(&guess::task(&reading), &reading, 0, &Known::default());
+                judge_guessed(&guess::task(&reading), &reading, 0, &Context::default());
             let Verdict::Right(right) = verdict else {
                 panic!("{chapter:?} by {edition:?}: {}", said(&verdict));
             };
@@ -262,7 +262,7 @@ fn numbers_that_are_no_levels_and_levels_that_wrap_name_their_mistake() {
         &task(Chapter::Normals),
         text.as_bytes(),
         0,
-        &Known::default(),
+        &Context::default(),
     );
     assert!(matches!(verdict, Verdict::NotAPicture { .. }));
     assert_eq!(said(&verdict), "normal-only-shifted");
@@ -285,7 +285,7 @@ fn a_probe_remembers_what_was_passed() {
         ("normal-only-shifted", "unknown: "),
     ] {
         let drawn = task.program(&[slip(name)]).run(128).picture();
-        let verdict = judge_file(&task, &png::encode(&drawn), 0, &Known::default());
+        let verdict = judge_file(&task, &png::encode(&drawn), 0, &Context::default());
         assert!(
             said(&verdict).starts_with(expected),
             "{name}: {}",
@@ -306,9 +306,9 @@ fn no_shape_and_no_numbers_are_too_odd_for_an_answer() {
                 encoding: None,
             };
             let guessed = guess::task(&reading);
-            judge_guessed(&guessed, &reading, 0, &Known::default());
+            judge_guessed(&guessed, &reading, 0, &Context::default());
             for chapter in Chapter::OF_THE_BOOK {
-                judge(&task(chapter), &reading, 0, &Known::default());
+                judge(&task(chapter), &reading, 0, &Context::default());
             }
         }
     }
@@ -318,7 +318,12 @@ fn no_shape_and_no_numbers_are_too_odd_for_an_answer() {
 const WIDTH: u32 = 90;
 
 fn answer(chapter: Chapter, picture: &Picture) -> Verdict {
-    judge(&task(chapter), &Reading::of(picture), 0, &Known::default())
+    judge(
+        &task(chapter),
+        &Reading::of(picture),
+        0,
+        &Context::default(),
+    )
 }
 
 /// Returns what is said, in short.

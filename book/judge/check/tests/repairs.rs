@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use std::thread;
 
 use check::answer::{Kind, Row};
-use check::known::Known;
+use check::context::Context;
 use check::reading::Reading;
 use check::sources::Sources;
 use check::task::Task;
@@ -284,19 +284,19 @@ fn said(chapter: Chapter, files: &[(String, String)], is_wrong: bool) -> Vec<Row
     let mut shown = [chapter, Chapter::RedSphere].into_iter();
     let is_hidden = is_wrong && shown.any(|it| picture == it.picture(WIDTH));
     let unlike = |_: &Program| (1, 1);
-    let known = Known {
+    let context = Context {
         answers: is_hidden.then_some(&unlike),
         letters: Some(Letters::Rust),
         sources: Sources::of_chapter(files.to_vec(), chapter),
         // As in a crate of `start`, in which each step on the way is judged.
         steps: vec![false; steps::of(chapter).len()],
-        ..Known::default()
+        ..Context::default()
     };
     let task = Task::new(chapter, None).expect("every chapter can be drawn without a probe");
-    let verdict = judge(&task, &Reading::of(&picture), 0, &known);
+    let verdict = judge(&task, &Reading::of(&picture), 0, &context);
     match &verdict {
         Verdict::Right(_) => vec![Row::new(Kind::Laws, "right")],
-        _ => verdict.finding().map_or(Vec::new(), |it| it.rows(&known)),
+        _ => verdict.finding().map_or(Vec::new(), |it| it.rows(&context)),
     }
 }
 

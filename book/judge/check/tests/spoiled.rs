@@ -3,7 +3,7 @@
 //! For a longer campaign `PROPTEST_CASES` says how many files are spoiled.
 
 use check::answer::{Attempt, Commands};
-use check::known::Known;
+use check::context::Context;
 use check::png;
 use check::reading::{MOST_PIXELS, read};
 use check::task::Task;
@@ -25,7 +25,7 @@ proptest! {
         for (at, length, damage) in damages {
             damage.put_to(&mut bytes, at, length);
         }
-        let answer = judge_file(&task, &bytes, 0, &Known::default());
+        let answer = judge_file(&task, &bytes, 0, &Context::default());
         assert_sane(task, &bytes, answer);
     }
 }
@@ -146,7 +146,7 @@ fn assert_says_something(task: Task, verdict: Verdict) {
         is_guessed: false,
         name: "it".to_owned(),
         encoding: None,
-        known: &Known::default(),
+        context: &Context::default(),
         laws: None,
         commands: Commands::of_pictures(task),
     };

@@ -1,7 +1,7 @@
 //! A picture that is right says nothing of a function that no ray of it needs.
 
 use check::answer::{Answer, Attempt, Commands, Laws};
-use check::known::Known;
+use check::context::Context;
 use check::task::Task;
 use check::verdict::judge_file;
 use slips::{Chapter, steps};
@@ -9,20 +9,20 @@ use slips::{Chapter, steps};
 fn answer(text: &str, laws: &Laws) -> Answer {
     let task =
         Task::new(Chapter::Gradient, None).expect("every chapter can be drawn without a probe");
-    let known = Known {
+    let context = Context {
         steps: vec![false; steps::of(Chapter::Gradient).len()],
-        ..Known::default()
+        ..Context::default()
     };
     let attempt = Attempt {
         task,
         is_guessed: false,
         name: String::new(),
         encoding: None,
-        known: &known,
+        context: &context,
         laws: Some(laws),
         commands: Commands::of_pictures(task),
     };
-    attempt.answer(judge_file(&task, text.as_bytes(), 0, &known))
+    attempt.answer(judge_file(&task, text.as_bytes(), 0, &context))
 }
 
 #[test]

@@ -6,9 +6,9 @@
 use std::iter;
 
 use check::answer::{Answer, Attempt, Commands, Pictures};
+use check::context::Context;
 use check::guess;
 use check::html::{Place, below, escaped, headline};
-use check::known::Known;
 use check::reading::{self, Cause, MOST_PIXELS, Reading};
 use check::report::difference_picture;
 use check::sentences;
@@ -125,13 +125,13 @@ pub fn decoded(question: Question, why: &[u8], size: (u32, u32), rgba: &[u8]) ->
 
 /// `foreign` says why only the browser can read the file.
 fn judged(question: Question, reading: Reading, foreign: Option<Cause>) -> Answered {
-    let known = Known::default();
+    let context = Context::default();
     let wanted = question.task(Some(&reading));
     let is_guessed = question.chapter.is_none();
     let (task, verdict) = if is_guessed {
-        verdict::judge_guessed(&wanted, &reading, 0, &known)
+        verdict::judge_guessed(&wanted, &reading, 0, &context)
     } else {
-        (wanted, verdict::judge(&wanted, &reading, 0, &known))
+        (wanted, verdict::judge(&wanted, &reading, 0, &context))
     };
     let loses_levels = |it: &Cause| {
         ["JPEG", "WebP"]
@@ -155,7 +155,7 @@ fn judged(question: Question, reading: Reading, foreign: Option<Cause>) -> Answe
         is_guessed,
         name: question.name,
         encoding: reading.encoding.clone(),
-        known: &known,
+        context: &context,
         laws: None,
         commands: Commands::of_pictures(task),
     };

@@ -5,8 +5,8 @@
 //! become HTML.
 
 use check::answer::{Answer, Attempt, Commands, Kind, Laws, Mark, Row};
+use check::context::Context;
 use check::html::{self, Place};
-use check::known::Known;
 use check::names::companion;
 use check::reading::Reading;
 use check::sentences;
@@ -168,7 +168,7 @@ impl Text {
             |program: &Program| lawful::unlike(&answers, self.chapter, program, MOST_UNLIKE);
         let can_be_made =
             |slip: &Slip| slip.can_be_made_in(Letters::Rust) && slip.is_typed_in(self.chapter);
-        let known = Known {
+        let context = Context {
             letters: Some(Letters::Rust),
             can_be_made: Some(&can_be_made),
             sources: Sources::of_chapter(self.files.clone(), self.chapter),
@@ -182,7 +182,7 @@ impl Text {
             is_guessed: false,
             name: String::new(),
             encoding: None,
-            known: &known,
+            context: &context,
             laws: laws.as_ref(),
             commands: Commands {
                 judge: Box::new(|probe| {
@@ -195,7 +195,7 @@ impl Text {
             },
         };
         let reading = Reading::of(picture);
-        attempt.answer(verdict::judge(&task, &reading, 0, &known))
+        attempt.answer(verdict::judge(&task, &reading, 0, &context))
     }
 
     /// Returns what the compiler would refuse and was seen only when the laws asked.

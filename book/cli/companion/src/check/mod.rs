@@ -9,9 +9,9 @@ use std::process::ExitCode;
 use std::time::Duration;
 
 use check::answer::{Answer, Attempt, Commands, Kind, Row};
+use check::context::Context;
 use check::guess;
 use check::html::{self, Place};
-use check::known::Known;
 use check::names::{self, companion};
 use check::reading::{self, Reading};
 use check::report::Report;
@@ -92,13 +92,13 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
     };
     let letters = found.letters();
     let can_be_made = |slip: &Slip| letters.is_none_or(|letters| slip.can_be_made_in(letters));
-    let known = Known {
+    let context = Context {
         letters,
         sources: found.sources,
         can_be_made: Some(&can_be_made),
-        ..Known::default()
+        ..Context::default()
     };
-    let (attempt, verdict) = arguments.judged(task, &source, &known)?;
+    let (attempt, verdict) = arguments.judged(task, &source, &context)?;
     let chapter = attempt.task.chapter;
     let code = verdict.exit_code();
     let why_none = found.why_none.filter(|_| verdict.finding().is_some());
@@ -159,18 +159,19 @@ impl Arguments {
         &self,
         task: Option<Task>,
         source: &Source,
-        known: &'a Known<'a>,
+        context: &'a Context<'a>,
     ) -> Result<(Attempt<'a>, Verdict), Box<dyn Error>> {
         let (is_guessed, tolerance) = (task.is_none(), self.tolerance);
         let bytes = source.read(self.timeout);
         let (task, verdict, encoding) = match (bytes.and_then(|it| reading::read(&it)), task) {
             (Ok(reading), Some(task)) => {
-                let verdict = verdict::judge(&task, &reading, tolerance, known);
+                let verdict = verdict::judge(&task, &reading, tolerance, context);
                 (task, verdict, reading.encoding)
             }
             (Ok(reading), None) => {
                 let guessed = self.guessed(&reading)?;
-                let (task, verdict) = verdict::judge_guessed(&guessed, &reading, tolerance, known);
+                let (task, verdict) =
+                    verdict::judge_guessed(&guessed, &reading, tolerance, context);
                 (task, verdict, reading.encoding)
             }
             (Err(cause), task) => {
@@ -184,7 +185,7 @@ impl Arguments {
             is_guessed,
             name: source.to_string(),
             encoding,
-            known,
+            context,
             laws: None,
             commands: Commands::of_pictures(task),
         };

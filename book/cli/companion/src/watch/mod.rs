@@ -15,7 +15,7 @@ use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use check::answer::{Answer, Attempt, Commands, Kind, Laws, Row};
-use check::known::Known;
+use check::context::Context;
 use check::names::{companion, from_here};
 use check::reading::{Cause, read};
 use check::sentences::{self, printed, step_is_done};
@@ -253,7 +253,7 @@ impl Subject {
             |program: &Program| lawful::unlike(answers, chapter, program, MOST_UNLIKE)
         });
         let is_done = |step| self.done.has(&step_is_done(chapter, step));
-        let known = Known {
+        let context = Context {
             letters,
             can_be_made: Some(&can_be_made),
             sources,
@@ -269,7 +269,7 @@ impl Subject {
             is_guessed: false,
             name: String::new(),
             encoding: None,
-            known: &known,
+            context: &context,
             laws: match &asked {
                 None if self.misses_laws.get() => Some(&Laws::Coming),
                 asked => asked.as_ref().map(|it| &it.outcome),
@@ -280,7 +280,7 @@ impl Subject {
                 test: "cargo test, in the folder of your crate, shows more",
             },
         };
-        let mut answer = attempt.answer(judge_file(&self.task, bytes, 0, &known));
+        let mut answer = attempt.answer(judge_file(&self.task, bytes, 0, &context));
         if answer.is_right() && !is_crate && ASKED.contains(&chapter) {
             let (companion, name) = (companion(), chapter.name());
             let asks = format!(

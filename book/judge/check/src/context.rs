@@ -13,11 +13,11 @@ use crate::sources::{Found, Sources};
 use crate::task::Task;
 
 /// How many answers were given, and how many of them a program would not give.
-pub type Asked<'a> = dyn Fn(&Program) -> (usize, usize) + 'a;
+pub type CompareAnswers<'a> = dyn Fn(&Program) -> (usize, usize) + 'a;
 
 /// What is known besides the picture.
 #[derive(Default)]
-pub struct Known<'a> {
+pub struct Context<'a> {
     /// The letters in which the reader writes; without them, those of the edition.
     pub letters: Option<Letters>,
     /// True if the reader can have made a slip; any, if nothing is known.
@@ -25,7 +25,7 @@ pub struct Known<'a> {
     /// What the reader wrote.
     pub sources: Sources,
     /// What the reader's functions answered.
-    pub answers: Option<&'a Asked<'a>>,
+    pub answers: Option<&'a CompareAnswers<'a>>,
     /// What the compiler warned of, in its words.
     pub warnings: Vec<String>,
     /// True if each step of the chapter has been done before, if steps are judged.
@@ -35,7 +35,7 @@ pub struct Known<'a> {
 /// More answers than one in fifty are not due to rounding.
 const REFUTING: usize = 50;
 
-impl Known<'_> {
+impl Context<'_> {
     /// Returns true if what the reader wrote follows version 4 of the book, as our chapters do: no
     /// earlier one has such names.
     pub(crate) fn follows_version_4(&self) -> bool {
@@ -97,14 +97,14 @@ pub(crate) struct Evidence<'a> {
     /// True if it has numbers that are no levels.
     pub(crate) has_no_levels: bool,
     /// What is known besides.
-    pub(crate) known: &'a Known<'a>,
+    pub(crate) context: &'a Context<'a>,
     repair: OnceCell<Option<Repair>>,
     drawn: OnceCell<Drawn>,
     passed: OnceCell<Vec<&'static Slip>>,
 }
 
 impl<'a> Evidence<'a> {
-    pub(crate) fn new(task: &Task, reading: &'a Reading, known: &'a Known<'a>) -> Self {
+    pub(crate) fn new(task: &Task, reading: &'a Reading, context: &'a Context<'a>) -> Self {
         let is_about_another_width = task
             .probe
             .is_some_and(|probe| probe.spheres.is_none() && probe.width != reading.width);
@@ -116,7 +116,7 @@ impl<'a> Evidence<'a> {
             },
             reading,
             has_no_levels: reading.outside().is_some(),
-            known,
+            context,
             repair: OnceCell::new(),
             drawn: OnceCell::new(),
             passed: OnceCell::new(),
@@ -125,14 +125,14 @@ impl<'a> Evidence<'a> {
 
     /// Returns what makes the reader's program right.
     pub(crate) fn repair(&self) -> Option<&Repair> {
-        let before = self.known.steps.len().saturating_sub(1);
-        let repair = || Repair::of(&self.task, self.reading, &self.known.sources, before);
+        let before = self.context.steps.len().saturating_sub(1);
+        let repair = || Repair::of(&self.task, self.reading, &self.context.sources, before);
         self.repair.get_or_init(repair).as_ref()
     }
 
     /// The single edits that draw the picture, of the text of the scene that comes nearest.
     pub(crate) fn drawn(&self, right: &Task) -> &Drawn {
-        let drawn = || search::drawn(right, self.reading, &self.known.sources);
+        let drawn = || search::drawn(right, self.reading, &self.context.sources);
         self.drawn.get_or_init(drawn)
     }
 
@@ -140,7 +140,7 @@ impl<'a> Evidence<'a> {
     pub(crate) fn slips(&self, task: &Task) -> impl Iterator<Item = &'static Slip> {
         let chapter = task.chapter;
         let unnamed = slips::unnamed().filter(move |slip| slip.is_in(chapter));
-        let can_be_made = |slip: &&Slip| self.known.can_be_made.is_none_or(|can_be| can_be(slip));
+        let can_be_made = |slip: &&Slip| self.context.can_be_made.is_none_or(|can_be| can_be(slip));
         let all = task.slips().chain(unnamed).filter(can_be_made);
         all.filter(|slip| self.has_passed(slip))
     }
@@ -160,16 +160,16 @@ impl<'a> Evidence<'a> {
     /// the right line of a slip stands there, or a function that answers so has another mistake or
     /// none.
     pub(crate) fn is_refuted(&self, it: &Candidate) -> bool {
-        let known = self.known;
-        let is_right = |slip: &&'static Slip| known.said(slip, &it.task) == Said::Right;
+        let context = self.context;
+        let is_right = |slip: &&'static Slip| context.said(slip, &it.task) == Said::Right;
         if it.slips.iter().any(is_right) {
             return true;
         }
-        let is_further = it.task.step().is_some() && known.sources.is_written();
+        let is_further = it.task.step().is_some() && context.sources.is_written();
         let is_right = it.slips.is_empty() && it.task.step().is_none();
         is_further
             || !is_right
-                && known.answers.is_some_and(|unlike| {
+                && context.answers.is_some_and(|unlike| {
                     let (asked, unlike) = unlike(&it.task.unchanged().program(&it.slips));
                     unlike * REFUTING > asked
                 })
@@ -178,7 +178,7 @@ impl<'a> Evidence<'a> {
     /// Returns true if the reader's functions answer more like the whole chapter's than like those
     /// of this step: the reader is past it.
     pub(crate) fn is_past(&self, step: &Task) -> bool {
-        self.known.answers.is_some_and(|unlike| {
+        self.context.answers.is_some_and(|unlike| {
             let [whole, step] = [self.task, *step].map(|it| unlike(&it.unchanged().program(&[])).1);
             whole < step
         })
@@ -186,7 +186,7 @@ impl<'a> Evidence<'a> {
 
     /// Returns true if the wrong line of each of its slips stands in the reader's files.
     pub(crate) fn is_found(&self, it: &Candidate) -> bool {
-        let is_found = |slip: &&Slip| self.known.said(slip, &it.task) == Said::Wrong;
+        let is_found = |slip: &&Slip| self.context.said(slip, &it.task) == Said::Wrong;
         it.slips.iter().all(is_found)
     }
 }
