@@ -356,8 +356,8 @@ impl Attempt<'_> {
             Verdict::Near(finding) => match (&finding.near, finding.task.step()) {
                 (Some(near), Some(step)) if near.is_exact() => self.step(step, finding),
                 (near, _) => {
-                    let left = near.as_ref().map(|it| it.left).unwrap_or_default();
-                    self.nearly_right(finding, &left)
+                    let unexplained = near.as_ref().map(|it| it.unexplained).unwrap_or_default();
+                    self.nearly_right(finding, &unexplained)
                 }
             },
             Verdict::Wrong(finding) => self.wrong(finding),

@@ -32,7 +32,7 @@ pub enum Conversion {
 
 /// The pixels of a picture that a program does not draw.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Left {
+pub struct Unexplained {
     /// How many are off at all.
     pub off: usize,
     /// How many are off by more than one level.
@@ -112,19 +112,19 @@ impl Candidate {
 
     /// The pixels that it leaves; `None` if they are more than `most`, and some of them are
     /// off by more than a level.
-    pub(crate) fn left(&self, reading: &Reading, most: usize) -> Option<Left> {
-        let mut left = Left::default();
+    pub(crate) fn unexplained(&self, reading: &Reading, most: usize) -> Option<Unexplained> {
+        let mut unexplained = Unexplained::default();
         let pixels = self.pixels(reading)?;
         for (n, (pixel, found)) in (0..).zip(pixels.zip(&reading.pixels)) {
             let off = distance(pixel, *found);
             if off > 0 {
-                left.add(n % reading.width, n / reading.width, off);
-                if left.far > 0 && left.off > most {
+                unexplained.add(n % reading.width, n / reading.width, off);
+                if unexplained.far > 0 && unexplained.off > most {
                     return None;
                 }
             }
         }
-        Some(left)
+        Some(unexplained)
     }
 
     /// All that it prints, if its picture has the reader's size.
@@ -155,7 +155,7 @@ impl Conversion {
     }
 }
 
-impl Left {
+impl Unexplained {
     /// The whole picture.
     pub(crate) fn all(reading: &Reading) -> Self {
         Self {

@@ -5,7 +5,7 @@
 
 use std::cmp::Reverse;
 
-use crate::candidate::{Candidate, Left, Look};
+use crate::candidate::{Candidate, Look, Unexplained};
 use crate::candidates::{elsewhere, pairs, rights, singles};
 use crate::context::Evidence;
 use crate::pixels::spread;
@@ -29,7 +29,7 @@ pub(crate) struct Fit {
     /// The first is the likeliest.
     pub(crate) candidates: Vec<Candidate>,
     /// What they leave.
-    pub(crate) left: Left,
+    pub(crate) unexplained: Unexplained,
     /// True if the wrong lines of all of them stand in the reader's files, or no file is known.
     pub(crate) is_in_text: bool,
 }
@@ -52,20 +52,21 @@ const PAIRS: usize = 4;
 /// Returns what explains the picture.
 pub(crate) fn explain(evidence: &Evidence) -> Explanation {
     let reading = evidence.reading;
-    let (right, left) = nearest(evidence);
-    let near = |left| Explanation::Near(Fit::of(right.clone(), left));
+    let (right, unexplained) = nearest(evidence);
+    let near = |unexplained| Explanation::Near(Fit::of(right.clone(), unexplained));
     let is_answered = || {
         let program = right.task.unchanged().program(&[]);
         evidence.context.is_answered_by(&program)
     };
-    if left.is_nothing() && is_answered() {
-        return near(left);
+    if unexplained.is_nothing() && is_answered() {
+        return near(unexplained);
     }
-    let elsewhere = right_elsewhere(evidence).filter(|_| !left.is_nothing());
+    let elsewhere = right_elsewhere(evidence).filter(|_| !unexplained.is_nothing());
     if let Some(tasks) = elsewhere.clone().filter(|it| is_forgotten(evidence, it)) {
         return Explanation::Another(tasks);
     }
-    let single = first(evidence, &left, singles(evidence)).map(|it| in_the_text(evidence, it));
+    let single =
+        first(evidence, &unexplained, singles(evidence)).map(|it| in_the_text(evidence, it));
     let is_repaired = || evidence.repair().is_some();
     if let Some(single) = single.clone().filter(|it| it.is_in_text || is_repaired()) {
         return Explanation::Mistakes(single);
@@ -73,18 +74,21 @@ pub(crate) fn explain(evidence: &Evidence) -> Explanation {
     if evidence.repair().is_some() {
         return Explanation::Nothing(right);
     }
-    if let Some(single) = single.filter(|_| !left.is_nothing()) {
+    if let Some(single) = single.filter(|_| !unexplained.is_nothing()) {
         return Explanation::Mistakes(single);
     }
     if let Some(tasks) = elsewhere {
         return Explanation::Another(tasks);
     }
-    if left.is_nothing() || MANY * left.off <= reading.pixels.len() || left.is_rounding() {
-        return near(left);
+    if unexplained.is_nothing()
+        || MANY * unexplained.off <= reading.pixels.len()
+        || unexplained.is_rounding()
+    {
+        return near(unexplained);
     }
     let beside = described_beside(evidence, right.clone());
     if !evidence.drawn(&beside.task).is_told()
-        && let Some(pair) = two_mistakes(evidence, &right, &left)
+        && let Some(pair) = two_mistakes(evidence, &right, &unexplained)
     {
         return Explanation::Mistakes(pair);
     }
@@ -106,10 +110,10 @@ fn described_beside(evidence: &Evidence, nearest: Candidate) -> Candidate {
 }
 
 impl Fit {
-    fn of(candidate: Candidate, left: Left) -> Self {
+    fn of(candidate: Candidate, unexplained: Unexplained) -> Self {
         Self {
             candidates: vec![candidate],
-            left,
+            unexplained,
             is_in_text: true,
         }
     }
@@ -117,7 +121,7 @@ impl Fit {
 
 /// The right program that leaves least: what is off by more than a level counts first. More
 /// than a twentieth counts as all.
-fn nearest(evidence: &Evidence) -> (Candidate, Left) {
+fn nearest(evidence: &Evidence) -> (Candidate, Unexplained) {
     let reading = evidence.reading;
     let rights = rights(evidence).into_iter();
     let looked = rights.filter_map(|it| Some((it.look(reading, LOOK)?.far, it)));
@@ -128,18 +132,25 @@ fn nearest(evidence: &Evidence) -> (Candidate, Left) {
     let most = reading.pixels.len() / MANY;
     // Where a tenth of some is far off, more than a twentieth of all is.
     let many = spread(LOOK, reading.pixels.len() as u32).count() / (MANY / 2);
-    let left = |far: usize, it: &Candidate| {
-        let left = (far <= many).then(|| it.left(reading, most)).flatten();
-        left.unwrap_or(Left::all(reading))
+    let unexplained = |far: usize, it: &Candidate| {
+        let unexplained = (far <= many)
+            .then(|| it.unexplained(reading, most))
+            .flatten();
+        unexplained.unwrap_or(Unexplained::all(reading))
     };
-    let measured = likely.map(|(far, it)| (left(far, &it), far, it));
+    let measured = likely.map(|(far, it)| (unexplained(far, &it), far, it));
     // Where nothing comes near, one in its own shape does.
-    let key = |(left, far, it): &(Left, usize, Candidate)| {
-        (left.far, left.off, it.task.has_another_shape(), *far)
+    let key = |(unexplained, far, it): &(Unexplained, usize, Candidate)| {
+        (
+            unexplained.far,
+            unexplained.off,
+            it.task.has_another_shape(),
+            *far,
+        )
     };
     let best = measured.min_by_key(key);
-    let (left, _, it) = best.expect("the scene was fitted to the picture");
-    (it, left)
+    let (unexplained, _, it) = best.expect("the scene was fitted to the picture");
+    (it, unexplained)
 }
 
 /// Returns true if a change of scene was forgotten, or is still there: a picture as wide as a
@@ -160,7 +171,10 @@ fn right_elsewhere(evidence: &Evidence) -> Option<Vec<Task>> {
         return None;
     }
     let is_it = |it: &Candidate| {
-        it.may_leave(reading, 0) && it.left(reading, 0).is_some_and(|left| left.is_nothing())
+        it.may_leave(reading, 0)
+            && it
+                .unexplained(reading, 0)
+                .is_some_and(|unexplained| unexplained.is_nothing())
     };
     let found = elsewhere(evidence).into_iter().filter(is_it);
     let mut tasks: Vec<Task> = Vec::new();
@@ -190,7 +204,7 @@ fn in_the_text(evidence: &Evidence, mut found: Fit) -> Fit {
 }
 
 /// Two mistakes, if few pairs draw the very picture.
-fn two_mistakes(evidence: &Evidence, nearest: &Candidate, all: &Left) -> Option<Fit> {
+fn two_mistakes(evidence: &Evidence, nearest: &Candidate, all: &Unexplained) -> Option<Fit> {
     // Many pairs draw one color everywhere.
     if evidence.reading.is_plain() {
         return None;
@@ -203,18 +217,18 @@ fn two_mistakes(evidence: &Evidence, nearest: &Candidate, all: &Left) -> Option<
 /// else those that leave least of all that the right program leaves, if that is little.
 fn first(
     evidence: &Evidence,
-    all: &Left,
+    all: &Unexplained,
     groups: impl Iterator<Item = Vec<Candidate>>,
 ) -> Option<Fit> {
     let mut best: Option<Fit> = None;
     for group in groups {
-        if let Some(fit) = least(evidence, group).filter(|fit| fit.left.is_little_of(all)) {
-            if fit.left.is_nearly_nothing_of(all) {
+        if let Some(fit) = least(evidence, group).filter(|fit| fit.unexplained.is_little_of(all)) {
+            if fit.unexplained.is_nearly_nothing_of(all) {
                 return Some(fit);
             }
             if best
                 .as_ref()
-                .is_none_or(|best| fit.left.off < best.left.off)
+                .is_none_or(|best| fit.unexplained.off < best.unexplained.off)
             {
                 best = Some(fit);
             }
@@ -237,20 +251,26 @@ fn least(evidence: &Evidence, group: Vec<Candidate>) -> Option<Fit> {
                 continue;
             }
             // What is off in more of some pixels is off in more of all.
-            let give = if best.left.is_nothing() { 0 } else { NEARLY };
+            let give = if best.unexplained.is_nothing() {
+                0
+            } else {
+                NEARLY
+            };
             if look.off > first.off + give {
                 break;
             }
         }
-        let left = it.left(reading, most);
-        let Some(left) = left.filter(|left| left.far > 0 || ROUNDED * left.off <= total) else {
+        let unexplained = it.unexplained(reading, most);
+        let Some(unexplained) = unexplained
+            .filter(|unexplained| unexplained.far > 0 || ROUNDED * unexplained.off <= total)
+        else {
             continue;
         };
-        most = most.min(left.off);
+        most = most.min(unexplained.off);
         match &mut best {
-            Some((best, _)) if best.left == left => best.candidates.push(it),
-            Some((best, _)) if best.left.off <= left.off => {}
-            _ => best = Some((Fit::of(it, left), look)),
+            Some((best, _)) if best.unexplained == unexplained => best.candidates.push(it),
+            Some((best, _)) if best.unexplained.off <= unexplained.off => {}
+            _ => best = Some((Fit::of(it, unexplained), look)),
         }
     }
     best.map(|(fit, _)| fit)

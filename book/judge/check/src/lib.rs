@@ -32,7 +32,7 @@ pub mod text;
 pub mod verdict;
 pub mod workspace;
 
-pub use candidate::{Conversion, Left};
+pub use candidate::{Conversion, Unexplained};
 pub use course::names;
 pub use search::{FileEdit, edits_everywhere};
 pub use sentences::names_of;

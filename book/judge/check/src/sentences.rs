@@ -9,7 +9,7 @@ use slips::{Chapter, Edition, Letters, Slip, steps};
 
 use crate::answer::{Answer, Attempt, Kind, Laws, Mark, Row};
 use crate::blind_spots::{self, Next};
-use crate::candidate::{Conversion, Left};
+use crate::candidate::{Conversion, Unexplained};
 use crate::causes;
 use crate::context::Context;
 use crate::names;
@@ -75,10 +75,10 @@ impl Attempt<'_> {
     }
 
     /// Right but for odd pixels.
-    pub(crate) fn nearly_right(&self, finding: &Finding, left: &Left) -> Answer {
+    pub(crate) fn nearly_right(&self, finding: &Finding, unexplained: &Unexplained) -> Answer {
         let step = finding.task.step();
         let as_step = step.map_or(String::new(), |step| format!(" as step {}", step + 1));
-        let but = format!("{as_step}, but for {}", left.said(finding.total()));
+        let but = format!("{as_step}, but for {}", unexplained.said(finding.total()));
         if let Some(Laws::Broken(report)) = self.laws
             && !finding.is_answered
         {
@@ -330,9 +330,12 @@ impl Mistakes {
             (_, false) => "any of these mistakes".to_owned(),
             (_, true) => "any of these pairs".to_owned(),
         };
-        let draws = match self.left.is_nothing() {
+        let draws = match self.unexplained.is_nothing() {
             true => "draws exactly your picture".to_owned(),
-            false => format!("draws your picture, but for {}", self.left.said(pixels)),
+            false => format!(
+                "draws your picture, but for {}",
+                self.unexplained.said(pixels)
+            ),
         };
         let wrapped = match self.conversion {
             Conversion::Wrapped => ", if levels beyond 255 begin again at 0, as in a byte of C",
@@ -595,7 +598,7 @@ fn span(name: &str, [first, last]: [u32; 2]) -> String {
     }
 }
 
-impl Left {
+impl Unexplained {
     /// Says how many pixels are off, and where.
     fn said(&self, pixels: usize) -> String {
         let off = self.off;

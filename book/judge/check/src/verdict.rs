@@ -4,7 +4,7 @@ use common::rtweekend::Picture;
 use slips::{Edition, Probe, Slip, SphereCount};
 
 use crate::answer::Row;
-use crate::candidate::{Candidate, Conversion, Left};
+use crate::candidate::{Candidate, Conversion, Unexplained};
 use crate::comparison::{Comparison, Difference};
 use crate::context::{Context, Evidence};
 use crate::judge::{Explanation, Fit, explain};
@@ -104,7 +104,7 @@ pub struct Near {
     /// The scene.
     pub task: Task,
     /// The pixels that are not explained.
-    pub left: Left,
+    pub unexplained: Unexplained,
 }
 
 /// Mistakes that draw the same picture.
@@ -120,7 +120,7 @@ pub struct Mistakes {
     /// True if their lines stand in the reader's files, or no file is known.
     pub is_in_text: bool,
     /// The pixels that they leave unexplained.
-    pub left: Left,
+    pub unexplained: Unexplained,
     /// A small change of scene that tells them apart, if there is one.
     pub telling: Option<Probe>,
 }
@@ -250,14 +250,14 @@ impl Finding {
             Explanation::Another(tasks) => return Answer::Another(tasks),
             // The width that a probe is about was forgotten.
             Explanation::Near(fit)
-                if fit.left.is_nothing() && evidence.task.probe != task.probe =>
+                if fit.unexplained.is_nothing() && evidence.task.probe != task.probe =>
             {
                 return Answer::Another(vec![evidence.task]);
             }
             Explanation::Near(fit) => {
                 let near = Near {
                     task: fit.candidates[0].task,
-                    left: fit.left,
+                    unexplained: fit.unexplained,
                 };
                 Self {
                     near: Some(near),
@@ -401,7 +401,7 @@ impl Fit {
                 task: *task,
                 ..it.clone()
             };
-            candidate.left(reading, self.left.off) == Some(self.left)
+            candidate.unexplained(reading, self.unexplained.off) == Some(self.unexplained)
         };
         let same = tasks.filter(is_same).map(|task| task.edition);
         let others = same.filter(|edition| *edition != own);
@@ -420,7 +420,7 @@ impl Mistakes {
             all,
             conversion: first.conversion,
             is_in_text: fit.is_in_text,
-            left: fit.left,
+            unexplained: fit.unexplained,
         }
     }
 }
@@ -428,7 +428,7 @@ impl Mistakes {
 impl Near {
     /// Returns true if it is right to the last bit: a step on the way.
     pub(crate) fn is_exact(&self) -> bool {
-        self.left.is_nothing()
+        self.unexplained.is_nothing()
     }
 
     fn has_odd_pixels(&self) -> bool {

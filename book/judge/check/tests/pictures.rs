@@ -128,7 +128,7 @@ fn unnamed_in(slip: &'static Slip, chapter: Chapter, width: u32, way: Way) -> St
             let has_few = finding
                 .near
                 .as_ref()
-                .is_some_and(|near| near.left.off <= few);
+                .is_some_and(|near| near.unexplained.off <= few);
             has_few || drawn.size().1 != right.height()
         }
         other => other.finding().is_some_and(|finding| {
@@ -335,13 +335,13 @@ fn said(verdict: &Verdict) -> String {
         return format!("{:?}", verdict.cause().map(|cause| &cause.problem));
     };
     if let Some(near) = &finding.near {
-        return format!("right but for {}", near.left.off);
+        return format!("right but for {}", near.unexplained.off);
     }
     let Some(mistakes) = &finding.mistakes else {
         return format!("unknown: {}", finding.sights.join(" "));
     };
     let names: Vec<String> = mistakes.all.iter().map(|it| names_of(it)).collect();
-    let left = match mistakes.left.off {
+    let left = match mistakes.unexplained.off {
         0 => String::new(),
         off => format!(" but for {off}"),
     };
