@@ -15,7 +15,7 @@ use crate::png;
 
 /// What a report page shows.
 #[derive(Debug)]
-pub struct Report<'a> {
+pub struct ReportPage<'a> {
     /// What it is about: the name of a chapter.
     pub title: &'a str,
     /// The verdict, as HTML.
@@ -26,7 +26,7 @@ pub struct Report<'a> {
     pub remarks: &'a str,
 }
 
-impl Report<'_> {
+impl ReportPage<'_> {
     /// The page, `index.html`, and the pictures that it shows, by their names.
     pub fn files(&self) -> Vec<(String, Vec<u8>)> {
         let mut files = Vec::new();

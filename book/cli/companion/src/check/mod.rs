@@ -14,7 +14,7 @@ use check::guess;
 use check::html::{self, Place};
 use check::names::{self, companion};
 use check::reading::{self, Reading};
-use check::report::Report;
+use check::report::ReportPage;
 use check::task::Task;
 use check::verdict::{self, Verdict};
 use clap::Args;
@@ -121,7 +121,7 @@ const REPORT: &str = "report";
 
 /// Writes the page of an answer and its pictures into `folder`. Returns the path of the page.
 fn report(folder: &Path, chapter: Chapter, answer: &Answer) -> Result<PathBuf, Box<dyn Error>> {
-    let report = Report {
+    let report = ReportPage {
         title: chapter.name(),
         headline: &html::headline(&answer.headline),
         pictures: answer.pictures.as_ref(),
