@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use check::answer::{Kind, Row};
+use check::answer::{Row, RowKind};
 use page::home::archive;
 use page::typed::Text;
 use slips::Chapter;
@@ -59,7 +59,7 @@ fn said(text: &Text) -> Vec<String> {
         .expect("it draws");
     let answer = text.answer(&program, &picture);
     let row = |row: &Row| match row.kind {
-        Kind::Probe(_) => None,
+        RowKind::Probe(_) => None,
         kind => Some(squeezed(&format!("{} {}", kind.label(), row.text))),
     };
     let rows = answer.rows.iter().filter_map(row);

@@ -72,14 +72,14 @@ pub struct Pictures {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Row {
     /// What the line is.
-    pub kind: Kind,
+    pub kind: RowKind,
     /// The line, which may be long.
     pub text: String,
 }
 
 /// What a row tells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum RowKind {
     /// A line as a compiler or a program has printed it.
     Printed,
     /// The first complaint of the compiler that is no error.
@@ -216,13 +216,13 @@ fn capital(text: &str) -> String {
 
 impl Row {
     /// Makes a row.
-    pub fn new(kind: Kind, text: impl Into<String>) -> Self {
+    pub fn new(kind: RowKind, text: impl Into<String>) -> Self {
         let text = text.into();
         Self { kind, text }
     }
 }
 
-impl Kind {
+impl RowKind {
     /// Returns the label before the row.
     pub fn label(self) -> &'static str {
         match self {
@@ -344,7 +344,8 @@ impl Attempt<'_> {
         if self.is_guessed && answer.headline.verdict != "not recognized" {
             answer.rows.push(self.taken_for());
         }
-        let besides = |it: &Cause| Row::new(Kind::Besides, format!("{}. {}", it.problem, it.fix));
+        let besides =
+            |it: &Cause| Row::new(RowKind::Besides, format!("{}. {}", it.problem, it.fix));
         answer.rows.extend(self.encoding.iter().map(besides));
         answer.pictures = Pictures::of(verdict);
         answer
@@ -384,7 +385,7 @@ impl Attempt<'_> {
             return answer;
         };
         let mut answer = self.explained(answer, finding);
-        answer.rows.retain(|row| row.kind != Kind::Numbers);
+        answer.rows.retain(|row| row.kind != RowKind::Numbers);
         answer
     }
 }

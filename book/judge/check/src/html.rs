@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::answer::{Answer, Headline, Kind, Mark, Row};
+use crate::answer::{Answer, Headline, Mark, Row, RowKind};
 
 /// Where an answer is shown as HTML.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,7 +30,7 @@ pub fn headline(headline: &Headline) -> String {
 
 /// Lays out what follows the verdict: what was printed, the rows, what to do next, and pages.
 pub fn below(answer: &Answer, place: Place) -> String {
-    let is_printed = |it: &&Row| it.kind == Kind::Printed;
+    let is_printed = |it: &&Row| it.kind == RowKind::Printed;
     let (printed, rows): (Vec<&Row>, Vec<&Row>) = answer.rows.iter().partition(is_printed);
     let printed = printed
         .iter()
@@ -64,7 +64,7 @@ pub fn escaped(text: impl fmt::Display) -> String {
 fn row(row: &Row, place: Place) -> String {
     let said = match row.kind {
         kind if kind.is_code() => format!("<code>{}</code>", escaped(&row.text)),
-        Kind::Probe(name) if place == Place::CheckPage => format!(
+        RowKind::Probe(name) if place == Place::CheckPage => format!(
             "{} <button type=\"button\" data-probe=\"{name}\">Judge it here</button>",
             with_code(&row.text)
         ),

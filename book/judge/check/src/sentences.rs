@@ -7,7 +7,7 @@ use common::rtweekend::Picture;
 use laws::Report;
 use slips::{Chapter, Edition, Letters, Slip, steps};
 
-use crate::answer::{Answer, Attempt, Kind, Laws, Mark, Row};
+use crate::answer::{Answer, Attempt, Laws, Mark, Row, RowKind};
 use crate::blind_spots::{self, Next};
 use crate::candidate::{Conversion, Unexplained};
 use crate::causes;
@@ -217,7 +217,7 @@ pub fn not_written(chapter: Chapter, place: &str, obeyed: &[String]) -> Answer {
         Mark::OnTheWay,
         format!("Not written yet: todo!() at {place}."),
     )
-    .with((!obeyed.is_empty()).then(|| Row::new(Kind::Laws, so_far)))
+    .with((!obeyed.is_empty()).then(|| Row::new(RowKind::Laws, so_far)))
     .then(step.map_or(String::new(), |step| step_says(0, step)))
 }
 
@@ -236,13 +236,13 @@ impl Finding {
         if let Some(repair) = &self.repair {
             let slip = self.single().first();
             let why = slip.map_or("", |slip| context.words(slip, &self.task).why);
-            return repair.rows().chain(row(Kind::Why, why)).collect();
+            return repair.rows().chain(row(RowKind::Why, why)).collect();
         }
         if self.near.is_some() {
             return Vec::new();
         }
         let warnings = context.warnings.iter().take(WARNINGS);
-        let warnings = warnings.map(|it| Row::new(Kind::Warned, it));
+        let warnings = warnings.map(|it| Row::new(RowKind::Warned, it));
         warnings.chain(self.explained(context)).collect()
     }
 
@@ -252,14 +252,14 @@ impl Finding {
         match &self.mistakes {
             Some(it) if is_sky && (context.sources.is_empty() || !it.is_in_text) => {
                 let many = "and many others draw only sky: the picture does not tell which it is";
-                let rows = iter::once(Row::new(Kind::Seen, ONLY_SKY)).chain(it.perhaps(context));
-                return rows.chain(row(Kind::More, many)).collect();
+                let rows = iter::once(Row::new(RowKind::Seen, ONLY_SKY)).chain(it.perhaps(context));
+                return rows.chain(row(RowKind::More, many)).collect();
             }
             Some(it) => return it.rows(context, self.total()),
             None if self.drawn.is_told() => return self.drawn.rows(context, &self.task),
             None => {}
         }
-        let seen = self.sights.iter().map(|it| Row::new(Kind::Seen, it));
+        let seen = self.sights.iter().map(|it| Row::new(RowKind::Seen, it));
         let seen = seen.chain(self.first.iter().cloned());
         let drawn = self.drawn.rows(context, &self.task);
         let unknown =
@@ -275,7 +275,7 @@ impl Finding {
             None if context.sources.is_empty() => "no known mistake draws this picture",
             None => "no known mistake that your files can have draws this picture",
         };
-        Row::new(Kind::Tried, said)
+        Row::new(RowKind::Tried, said)
     }
 }
 
@@ -289,7 +289,7 @@ impl Mistakes {
             _ => self.perhaps(context).collect(),
         };
         rows.into_iter()
-            .chain([Row::new(Kind::Tried, self.tried(pixels))])
+            .chain([Row::new(RowKind::Tried, self.tried(pixels))])
             .collect()
     }
 
@@ -297,15 +297,15 @@ impl Mistakes {
         let rows = mistake.iter().flat_map(|slip| {
             let words = context.words(slip, &self.task);
             let kind = match self.is_in_text {
-                true => Kind::Probably,
-                false => Kind::Perhaps,
+                true => RowKind::Probably,
+                false => RowKind::Perhaps,
             };
             let lines = match context.line_of(slip, &self.task) {
                 Some(found) => found.rows(),
                 None => line_and_right(kind, &words.wrong, &words.right),
             };
             let lines = lines.into_iter().filter(|it| !it.text.is_empty());
-            lines.chain(row(Kind::Why, words.why))
+            lines.chain(row(RowKind::Why, words.why))
         });
         rows.collect()
     }
@@ -369,10 +369,10 @@ impl Drawn {
             [] => return Vec::new(),
             [it] if self.count == 1 => {
                 let rows = match (&*it.wrong, &it.yours) {
-                    ("", _) => vec![Row::new(Kind::Missing, typed(&it.right))],
+                    ("", _) => vec![Row::new(RowKind::Missing, typed(&it.right))],
                     (_, Some(yours)) => yours.rows(),
                     (wrong, None) => {
-                        line_and_right(Kind::Perhaps, &typed(wrong), &typed(&it.right))
+                        line_and_right(RowKind::Perhaps, &typed(wrong), &typed(&it.right))
                     }
                 };
                 (
@@ -392,7 +392,7 @@ impl Drawn {
                 (alternatives(all.iter().map(said)).collect(), tried)
             }
         };
-        rows.into_iter().chain(row(Kind::Tried, tried)).collect()
+        rows.into_iter().chain(row(RowKind::Tried, tried)).collect()
     }
 }
 
@@ -412,7 +412,7 @@ impl Repair {
             format!("{with} your program draws the picture")
         };
         let changes = self.changes.iter().flat_map(Change::rows);
-        changes.chain(row(Kind::Tried, &tried))
+        changes.chain(row(RowKind::Tried, &tried))
     }
 }
 
@@ -421,18 +421,18 @@ impl Change {
         let right = match &self.right {
             Mended::More(line) => {
                 let above = format!("above {}:{}  {line}", self.yours.file, self.yours.number);
-                return vec![Row::new(Kind::Missing, above)];
+                return vec![Row::new(RowKind::Missing, above)];
             }
             Mended::Line(line) | Mended::Spelled(line) => line,
             Mended::Nothing => "left out",
         };
-        line_and_right(Kind::Yours, &self.yours.to_string(), right)
+        line_and_right(RowKind::Yours, &self.yours.to_string(), right)
     }
 }
 
 impl Found {
     fn rows(&self) -> Vec<Row> {
-        line_and_right(Kind::Yours, &self.line.to_string(), &self.right)
+        line_and_right(RowKind::Yours, &self.line.to_string(), &self.right)
     }
 }
 
@@ -444,7 +444,7 @@ impl Attempt<'_> {
         match self.laws {
             _ if finding.repair.is_some() => Vec::new(),
             Some(Laws::Broken(report)) if !finding.is_answered || is_unknown => law(report),
-            Some(Laws::Obeyed) if is_unknown => vec![Row::new(Kind::Laws, hold)],
+            Some(Laws::Obeyed) if is_unknown => vec![Row::new(RowKind::Laws, hold)],
             _ => Vec::new(),
         }
     }
@@ -453,18 +453,18 @@ impl Attempt<'_> {
 /// Lists the parts of a report on a broken law.
 pub fn law(report: &Report) -> Vec<Row> {
     let broken = &report.broken;
-    let kinds = iter::once(Kind::SameAs).chain(iter::repeat(Kind::More));
+    let kinds = iter::once(RowKind::SameAs).chain(iter::repeat(RowKind::More));
     let same_as = kinds
         .zip(&report.same_as)
         .map(|(kind, it)| Row::new(kind, it));
     let rows = [
-        (Kind::Law, &*broken.law),
-        (Kind::Found, &broken.found),
-        (Kind::Allowed, &broken.allowed),
+        (RowKind::Law, &*broken.law),
+        (RowKind::Found, &broken.found),
+        (RowKind::Allowed, &broken.allowed),
     ];
     let rows = rows.into_iter().map(|(kind, it)| Row::new(kind, it));
     rows.chain(same_as)
-        .chain([Row::new(Kind::Read, &*broken.read)])
+        .chain([Row::new(RowKind::Read, &*broken.read)])
         .collect()
 }
 
@@ -472,7 +472,7 @@ pub fn law(report: &Report) -> Vec<Row> {
 pub fn printed(text: &str) -> Vec<Row> {
     let lines = text.lines();
     lines
-        .map(|line| Row::new(Kind::Printed, names::visible(line)))
+        .map(|line| Row::new(RowKind::Printed, names::visible(line)))
         .collect()
 }
 
@@ -485,7 +485,7 @@ impl Attempt<'_> {
             .map(|other| other.chapter);
         let also = also.map_or(String::new(), |other| format!(" or {}", other.name()));
         Row::new(
-            Kind::Besides,
+            RowKind::Besides,
             format!("it was taken for {}{also}", named(&self.task)),
         )
     }
@@ -516,7 +516,7 @@ impl Attempt<'_> {
         };
         let judge = (self.commands.judge)(task.probe);
         let said = format!("to test more, draw {what}: {change}; then {judge}");
-        Some(Row::new(Kind::Probe(name), said))
+        Some(Row::new(RowKind::Probe(name), said))
     }
 
     /// A small change of scene that tells mistakes apart which draw the same.
@@ -529,7 +529,7 @@ impl Attempt<'_> {
         let said = format!(
             "draw the probe {name}, which tells some of them apart: {change}; then {judge}"
         );
-        Some(Row::new(Kind::Probe(name), said))
+        Some(Row::new(RowKind::Probe(name), said))
     }
 
     /// Returns what is to be thought of a shape that is not the book's.
@@ -625,16 +625,16 @@ pub fn names_of(mistake: &[&'static Slip]) -> String {
     names.join(" and ")
 }
 
-fn row(kind: Kind, text: &str) -> Option<Row> {
+fn row(kind: RowKind, text: &str) -> Option<Row> {
     (!text.is_empty()).then(|| Row::new(kind, text))
 }
 
-fn line_and_right(kind: Kind, line: &str, right: &str) -> Vec<Row> {
-    vec![Row::new(kind, line), Row::new(Kind::ShouldBe, right)]
+fn line_and_right(kind: RowKind, line: &str, right: &str) -> Vec<Row> {
+    vec![Row::new(kind, line), Row::new(RowKind::ShouldBe, right)]
 }
 
 fn alternatives(lines: impl Iterator<Item = String>) -> impl Iterator<Item = Row> {
-    let kinds = iter::once(Kind::Perhaps).chain(iter::repeat(Kind::Or));
+    let kinds = iter::once(RowKind::Perhaps).chain(iter::repeat(RowKind::Or));
     kinds.zip(lines).map(|(kind, line)| Row::new(kind, line))
 }
 

@@ -2,7 +2,7 @@
 
 use textwrap::{Options, WordSplitter};
 
-use crate::answer::{Answer, Headline, Kind, Mark, Row};
+use crate::answer::{Answer, Headline, Mark, Row, RowKind};
 use crate::names;
 use crate::workspace;
 
@@ -86,9 +86,9 @@ fn height(lines: &[String], width: usize) -> usize {
 
 fn row(row: &Row, style: Style, width: usize) -> Vec<String> {
     match row.kind {
-        Kind::Printed => vec![row.text.clone()],
+        RowKind::Printed => vec![row.text.clone()],
         // It is copied as a whole.
-        Kind::ByHand => vec![style.labeled(row.kind.label()) + &row.text],
+        RowKind::ByHand => vec![style.labeled(row.kind.label()) + &row.text],
         kind => labeled(kind.label(), &names::visible(&row.text), style, width),
     }
 }

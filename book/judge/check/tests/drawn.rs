@@ -1,7 +1,7 @@
 //! Mutation testing, turned round: a table of pictures that no known mistake draws, and the line
 //! that is named for each.
 
-use check::answer::{Kind, Row};
+use check::answer::{Row, RowKind};
 use check::context::Context;
 use check::reading::Reading;
 use check::sources::Sources;
@@ -63,7 +63,8 @@ const MISTAKES: [(Chapter, &str, &str); 12] = [
 fn the_edit_that_draws_a_picture_is_among_at_most_three_that_are_named() {
     for (chapter, right, wrong) in MISTAKES {
         let rows = rows(chapter, &picture(chapter, right, wrong), Sources::default());
-        let named = |it: &&Row| [Kind::Probably, Kind::Perhaps, Kind::Or].contains(&it.kind);
+        let named =
+            |it: &&Row| [RowKind::Probably, RowKind::Perhaps, RowKind::Or].contains(&it.kind);
         let named: Vec<&Row> = rows.iter().filter(named).collect();
         let is_it = |it: &&Row| it.text.contains(wrong);
         assert!(

@@ -1,6 +1,6 @@
 //! A reader's own program beside the picture: its lines are named, and no innocent ones.
 
-use check::answer::{Kind, Row};
+use check::answer::{Row, RowKind};
 use check::context::Context;
 use check::png;
 use check::sources::Sources;
@@ -86,11 +86,11 @@ fn is_named_alone(picture: &[u8], right: &str, wrong: &str) {
     let task = task(Chapter::HalfBSphere);
     assert!(PROGRAM.contains(right), "{right}");
     let rows = rows(&task, picture, &in_python(&PROGRAM.replace(right, wrong)));
-    let yours: Vec<&Row> = rows.iter().filter(|it| it.kind == Kind::Yours).collect();
+    let yours: Vec<&Row> = rows.iter().filter(|it| it.kind == RowKind::Yours).collect();
     let is_it = matches!(yours[..], [it] if it.text.contains(wrong));
     assert!(is_it, "{wrong}: {rows:?}");
     let rows = self::rows(&task, picture, &in_python(PROGRAM));
-    assert!(rows.iter().all(|it| it.kind != Kind::Yours), "{rows:?}");
+    assert!(rows.iter().all(|it| it.kind != RowKind::Yours), "{rows:?}");
 }
 
 /// Only sky is drawn by dozens of mistakes: of these none is named whose right line is there.
@@ -103,7 +103,7 @@ fn what_a_readers_line_refutes_is_not_named() {
     for Row { kind, text } in rows(&task, &picture, &in_python(PROGRAM)) {
         let innocent = ["discriminant", "oc =", "a =", "h =", "c =", "viewport"];
         let is_innocent = innocent.iter().any(|it| text.starts_with(it));
-        assert!(kind == Kind::Seen || !is_innocent, "{kind:?} {text}");
+        assert!(kind == RowKind::Seen || !is_innocent, "{kind:?} {text}");
     }
 }
 
@@ -138,9 +138,9 @@ fn a_mistake_is_only_a_perhaps_beside_a_text_that_does_not_have_its_line() {
         let slip = slips::find(name).expect("a slip");
         let picture = png::encode(&task.program(&[slip]).run(100).picture());
         let rows = rows(&task, &picture, &in_cpp(LIST));
-        let is_named = |it: &Row| [Kind::Probably, Kind::Yours].contains(&it.kind);
+        let is_named = |it: &Row| [RowKind::Probably, RowKind::Yours].contains(&it.kind);
         assert!(!rows.iter().any(is_named), "{name}: {rows:?}");
-        assert_eq!(rows[0].kind, Kind::Perhaps, "{name}: {rows:?}");
+        assert_eq!(rows[0].kind, RowKind::Perhaps, "{name}: {rows:?}");
     }
 }
 
@@ -154,7 +154,7 @@ fn whole_numbers_are_divided_as_cpp_does() {
     let line = "world.add(make_shared<sphere>(point3{0,0,-1}, 1 / 2));";
     let text = LIST.replace("world.add(make_shared<sphere>(point3(0,0,-1), 0.5));", line);
     let rows = rows(&task, &picture, &in_cpp(&text));
-    let yours = rows.iter().find(|it| it.kind == Kind::Yours);
+    let yours = rows.iter().find(|it| it.kind == RowKind::Yours);
     let is_it = yours.is_some_and(|it| it.text == format!("main.cpp:10  {line}"));
     assert!(is_it, "{rows:?}");
 }

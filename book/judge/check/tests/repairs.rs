@@ -4,7 +4,7 @@
 use std::collections::HashSet;
 use std::thread;
 
-use check::answer::{Kind, Row};
+use check::answer::{Row, RowKind};
 use check::context::Context;
 use check::reading::Reading;
 use check::sources::Sources;
@@ -228,11 +228,11 @@ fn missed(&(text, right, wrong): &(Text, &str, &str)) -> Option<String> {
     }
     let said = said(text.chapter, &changed, true);
     let named = said.iter();
-    let named = named.filter(|it| [Kind::ShouldBe, Kind::Missing].contains(&it.kind));
+    let named = named.filter(|it| [RowKind::ShouldBe, RowKind::Missing].contains(&it.kind));
     let is_named = |line: &String| {
         said.iter().any(|it| match it.kind {
-            Kind::ShouldBe => it.text == *line,
-            Kind::Missing => it.text.ends_with(line),
+            RowKind::ShouldBe => it.text == *line,
+            RowKind::Missing => it.text.ends_with(line),
             _ => false,
         })
     };
@@ -245,7 +245,7 @@ fn a_right_program_in_another_form_gets_no_remark() {
     for text in [OTHER_GRADIENT, OTHER_NORMALS, OTHER_LIST, OWN_PRELUDE] {
         assert_eq!(
             said(text.chapter, &text.files(), false),
-            [Row::new(Kind::Laws, "right")]
+            [Row::new(RowKind::Laws, "right")]
         );
     }
 }
@@ -295,7 +295,7 @@ fn said(chapter: Chapter, files: &[(String, String)], is_wrong: bool) -> Vec<Row
     let task = Task::new(chapter, None).expect("every chapter can be drawn without a probe");
     let verdict = judge(&task, &Reading::of(&picture), 0, &context);
     match &verdict {
-        Verdict::Right(_) => vec![Row::new(Kind::Laws, "right")],
+        Verdict::Right(_) => vec![Row::new(RowKind::Laws, "right")],
         _ => verdict.finding().map_or(Vec::new(), |it| it.rows(&context)),
     }
 }

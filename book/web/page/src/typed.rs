@@ -4,7 +4,7 @@
 //! says what it has come to, in the words that `watch` has for the same crate. Here these only
 //! become HTML.
 
-use check::answer::{Answer, Attempt, Commands, Kind, Laws, Mark, Row};
+use check::answer::{Answer, Attempt, Commands, Laws, Mark, Row, RowKind};
 use check::context::Context;
 use check::html::{self, Place};
 use check::names::companion;
@@ -210,12 +210,12 @@ impl Text {
                 .iter()
                 .take(1)
                 .map(|it| format!("So far: {}", self.in_words(it)));
-            let rows = so_far.map(|words| Row::new(Kind::Printed, words));
+            let rows = so_far.map(|words| Row::new(RowKind::Printed, words));
             return Said::new(&being_typed(line).with(rows), Vec::new());
         }
         let line = |fault: &Fault| {
             let place = self.place(fault).map_or(String::new(), |it| it + "  ");
-            Row::new(Kind::Printed, place + &self.in_words(fault))
+            Row::new(RowKind::Printed, place + &self.in_words(fault))
         };
         match faults {
             [fault, ..] if fault.kind == FaultKind::Unread => {

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
 
-use check::answer::{Answer, Attempt, Commands, Kind, Row};
+use check::answer::{Answer, Attempt, Commands, Row, RowKind};
 use check::context::Context;
 use check::guess;
 use check::html::{self, Place};
@@ -103,7 +103,7 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
     let code = verdict.exit_code();
     let why_none = found.why_none.filter(|_| verdict.finding().is_some());
     let answer = attempt.answer(verdict);
-    let why_none = why_none.map(|why| Row::new(Kind::Besides, why));
+    let why_none = why_none.map(|why| Row::new(RowKind::Besides, why));
     let answer = answer.with(why_none);
     let page = arguments.report.as_deref();
     let page = page.map(|folder| report(folder, chapter, &answer));

@@ -14,7 +14,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-use check::answer::{Answer, Attempt, Commands, Kind, Laws, Row};
+use check::answer::{Answer, Attempt, Commands, Laws, Row, RowKind};
 use check::context::Context;
 use check::names::{companion, from_here};
 use check::reading::{Cause, read};
@@ -286,7 +286,7 @@ impl Subject {
             let asks = format!(
                 "{companion} laws {name} asks your function what no picture shows; lines on the page Check your picture"
             );
-            answer.rows.push(Row::new(Kind::Laws, asks));
+            answer.rows.push(Row::new(RowKind::Laws, asks));
         }
         Ok(answer)
     }
@@ -326,7 +326,7 @@ fn not_built(problem: &Problem) -> Answer {
     let lines = problem
         .first
         .lines()
-        .map(|line| Row::new(Kind::Printed, line));
+        .map(|line| Row::new(RowKind::Printed, line));
     let next = format!("{}{}", problem.advice, more.unwrap_or_default());
     sentences::not_compiled(problem.more + 1, lines.collect()).then(next)
 }

@@ -1,7 +1,7 @@
 //! The first pixel that differs, with all numbers as they should be there.
 
 use super::view::View;
-use crate::answer::{Kind, Row};
+use crate::answer::{Row, RowKind};
 
 impl View<'_> {
     /// Returns what a reader's program should print for that pixel.
@@ -20,8 +20,8 @@ impl View<'_> {
             .map(|(label, it)| format!("{label} = {it}"))
             .collect();
         let said = format!("as they should be there: {}", numbers.join("; "));
-        let numbers = (!numbers.is_empty()).then(|| Row::new(Kind::Numbers, said));
-        [Row::new(Kind::First, first)]
+        let numbers = (!numbers.is_empty()).then(|| Row::new(RowKind::Numbers, said));
+        [Row::new(RowKind::First, first)]
             .into_iter()
             .chain(numbers)
             .collect()
