@@ -36,7 +36,7 @@ pub struct Answer {
 #[derive(Debug, Default)]
 pub struct Headline {
     /// How the verdict is shown.
-    pub mark: Mark,
+    pub grade: Grade,
     /// What is judged, as the name of a file; empty where the place of the answer says that.
     pub subject: String,
     /// The verdict itself: after `subject is`, or a whole sentence.
@@ -47,7 +47,7 @@ pub struct Headline {
 
 /// The kind of a verdict, by which it is colored.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Mark {
+pub enum Grade {
     /// Nothing is left to do.
     Right,
     /// Nothing is wrong so far: a step, an unfinished text, a right picture but for something.
@@ -133,9 +133,9 @@ pub enum RowKind {
 impl Answer {
     /// Says what the subject is, or what is judged if that has no name, and the rest of the
     /// sentence.
-    pub fn of(mark: Mark, subject: &str, verdict: &str, rest: impl Into<String>) -> Self {
+    pub fn of(grade: Grade, subject: &str, verdict: &str, rest: impl Into<String>) -> Self {
         let headline = Headline {
-            mark,
+            grade,
             subject: subject.to_owned(),
             verdict: verdict.to_owned(),
             rest: rest.into(),
@@ -147,8 +147,8 @@ impl Answer {
     }
 
     /// Says a whole sentence.
-    pub fn sentence(mark: Mark, verdict: impl Into<String>) -> Self {
-        Self::of(mark, "", &verdict.into(), "")
+    pub fn sentence(grade: Grade, verdict: impl Into<String>) -> Self {
+        Self::of(grade, "", &verdict.into(), "")
     }
 
     /// Adds rows.
@@ -165,7 +165,7 @@ impl Answer {
 
     /// Returns true if nothing is left to do.
     pub fn is_right(&self) -> bool {
-        self.headline.mark == Mark::Right
+        self.headline.grade == Grade::Right
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::answer::{Answer, Headline, Mark, Row, RowKind};
+use crate::answer::{Answer, Grade, Headline, Row, RowKind};
 
 /// Where an answer is shown as HTML.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,11 +18,11 @@ pub enum Place {
 /// Lays out the verdict; its class is the kind.
 pub fn headline(headline: &Headline) -> String {
     // The name `right` is taken: mdBook lets what has it float.
-    let class = match headline.mark {
-        Mark::Right => "is-right",
-        Mark::OnTheWay => "is-calm",
-        Mark::Wrong => "is-wrong",
-        Mark::NoPicture => "is-none",
+    let class = match headline.grade {
+        Grade::Right => "is-right",
+        Grade::OnTheWay => "is-calm",
+        Grade::Wrong => "is-wrong",
+        Grade::NoPicture => "is-none",
     };
     let [before, verdict, rest] = headline.parts().map(escaped);
     format!("{before}<strong class=\"{class}\">{verdict}</strong>{rest}")

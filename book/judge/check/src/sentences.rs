@@ -7,7 +7,7 @@ use common::rtweekend::Picture;
 use laws::Report;
 use slips::{Chapter, Edition, Letters, Slip, steps};
 
-use crate::answer::{Answer, Attempt, Laws, Mark, Row, RowKind};
+use crate::answer::{Answer, Attempt, Grade, Laws, Row, RowKind};
 use crate::blind_spots::{self, Next};
 use crate::candidate::{Conversion, Unexplained};
 use crate::causes;
@@ -37,12 +37,12 @@ impl Attempt<'_> {
         if right.task.has_another_shape() {
             let rest = format!("{by} in this shape, which is not the book's: {same}");
             let next = self.shape_is(&right.task, &right.shape_given_by);
-            return Answer::of(Mark::OnTheWay, &self.name, "right", rest).then(next);
+            return Answer::of(Grade::OnTheWay, &self.name, "right", rest).then(next);
         }
         if right.levels > 0 {
             let (off, levels) = (differ(right.off, right.total()), right.levels);
             let rest = format!("{by} as far as is tolerated: {off}, by no more than {levels}.");
-            return Answer::of(Mark::Right, &self.name, "right", rest);
+            return Answer::of(Grade::Right, &self.name, "right", rest);
         }
         match self.laws {
             None | Some(Laws::Obeyed) => self.right_in_all(right, format!("{by}: {same}")),
@@ -68,7 +68,7 @@ impl Attempt<'_> {
         };
         Answer {
             done,
-            ..Answer::of(Mark::Right, &self.name, "right", rest)
+            ..Answer::of(Grade::Right, &self.name, "right", rest)
         }
         .with(self.to_test_more(right))
         .then(next)
@@ -83,7 +83,7 @@ impl Attempt<'_> {
             && !finding.is_answered
         {
             let rest = format!("{but}; and a law is broken.");
-            return Answer::of(Mark::Wrong, &self.name, "right", rest).with(law(report));
+            return Answer::of(Grade::Wrong, &self.name, "right", rest).with(law(report));
         }
         let next = if finding.task.has_another_shape() {
             let (width, height) = (finding.yours.width(), finding.yours.height());
@@ -93,7 +93,7 @@ impl Attempt<'_> {
             "look at these pixels: the book's program draws them otherwise".to_owned()
         };
         let rest = format!("{}{but}.", by(&finding.editions));
-        Answer::of(Mark::OnTheWay, &self.name, "right", rest).then(next)
+        Answer::of(Grade::OnTheWay, &self.name, "right", rest).then(next)
     }
 
     pub(crate) fn step(&self, step: usize, finding: &Finding) -> Answer {
@@ -111,7 +111,7 @@ impl Attempt<'_> {
         };
         Answer {
             done: vec![step_is_done(chapter, number)],
-            ..Answer::of(Mark::OnTheWay, &name, "right", format!("{again}."))
+            ..Answer::of(Grade::OnTheWay, &name, "right", format!("{again}."))
         }
         .then(step_says(number, &steps::of(chapter)[number]))
     }
@@ -124,11 +124,11 @@ impl Attempt<'_> {
         let answer = match finding.task.step() {
             Some(step) if count == 0 => {
                 let name = step_of(self.task.chapter, step);
-                Answer::of(Mark::Wrong, &name, "right", BUT_A_LAW)
+                Answer::of(Grade::Wrong, &name, "right", BUT_A_LAW)
             }
-            None if count == 0 => Answer::of(Mark::Wrong, "The picture", "right", BUT_A_LAW),
-            _ if finding.levels() == 1 => Answer::of(Mark::Wrong, &self.name, nearly, rest),
-            _ => Answer::of(Mark::Wrong, &self.name, "wrong", rest),
+            None if count == 0 => Answer::of(Grade::Wrong, "The picture", "right", BUT_A_LAW),
+            _ if finding.levels() == 1 => Answer::of(Grade::Wrong, &self.name, nearly, rest),
+            _ => Answer::of(Grade::Wrong, &self.name, "wrong", rest),
         };
         self.explained(answer, finding)
             .with(self.of_the_laws(finding))
@@ -164,26 +164,26 @@ impl Attempt<'_> {
         };
         let rest = format!(": {seen}.");
         let next = "name the chapter, and the picture is compared with that";
-        Some(Answer::of(Mark::Wrong, &self.name, "not recognized", rest).then(next))
+        Some(Answer::of(Grade::Wrong, &self.name, "not recognized", rest).then(next))
     }
 }
 
 /// A right picture, of a step or of all, and what keeps its program from being right.
 fn right_but(laws: &Laws, subject: &str, test: &str) -> Answer {
-    let is = |mark, rest: &str| Answer::of(mark, subject, "right", rest);
+    let is = |grade, rest: &str| Answer::of(grade, subject, "right", rest);
     match laws {
         Laws::Broken(report) | Laws::BrokenPrelude(report) => {
-            is(Mark::Wrong, BUT_A_LAW).with(law(report)).then(test)
+            is(Grade::Wrong, BUT_A_LAW).with(law(report)).then(test)
         }
         Laws::NotWritten(place) | Laws::UnwrittenPrelude(place) => {
             let rest = format!(", but not all is written: there is a todo!() at {place}.");
             let next = "write that as well: the laws ask for it, and a later picture needs it";
-            is(Mark::OnTheWay, &rest).then(next)
+            is(Grade::OnTheWay, &rest).then(next)
         }
         Laws::Unknown(errors) => {
-            is(Mark::OnTheWay, ", but the laws can't be tried.").with(printed(errors))
+            is(Grade::OnTheWay, ", but the laws can't be tried.").with(printed(errors))
         }
-        Laws::Coming | Laws::Obeyed => is(Mark::OnTheWay, ". The laws are still being built.")
+        Laws::Coming | Laws::Obeyed => is(Grade::OnTheWay, ". The laws are still being built.")
             .then("as soon as the laws are built, they ask your functions"),
     }
 }
@@ -192,12 +192,12 @@ const BUT_A_LAW: &str = ", but a law is broken, which must hold for every ray.";
 
 /// Answers that there is no picture of the program or file, or none of the right shape.
 pub fn refused(name: &str, verdict: &str, cause: &Cause) -> Answer {
-    let mark = match verdict {
-        "wrong" => Mark::Wrong,
-        _ => Mark::NoPicture,
+    let grade = match verdict {
+        "wrong" => Grade::Wrong,
+        _ => Grade::NoPicture,
     };
     let rest = format!(": {}.", cause.problem);
-    Answer::of(mark, name, verdict, rest).then(&cause.fix)
+    Answer::of(grade, name, verdict, rest).then(&cause.fix)
 }
 
 /// Answers that the compiler refuses the text, with the first of so many complaints.
@@ -206,7 +206,7 @@ pub fn not_compiled(complaints: usize, first: Vec<Row>) -> Answer {
         1 => String::new(),
         all => format!(" This is the first of {all} errors."),
     };
-    Answer::sentence(Mark::Wrong, format!("It does not compile.{more}")).with(first)
+    Answer::sentence(Grade::Wrong, format!("It does not compile.{more}")).with(first)
 }
 
 /// Answers that the program stopped at a `todo!()`. What obeys the laws so far is named.
@@ -214,7 +214,7 @@ pub fn not_written(chapter: Chapter, place: &str, obeyed: &[String]) -> Answer {
     let so_far = format!("so far they hold for {}", obeyed.join(", "));
     let step = steps::of(chapter).first();
     Answer::sentence(
-        Mark::OnTheWay,
+        Grade::OnTheWay,
         format!("Not written yet: todo!() at {place}."),
     )
     .with((!obeyed.is_empty()).then(|| Row::new(RowKind::Laws, so_far)))
@@ -223,7 +223,7 @@ pub fn not_written(chapter: Chapter, place: &str, obeyed: &[String]) -> Answer {
 
 /// Answers that what is written so far breaks a law, where the program stopped at a `todo!()`.
 pub fn broken_so_far(report: &Report, place: &str) -> Answer {
-    Answer::sentence(Mark::Wrong, "A law is broken in what is written so far.")
+    Answer::sentence(Grade::Wrong, "A law is broken in what is written so far.")
         .with(law(report))
         .then(format!("put this right, and then go on at {place}"))
 }

@@ -2,7 +2,7 @@
 
 use textwrap::{Options, WordSplitter};
 
-use crate::answer::{Answer, Headline, Mark, Row, RowKind};
+use crate::answer::{Answer, Grade, Headline, Row, RowKind};
 use crate::names;
 use crate::workspace;
 
@@ -39,10 +39,10 @@ pub fn lines(answer: &Answer, style: Style, width: usize, most: usize) -> Vec<St
 /// Lays out the verdict alone.
 pub fn headline(headline: &Headline, style: Style, width: usize) -> Vec<String> {
     let [before, verdict, rest] = headline.parts();
-    let verdict = match headline.mark {
-        Mark::Right => style.green(&verdict),
-        Mark::OnTheWay => style.bold(&verdict),
-        Mark::Wrong | Mark::NoPicture => style.red(&verdict),
+    let verdict = match headline.grade {
+        Grade::Right => style.green(&verdict),
+        Grade::OnTheWay => style.bold(&verdict),
+        Grade::Wrong | Grade::NoPicture => style.red(&verdict),
     };
     let [before, rest] = [before, rest].map(|it| names::visible(&it).into_owned());
     let said = filled(&format!("{before}{verdict}{rest}"), width, "", "");

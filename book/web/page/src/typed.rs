@@ -4,7 +4,7 @@
 //! says what it has come to, in the words that `watch` has for the same crate. Here these only
 //! become HTML.
 
-use check::answer::{Answer, Attempt, Commands, Laws, Mark, Row, RowKind};
+use check::answer::{Answer, Attempt, Commands, Grade, Laws, Row, RowKind};
 use check::context::Context;
 use check::html::{self, Place};
 use check::names::companion;
@@ -221,12 +221,12 @@ impl Text {
             [fault, ..] if fault.kind == FaultKind::Unread => {
                 let number = fault.place.as_ref().map_or(0, |it| it.line);
                 let said = format!("This page cannot read line {number}; cargo may.");
-                let answer = Answer::sentence(Mark::OnTheWay, said).with([line(fault)]);
+                let answer = Answer::sentence(Grade::OnTheWay, said).with([line(fault)]);
                 Said::new(&answer, Vec::new())
             }
             [fault, ..] if fault.kind == FaultKind::Unfinished => {
                 let said = format!("Not finished: {}.", fault.help);
-                Said::new(&Answer::sentence(Mark::OnTheWay, said), Vec::new())
+                Said::new(&Answer::sentence(Grade::OnTheWay, said), Vec::new())
             }
             _ => {
                 let first = faults.iter().take(MOST_FAULTS).map(line).collect();
@@ -268,7 +268,7 @@ impl Text {
             place => {
                 let place = place.map_or(String::new(), |place| format!(" at {place}"));
                 let said = format!("The program stopped{place}: {}.", fault.message);
-                let answer = Answer::sentence(Mark::Wrong, said).then(&fault.help);
+                let answer = Answer::sentence(Grade::Wrong, said).then(&fault.help);
                 Said::new(&answer, self.columns(fault).into_iter().collect())
             }
         }
@@ -297,7 +297,7 @@ impl Text {
 /// The verdict on a text whose statement in this line has no end yet.
 fn being_typed(line: usize) -> Answer {
     let said = format!("Not finished: line {line} is being typed.");
-    Answer::sentence(Mark::OnTheWay, said)
+    Answer::sentence(Grade::OnTheWay, said)
 }
 
 /// What a panic says that comes of `todo!()`.
