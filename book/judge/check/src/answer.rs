@@ -269,7 +269,7 @@ impl RowKind {
 
 /// What the laws say of the functions that a reader typed.
 #[derive(Debug)]
-pub enum Laws {
+pub enum LawsStatus {
     /// All of them hold.
     Obeyed,
     /// One is broken.
@@ -299,7 +299,7 @@ pub struct Attempt<'a> {
     /// What is known of the reader.
     pub context: &'a Context<'a>,
     /// What the laws say, where functions can be asked.
-    pub laws: Option<&'a Laws>,
+    pub laws: Option<&'a LawsStatus>,
     /// What the reader can do next.
     pub commands: Commands<'a>,
 }
@@ -334,7 +334,7 @@ impl Attempt<'_> {
     pub fn answer(&self, verdict: Verdict) -> Answer {
         let mut answer = match (self.unrecognized(&verdict), self.laws) {
             (Some(answer), _) => answer,
-            (None, Some(Laws::BrokenPrelude(report))) => Answer {
+            (None, Some(LawsStatus::BrokenPrelude(report))) => Answer {
                 rows: law(report),
                 ..self.judged(&verdict)
             }

@@ -7,7 +7,7 @@ use common::rtweekend::Picture;
 use laws::Report;
 use slips::{Chapter, Edition, Letters, Slip, steps};
 
-use crate::answer::{Answer, Attempt, Grade, Laws, Row, RowKind};
+use crate::answer::{Answer, Attempt, Grade, LawsStatus, Row, RowKind};
 use crate::blind_spots::{self, Next};
 use crate::candidate::{Conversion, Unexplained};
 use crate::causes;
@@ -45,7 +45,7 @@ impl Attempt<'_> {
             return Answer::of(Grade::Right, &self.name, "right", rest);
         }
         match self.laws {
-            None | Some(Laws::Obeyed) => self.right_in_all(right, format!("{by}: {same}")),
+            None | Some(LawsStatus::Obeyed) => self.right_in_all(right, format!("{by}: {same}")),
             Some(laws) => right_but(laws, "The picture", self.commands.test),
         }
     }
@@ -79,7 +79,7 @@ impl Attempt<'_> {
         let step = finding.task.step();
         let as_step = step.map_or(String::new(), |step| format!(" as step {}", step + 1));
         let but = format!("{as_step}, but for {}", unexplained.said(finding.total()));
-        if let Some(Laws::Broken(report)) = self.laws
+        if let Some(LawsStatus::Broken(report)) = self.laws
             && !finding.is_answered
         {
             let rest = format!("{but}; and a law is broken.");
@@ -100,8 +100,8 @@ impl Attempt<'_> {
         let (chapter, number) = (self.task.chapter, step + 1);
         let name = step_of(chapter, step);
         match self.laws {
-            Some(Laws::Broken(_) | Laws::BrokenPrelude(_)) if finding.is_answered => {}
-            None | Some(Laws::Obeyed | Laws::Unknown(_) | Laws::Coming) => {}
+            Some(LawsStatus::Broken(_) | LawsStatus::BrokenPrelude(_)) if finding.is_answered => {}
+            None | Some(LawsStatus::Obeyed | LawsStatus::Unknown(_) | LawsStatus::Coming) => {}
             Some(laws) => return right_but(laws, &name, self.commands.test),
         }
         let again = if self.context.steps[step] {
@@ -169,22 +169,24 @@ impl Attempt<'_> {
 }
 
 /// A right picture, of a step or of all, and what keeps its program from being right.
-fn right_but(laws: &Laws, subject: &str, test: &str) -> Answer {
+fn right_but(laws: &LawsStatus, subject: &str, test: &str) -> Answer {
     let is = |grade, rest: &str| Answer::of(grade, subject, "right", rest);
     match laws {
-        Laws::Broken(report) | Laws::BrokenPrelude(report) => {
+        LawsStatus::Broken(report) | LawsStatus::BrokenPrelude(report) => {
             is(Grade::Wrong, BUT_A_LAW).with(law(report)).then(test)
         }
-        Laws::NotWritten(place) | Laws::UnwrittenPrelude(place) => {
+        LawsStatus::NotWritten(place) | LawsStatus::UnwrittenPrelude(place) => {
             let rest = format!(", but not all is written: there is a todo!() at {place}.");
             let next = "write that as well: the laws ask for it, and a later picture needs it";
             is(Grade::OnTheWay, &rest).then(next)
         }
-        Laws::Unknown(errors) => {
+        LawsStatus::Unknown(errors) => {
             is(Grade::OnTheWay, ", but the laws can't be tried.").with(printed(errors))
         }
-        Laws::Coming | Laws::Obeyed => is(Grade::OnTheWay, ". The laws are still being built.")
-            .then("as soon as the laws are built, they ask your functions"),
+        LawsStatus::Coming | LawsStatus::Obeyed => {
+            is(Grade::OnTheWay, ". The laws are still being built.")
+                .then("as soon as the laws are built, they ask your functions")
+        }
     }
 }
 
@@ -443,8 +445,8 @@ impl Attempt<'_> {
         let hold = "they hold: look at what calls the function, and what becomes of its answer";
         match self.laws {
             _ if finding.repair.is_some() => Vec::new(),
-            Some(Laws::Broken(report)) if !finding.is_answered || is_unknown => law(report),
-            Some(Laws::Obeyed) if is_unknown => vec![Row::new(RowKind::Laws, hold)],
+            Some(LawsStatus::Broken(report)) if !finding.is_answered || is_unknown => law(report),
+            Some(LawsStatus::Obeyed) if is_unknown => vec![Row::new(RowKind::Laws, hold)],
             _ => Vec::new(),
         }
     }

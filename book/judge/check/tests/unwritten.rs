@@ -1,12 +1,12 @@
 //! A picture that is right says nothing of a function that no ray of it needs.
 
-use check::answer::{Answer, Attempt, Commands, Laws};
+use check::answer::{Answer, Attempt, Commands, LawsStatus};
 use check::context::Context;
 use check::task::Task;
 use check::verdict::judge_file;
 use slips::{Chapter, steps};
 
-fn answer(text: &str, laws: &Laws) -> Answer {
+fn answer(text: &str, laws: &LawsStatus) -> Answer {
     let task =
         Task::new(Chapter::Gradient, None).expect("every chapter can be drawn without a probe");
     let context = Context {
@@ -34,9 +34,9 @@ fn a_picture_or_a_step_is_not_done_while_a_function_has_a_todo() {
     let white = format!("P3\n32 18\n255\n{}", "255 255 255\n".repeat(32 * 18));
     let place = "src/ray.rs:18:9";
     for text in [&right, &white] {
-        let done = answer(text, &Laws::Obeyed).done;
+        let done = answer(text, &LawsStatus::Obeyed).done;
         assert!(!done.is_empty());
-        for laws in [Laws::UnwrittenPrelude, Laws::NotWritten] {
+        for laws in [LawsStatus::UnwrittenPrelude, LawsStatus::NotWritten] {
             let unwritten = answer(text, &laws(place.to_owned()));
             assert!(!unwritten.is_right() && unwritten.done.is_empty());
             let headline = unwritten.headline.to_string();

@@ -4,7 +4,7 @@
 //! says what it has come to, in the words that `watch` has for the same crate. Here these only
 //! become HTML.
 
-use check::answer::{Answer, Attempt, Commands, Grade, Laws, Row, RowKind};
+use check::answer::{Answer, Attempt, Commands, Grade, LawsStatus, Row, RowKind};
 use check::context::Context;
 use check::html::{self, Place};
 use check::names::companion;
@@ -310,7 +310,7 @@ const MOST_UNLIKE: usize = 60;
 const CASES: u32 = 100;
 
 /// Returns true if the laws hold for what a program computes, if it hits something.
-fn laws_of(program: &Program) -> Option<Laws> {
+fn laws_of(program: &Program) -> Option<LawsStatus> {
     if program.chapter <= Chapter::Gradient {
         return None;
     }
@@ -321,9 +321,9 @@ fn laws_of(program: &Program) -> Option<Laws> {
     let outcome = program.tried(&trial);
     Some(
         match lawful::explained(outcome, program.chapter, Letters::Rust) {
-            Ok(()) => Laws::Obeyed,
-            Err(Complaint::Broken(report)) => Laws::Broken(report),
-            Err(Complaint::NotWritten(place)) => Laws::NotWritten(place),
+            Ok(()) => LawsStatus::Obeyed,
+            Err(Complaint::Broken(report)) => LawsStatus::Broken(report),
+            Err(Complaint::NotWritten(place)) => LawsStatus::NotWritten(place),
         },
     )
 }

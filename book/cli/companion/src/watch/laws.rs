@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use ::laws::answers::{ANSWERS, AnswerFile, Answers};
 use ::laws::{Complaint, Outcome};
-use check::answer::Laws;
+use check::answer::LawsStatus;
 use slips::{Chapter, Letters, lawful};
 
 use crate::short;
@@ -18,7 +18,7 @@ pub(super) struct Asked {
     /// The answers of the functions.
     pub(super) answers: Answers,
     /// The first complaint, or that the laws hold.
-    pub(super) outcome: Laws,
+    pub(super) outcome: LawsStatus,
     /// The functions that obey the laws.
     pub(super) obeyed: Vec<String>,
     /// The places of each `todo!()` that a test came upon.
@@ -37,7 +37,7 @@ fn answered(file: &Path) -> String {
 pub(super) fn ask(test: &OsStr, chapter: Chapter, folder: &Path, limit: Duration) -> Asked {
     let unknown = |why| Asked {
         answers: Answers::default(),
-        outcome: Laws::Unknown(why),
+        outcome: LawsStatus::Unknown(why),
         obeyed: Vec::new(),
         unwritten: Vec::new(),
     };
@@ -69,8 +69,8 @@ pub(super) fn ask(test: &OsStr, chapter: Chapter, folder: &Path, limit: Duration
             Some((of, outcome)) => {
                 of_first(&of, lawful::explained(outcome, chapter, Letters::Rust))
             }
-            None if status.success() => Laws::Obeyed,
-            None => Laws::Unknown(errors),
+            None if status.success() => LawsStatus::Obeyed,
+            None => LawsStatus::Unknown(errors),
         },
     }
 }
@@ -87,12 +87,12 @@ fn worst(complaints: Vec<(String, Outcome)>) -> Option<(String, Outcome)> {
 /// The name of a prelude in a trial.
 const PRELUDE: &str = "prelude";
 
-fn of_first(of: &str, outcome: Outcome) -> Laws {
+fn of_first(of: &str, outcome: Outcome) -> LawsStatus {
     match outcome {
-        Ok(()) => Laws::Obeyed,
-        Err(Complaint::Broken(report)) if of == PRELUDE => Laws::BrokenPrelude(report),
-        Err(Complaint::Broken(report)) => Laws::Broken(report),
-        Err(Complaint::NotWritten(place)) if of == PRELUDE => Laws::UnwrittenPrelude(place),
-        Err(Complaint::NotWritten(place)) => Laws::NotWritten(place),
+        Ok(()) => LawsStatus::Obeyed,
+        Err(Complaint::Broken(report)) if of == PRELUDE => LawsStatus::BrokenPrelude(report),
+        Err(Complaint::Broken(report)) => LawsStatus::Broken(report),
+        Err(Complaint::NotWritten(place)) if of == PRELUDE => LawsStatus::UnwrittenPrelude(place),
+        Err(Complaint::NotWritten(place)) => LawsStatus::NotWritten(place),
     }
 }

@@ -14,7 +14,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-use check::answer::{Answer, Attempt, Commands, Laws, Row, RowKind};
+use check::answer::{Answer, Attempt, Commands, LawsStatus, Row, RowKind};
 use check::context::Context;
 use check::names::{companion, from_here};
 use check::reading::{Cause, read};
@@ -271,7 +271,7 @@ impl Subject {
             encoding: None,
             context: &context,
             laws: match &asked {
-                None if self.misses_laws.get() => Some(&Laws::Coming),
+                None if self.misses_laws.get() => Some(&LawsStatus::Coming),
                 asked => asked.as_ref().map(|it| &it.outcome),
             },
             commands: Commands {
@@ -358,7 +358,7 @@ fn not_written(chapter: Chapter, place: &str, asked: Option<Asked>) -> Answer {
         .filter_map(|(name, _)| places().find(|place| is_there(place, name)));
     let place = first.next().unwrap_or(place);
     match &asked.outcome {
-        Laws::Broken(report) | Laws::BrokenPrelude(report) => {
+        LawsStatus::Broken(report) | LawsStatus::BrokenPrelude(report) => {
             sentences::broken_so_far(report, place)
         }
         _ => sentences::not_written(chapter, place, &asked.obeyed),
