@@ -6,7 +6,7 @@ use crate::answer::{Answer, Grade, Headline, Row, RowKind};
 
 /// Where an answer is shown as HTML.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
+pub enum HostPage {
     /// In a page of the book, whose other pages can be opened.
     Book,
     /// In the page that judges the picture of a probe, too.
@@ -29,20 +29,20 @@ pub fn headline(headline: &Headline) -> String {
 }
 
 /// Lays out what follows the verdict: what was printed, the rows, what to do next, and pages.
-pub fn below(answer: &Answer, place: Place) -> String {
+pub fn below(answer: &Answer, page: HostPage) -> String {
     let is_printed = |it: &&Row| it.kind == RowKind::Printed;
     let (printed, rows): (Vec<&Row>, Vec<&Row>) = answer.rows.iter().partition(is_printed);
     let printed = printed
         .iter()
         .map(|it| format!("<p class=\"printed\">{}</p>", escaped(&it.text)));
-    let rows = rows.iter().map(|it| row(it, place));
+    let rows = rows.iter().map(|it| row(it, page));
     let next = (!answer.next.is_empty()).then(|| item("next", &with_code(&answer.next)));
     let rows: String = rows.chain(next).collect();
     let list = match &*rows {
         "" => String::new(),
         rows => format!("<dl>{rows}</dl>"),
     };
-    let pages = answer.read.iter().filter(|_| place != Place::Report);
+    let pages = answer.read.iter().filter(|_| page != HostPage::Report);
     let pages = pages.map(|slip| {
         format!(
             "<p><a href=\"{}\">How it is right</a></p>",
@@ -61,10 +61,10 @@ pub fn escaped(text: impl fmt::Display) -> String {
         .replace('"', "&quot;")
 }
 
-fn row(row: &Row, place: Place) -> String {
+fn row(row: &Row, page: HostPage) -> String {
     let said = match row.kind {
         kind if kind.is_code() => format!("<code>{}</code>", escaped(&row.text)),
-        RowKind::Probe(name) if place == Place::CheckPage => format!(
+        RowKind::Probe(name) if page == HostPage::CheckPage => format!(
             "{} <button type=\"button\" data-probe=\"{name}\">Judge it here</button>",
             with_code(&row.text)
         ),

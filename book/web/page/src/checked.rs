@@ -8,7 +8,7 @@ use std::iter;
 use check::answer::{Answer, Attempt, Commands, Pictures};
 use check::context::Context;
 use check::guess;
-use check::html::{Place, below, escaped, headline};
+use check::html::{HostPage, below, escaped, headline};
 use check::reading::{self, Cause, MOST_PIXELS, Reading};
 use check::report::difference_picture;
 use check::sentences;
@@ -198,7 +198,10 @@ fn facts(task: &Task, verdict: &Verdict, reading: &Reading) -> String {
 /// The facts in the first line, the verdict in the second, since it is announced before the rest
 /// is read, and the rest below.
 fn laid_out(facts: &str, answer: &Answer) -> String {
-    let (headline, below) = (headline(&answer.headline), below(answer, Place::CheckPage));
+    let (headline, below) = (
+        headline(&answer.headline),
+        below(answer, HostPage::CheckPage),
+    );
     format!("{facts}\n{headline}\n{below}")
 }
 

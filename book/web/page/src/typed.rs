@@ -6,7 +6,7 @@
 
 use check::answer::{Answer, Attempt, Commands, Grade, LawsStatus, Row, RowKind};
 use check::context::Context;
-use check::html::{self, Place};
+use check::html::{self, HostPage};
 use check::names::companion;
 use check::reading::Reading;
 use check::sentences;
@@ -49,7 +49,7 @@ impl Said {
         Self {
             places,
             headline: html::headline(&answer.headline),
-            rest: html::below(answer, Place::Book),
+            rest: html::below(answer, HostPage::Book),
         }
     }
 }

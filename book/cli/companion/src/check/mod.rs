@@ -11,7 +11,7 @@ use std::time::Duration;
 use check::answer::{Answer, Attempt, Commands, Row, RowKind};
 use check::context::Context;
 use check::guess;
-use check::html::{self, Place};
+use check::html::{self, HostPage};
 use check::names::{self, companion};
 use check::reading::{self, Reading};
 use check::report::ReportPage;
@@ -126,7 +126,7 @@ fn report(folder: &Path, chapter: Chapter, answer: &Answer) -> Result<PathBuf, B
         headline: &html::headline(&answer.headline),
         pictures: answer.pictures.as_ref(),
         // The book lies elsewhere.
-        remarks: &html::below(answer, Place::Report),
+        remarks: &html::below(answer, HostPage::Report),
     };
     files::fill(folder, REPORT, &report.files())?;
     Ok(folder.join("index.html"))
