@@ -10,7 +10,7 @@ use crate::task::Task;
 
 /// A picture to draw after a right one.
 #[derive(Debug)]
-pub struct Next {
+pub struct NextPicture {
     /// Its scene: a probe, or the chapter's own if that was drawn too small.
     pub task: Task,
     /// How wide to draw it, in pixels.
@@ -40,7 +40,7 @@ pub fn hidden(task: &Task, width: u32) -> Vec<&'static Slip> {
 /// The picture to draw after the right one of `task`, so many pixels wide, of those that show
 /// mistakes which may have been made. They follow each other in one order, so that no probe is
 /// asked for twice.
-pub fn next(task: &Task, width: u32, may_be: impl Fn(&Slip) -> bool) -> Option<Next> {
+pub fn next(task: &Task, width: u32, may_be: impl Fn(&Slip) -> bool) -> Option<NextPicture> {
     let (own, book) = (task.without_probe(), task.chapter.book_width());
     let drawn = if task.probe.is_some() { book } else { width };
     let mut left = hidden(&own, drawn);
@@ -57,7 +57,7 @@ pub fn next(task: &Task, width: u32, may_be: impl Fn(&Slip) -> bool) -> Option<N
 
 /// Chooses the cheapest change that shows a mistake in the chapter's own lines, which were typed
 /// last; or else the picture that shows most of these mistakes, of equals the cheapest.
-fn most_telling(own: &Task, drawn: u32, hidden: &[&'static Slip]) -> Option<Next> {
+fn most_telling(own: &Task, drawn: u32, hidden: &[&'static Slip]) -> Option<NextPicture> {
     let book = own.chapter.book_width();
     let larger = (drawn < book).then_some((*own, book));
     let probes = PROBES.map(|probe| Some((own.with_probe(probe)?, probe.width)));
@@ -68,12 +68,12 @@ fn most_telling(own: &Task, drawn: u32, hidden: &[&'static Slip]) -> Option<Next
             (probe, probes) => probe.is_none() && probes.is_none(),
         };
         let slips: Vec<&'static Slip> = hidden.iter().copied().filter(shows).collect();
-        (!slips.is_empty()).then_some(Next { task, width, slips })
+        (!slips.is_empty()).then_some(NextPicture { task, width, slips })
     });
     let is_own = |slip: &&Slip| slip.chapters().next() == Some(own.chapter);
-    let shows_own = |next: &Next| next.slips.iter().any(is_own);
+    let shows_own = |next: &NextPicture| next.slips.iter().any(is_own);
     // Of equals `max_by_key` takes the last one.
-    let nexts: Vec<Next> = nexts.collect();
+    let nexts: Vec<NextPicture> = nexts.collect();
     let most = nexts.into_iter().rev();
     most.max_by_key(|next| {
         (

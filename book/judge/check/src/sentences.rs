@@ -8,7 +8,7 @@ use laws::Report;
 use slips::{Chapter, Edition, Letters, Slip, steps};
 
 use crate::answer::{Answer, Attempt, Grade, LawsStatus, Row, RowKind};
-use crate::blind_spots::{self, Next};
+use crate::blind_spots::{self, NextPicture};
 use crate::candidate::{Conversion, Unexplained};
 use crate::causes;
 use crate::context::Context;
@@ -504,7 +504,7 @@ impl Attempt<'_> {
             self.context.can_be_made(slip, &self.task)
                 && (self.context.answers).is_none_or(|unlike| unlike(&slip.program(chapter)).1 == 0)
         };
-        let Next { task, width, .. } = &blind_spots::next(&right.task, right.width, may_be)?;
+        let NextPicture { task, width, .. } = &blind_spots::next(&right.task, right.width, may_be)?;
         // A program may have its height as a number.
         let line = format!("image_width = {width}");
         let both = format!("{line}, so that image_height is {}", task.height(*width));
