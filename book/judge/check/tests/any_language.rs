@@ -1,15 +1,15 @@
 //! A function in any language: how its lines are read, and what is a manner and no mistake.
 
-use check::any_language::{Function, Manner, NoAnswer, Told, tried};
+use check::any_language::{FunctionKind, FunctionVerdict, Manner, NoAnswer, tried};
 use common::rtweekend::*;
 use laws::{Case, Complaint, Trial, WithInterval};
 
 type Solve = fn(&WithInterval) -> Option<f64>;
 
-fn told(function: Function, solve: Solve) -> Told {
+fn verdict(function: FunctionKind, solve: Solve) -> FunctionVerdict {
     let answer = |asked: &WithInterval| match (solve(asked), function) {
         (None, _) => "miss".to_owned(),
-        (Some(_), Function::Decision) => "hit".to_owned(),
+        (Some(_), FunctionKind::Decision) => "hit".to_owned(),
         (Some(t), _) => format!("{t:?}"),
     };
     tried(&Trial::default(), function, &|asked| {
@@ -53,27 +53,27 @@ fn in_front_from_outside(asked: &WithInterval) -> Option<f64> {
 
 #[test]
 fn a_function_of_another_edition_is_right_but_for_its_manner() {
-    let table: [(Function, Solve, &[Manner]); 9] = [
-        (Function::Decision, version_4, &[]),
-        (Function::Root, version_4, &[]),
-        (Function::Record, version_4, &[]),
-        (Function::Record, version_3, &[Manner::EndsCount]),
-        (Function::Root, version_1, &[Manner::TangentsMiss]),
-        (Function::Decision, version_1, &[Manner::TangentsMiss]),
-        (Function::Root, in_front, &[Manner::NothingBehind]),
-        (Function::Decision, in_front, &[Manner::NothingBehind]),
+    let table: [(FunctionKind, Solve, &[Manner]); 9] = [
+        (FunctionKind::Decision, version_4, &[]),
+        (FunctionKind::Root, version_4, &[]),
+        (FunctionKind::Record, version_4, &[]),
+        (FunctionKind::Record, version_3, &[Manner::EndsCount]),
+        (FunctionKind::Root, version_1, &[Manner::TangentsMiss]),
+        (FunctionKind::Decision, version_1, &[Manner::TangentsMiss]),
+        (FunctionKind::Root, in_front, &[Manner::NothingBehind]),
+        (FunctionKind::Decision, in_front, &[Manner::NothingBehind]),
         (
-            Function::Root,
+            FunctionKind::Root,
             in_front_from_outside,
             &[Manner::NothingBehind],
         ),
     ];
     for (at, (function, solve, manners)) in table.into_iter().enumerate() {
-        let Told {
+        let FunctionVerdict {
             outcome,
             manners: found,
             ..
-        } = told(function, solve);
+        } = verdict(function, solve);
         laws::holds(outcome);
         assert_eq!(found, manners, "row {at}");
     }
@@ -81,25 +81,27 @@ fn a_function_of_another_edition_is_right_but_for_its_manner() {
 
 #[test]
 fn a_mistake_is_no_manner() {
-    let mistakes: [(Function, Solve); 5] = [
+    let mistakes: [(FunctionKind, Solve); 5] = [
         // `t or "miss"` in Python.
-        (Function::Root, |asked| {
+        (FunctionKind::Root, |asked| {
             version_4(asked).filter(|&t| t != 0.0)
         }),
         // A manner does not hide the mistake behind it.
-        (Function::Root, |asked| in_front(asked).map(|t| 1.001 * t)),
-        (Function::Record, |asked| {
+        (FunctionKind::Root, |asked| {
+            in_front(asked).map(|t| 1.001 * t)
+        }),
+        (FunctionKind::Record, |asked| {
             version_3(asked).map(|t| t + 0.001)
         }),
-        (Function::Record, in_front),
-        (Function::Record, |asked| {
+        (FunctionKind::Record, in_front),
+        (FunctionKind::Record, |asked| {
             version_4(&WithInterval {
                 t_min: 0.001,
                 ..*asked
             })
         }),
     ];
-    let laws = mistakes.map(|(function, solve)| match told(function, solve).outcome {
+    let laws = mistakes.map(|(function, solve)| match verdict(function, solve).outcome {
         Err(Complaint::Broken(report)) => report.broken.law.into_owned(),
         outcome => format!("{outcome:?}"),
     });
@@ -118,22 +120,22 @@ fn a_mistake_is_no_manner() {
 
 #[test]
 fn the_books_word_for_a_miss_is_one_unless_it_is_the_root() {
-    let said = |z, function: Function| {
+    let said = |z, function: FunctionKind| {
         let ray = Ray::new(Vec3::ZERO, Vec3::NEG_Z);
         let case = Case::new(Vec3::new(0.0, 0.0, z), 1.0, ray);
         let hit = function.read(&WithInterval::on_the_line(case), "-1", true);
         hit.map(|hit| hit.map(|hit| hit.t))
     };
-    assert_eq!(said(0.0, Function::Root), Ok(Some(-1.0)));
-    assert_eq!(said(-3.0, Function::Root), Ok(None));
-    assert_eq!(said(-3.0, Function::Record), Ok(Some(-1.0)));
+    assert_eq!(said(0.0, FunctionKind::Root), Ok(Some(-1.0)));
+    assert_eq!(said(-3.0, FunctionKind::Root), Ok(None));
+    assert_eq!(said(-3.0, FunctionKind::Record), Ok(Some(-1.0)));
 }
 
 #[test]
 fn a_decimal_comma_is_told_from_other_nonsense() {
     let ray = Ray::new(Vec3::ZERO, Vec3::NEG_Z);
     let asked = WithInterval::on_the_line(Case::new(Vec3::ZERO, 1.0, ray));
-    let why = |line| Function::Root.read(&asked, line, false).err();
+    let why = |line| FunctionKind::Root.read(&asked, line, false).err();
     assert_eq!(why("0,5"), Some(NoAnswer::DecimalComma));
     assert_eq!(why("None"), Some(NoAnswer::Other));
     assert_eq!(why("0.5"), None);

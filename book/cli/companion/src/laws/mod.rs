@@ -12,7 +12,7 @@ use std::time::Duration;
 use ::laws::record::Hit;
 use ::laws::verdict::laid_out;
 use ::laws::{Case, Complaint, Question, Report, Trial, WithInterval};
-use check::any_language::{self, Function, NoAnswer, Told};
+use check::any_language::{self, FunctionKind, FunctionVerdict, NoAnswer};
 use check::names;
 use clap::Args;
 use common::engine::output;
@@ -88,7 +88,7 @@ struct Asked<'a> {
     answers: RefCell<HashMap<String, Answer>>,
     /// Why it is asked no more, and at which question.
     failure: RefCell<Option<(Failure, String)>>,
-    function: Function,
+    function: FunctionKind,
 }
 
 /// A line, and what it means.
@@ -105,9 +105,9 @@ impl<'a> Asked<'a> {
             answers: RefCell::default(),
             failure: RefCell::default(),
             function: match arguments.chapter {
-                Chapter::RedSphere => Function::Decision,
-                Chapter::HittableList => Function::Record,
-                _ => Function::Root,
+                Chapter::RedSphere => FunctionKind::Decision,
+                Chapter::HittableList => FunctionKind::Record,
+                _ => FunctionKind::Root,
             },
         }
     }
@@ -119,13 +119,13 @@ impl<'a> Asked<'a> {
             ..Trial::default()
         };
         let line = self.greet();
-        let told = any_language::tried(&trial, self.function, &|asked| self.answer(asked));
+        let verdict = any_language::tried(&trial, self.function, &|asked| self.answer(asked));
         let ended = || Some((self.dialogue.borrow_mut().end().err()?, line));
         let failed = self.failure.take().or_else(ended);
-        match (failed, &told.outcome) {
+        match (failed, &verdict.outcome) {
             (Some((failure, line)), _) => (2, self.failed(&failure, &line)),
-            (None, Err(Complaint::Broken(report))) => (1, self.broken(report, &told.last)),
-            (None, _) => (0, self.obeyed(&told)),
+            (None, Err(Complaint::Broken(report))) => (1, self.broken(report, &verdict.last)),
+            (None, _) => (0, self.obeyed(&verdict)),
         }
     }
 
@@ -197,12 +197,12 @@ impl<'a> Asked<'a> {
     /// Returns true if -1 may stand for a miss, as in the book: until the program says `miss`.
     fn says_minus_one(&self) -> bool {
         let answers = self.answers.borrow();
-        self.function == Function::Root && !answers.values().any(|it| it.said == "miss")
+        self.function == FunctionKind::Root && !answers.values().any(|it| it.said == "miss")
     }
 
-    fn obeyed(&self, told: &Told) -> String {
+    fn obeyed(&self, verdict: &FunctionVerdict) -> String {
         let (program, all) = (self.program(), self.answers.borrow().len());
-        let manners = told.manners.iter().map(|manner| {
+        let manners = verdict.manners.iter().map(|manner| {
             let says = manner.says();
             format!("besides:  {says}; no picture of these chapters shows that\n")
         });

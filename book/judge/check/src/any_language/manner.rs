@@ -1,7 +1,7 @@
 //! Manners: answers of other editions and of other derivations, which no picture of these chapters
 //! tells from those of version 4.
 
-use super::{Ask, Function};
+use super::{Ask, FunctionKind};
 use laws::nearer_root::{BAND, root_bound};
 use laws::oracle::Exact;
 use laws::question::telling;
@@ -31,9 +31,9 @@ impl Manner {
     }
 
     /// Finds the manners that a function keeps wherever one would show.
-    pub(super) fn of(function: Function, ask: &Ask) -> Vec<Self> {
+    pub(super) fn of(function: FunctionKind, ask: &Ask) -> Vec<Self> {
         let asked = match function {
-            Function::Record => telling(&ordinary_asked()),
+            FunctionKind::Record => telling(&ordinary_asked()),
             _ => {
                 let cases = telling(&ordinary()).into_iter();
                 cases.map(WithInterval::on_the_line).collect()
@@ -48,7 +48,7 @@ impl Manner {
                 && concerned.all(|it| match (manner, ask(it)) {
                     // Whether it is the right root is the matter of the laws.
                     (Self::NothingBehind, found) => {
-                        found.is_none_or(|hit| hit.t >= 0.0 && function != Function::Decision)
+                        found.is_none_or(|hit| hit.t >= 0.0 && function != FunctionKind::Decision)
                     }
                     (_, found) => manner.meant(function, it, found.as_ref()).is_some(),
                 })
@@ -59,7 +59,7 @@ impl Manner {
 
     /// Returns true if a function with this manner must answer otherwise than one without, whatever else
     /// its manners are.
-    fn shows(self, function: Function, asked: &WithInterval) -> bool {
+    fn shows(self, function: FunctionKind, asked: &WithInterval) -> bool {
         let WithInterval { case, t_min, t_max } = *asked;
         let exact = Exact::of(&case);
         let roots = [exact.nearer_root(), exact.farther_root()];
@@ -69,7 +69,7 @@ impl Manner {
                 let mut roots = roots.into_iter().flatten();
                 let counts = roots.find(|root| *root >= t_min && *root <= t_max);
                 let is_at_an_end = counts.filter(|root| *root == t_min || *root == t_max);
-                function == Function::Record && is_at_an_end.is_some_and(|root| root > 0.0)
+                function == FunctionKind::Record && is_at_an_end.is_some_and(|root| root > 0.0)
             }
             Self::TangentsMiss => {
                 let is_tangent = exact.discriminant().is_eq();
@@ -78,8 +78,10 @@ impl Manner {
             Self::NothingBehind => {
                 let right = exact.nearest_root_in(t_min, t_max);
                 let is_behind = match function {
-                    Function::Decision => last.is_some_and(|root| root < 0.0),
-                    Function::Root | Function::Record => right.is_some_and(|root| root < 0.0),
+                    FunctionKind::Decision => last.is_some_and(|root| root < 0.0),
+                    FunctionKind::Root | FunctionKind::Record => {
+                        right.is_some_and(|root| root < 0.0)
+                    }
                 };
                 is_behind && exact.discriminant_margin() > BAND
             }
@@ -89,7 +91,7 @@ impl Manner {
     /// Returns the right answer, if what was found differs from that by this manner alone.
     pub(super) fn meant(
         self,
-        function: Function,
+        function: FunctionKind,
         asked: &WithInterval,
         found: Option<&Hit>,
     ) -> Option<Option<Hit>> {
@@ -106,7 +108,7 @@ impl Manner {
                 let ahead = farther.filter(|&root| root >= 0.0);
                 let bound = root_bound(case, exact.discriminant_margin());
                 let is_ahead = |hit: &Hit| ahead.is_some_and(|root| (hit.t - root).abs() <= bound);
-                let may_miss = function != Function::Decision || ahead.is_none();
+                let may_miss = function != FunctionKind::Decision || ahead.is_none();
                 right.is_some_and(|root| root <= 0.0) && found.map_or(may_miss, is_ahead)
             }
         };

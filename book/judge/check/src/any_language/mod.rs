@@ -22,7 +22,7 @@ const FAR: f64 = 1e300;
 
 /// What a function of a chapter answers about one ray and one sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Function {
+pub enum FunctionKind {
     /// True if the line meets the sphere, as in chapter 2.
     Decision,
     /// The nearer root, as in chapters 3 and 4.
@@ -31,11 +31,11 @@ pub enum Function {
     Record,
 }
 
-/// Asks a program for the hit in a range, which only a [`Function::Record`] has.
+/// Asks a program for the hit in a range, which only a [`FunctionKind::Record`] has.
 pub type Ask<'a> = dyn Fn(&WithInterval) -> Option<Hit> + 'a;
 
 /// What comes of a program.
-pub struct Told {
+pub struct FunctionVerdict {
     /// True if the laws hold, apart from its manners.
     pub outcome: Outcome,
     /// In which of its answers it differs from version 4 of the book, and no picture shows it.
@@ -53,7 +53,7 @@ pub enum NoAnswer {
     Other,
 }
 
-impl Function {
+impl FunctionKind {
     /// Writes the question as a line: center, radius, origin, direction, and for a record the range, as
     /// decimal numbers that read back to the same bits.
     pub fn line(self, asked: &WithInterval) -> String {
@@ -129,7 +129,7 @@ fn is_root(case: &Case, t: f64) -> bool {
 
 /// Puts a function in a program of any language under the laws of a Rust function. Where it differs from
 /// a right one only by a manner, it is taken for right.
-pub fn tried(trial: &Trial, function: Function, ask: &Ask) -> Told {
+pub fn tried(trial: &Trial, function: FunctionKind, ask: &Ask) -> FunctionVerdict {
     let manners = Manner::of(function, ask);
     let (used, last) = (RefCell::new(Vec::new()), RefCell::new(Vec::new()));
     let meant = |asked: &WithInterval| {
@@ -148,9 +148,9 @@ pub fn tried(trial: &Trial, function: Function, ask: &Ask) -> Told {
     };
     let decide = |center, radius, ray: &Ray| solve(center, radius, ray).is_some();
     let outcome = match function {
-        Function::Decision => trial.decision(&decide),
-        Function::Root => trial.nearer_root(&solve),
-        Function::Record => trial.record(&meant),
+        FunctionKind::Decision => trial.decision(&decide),
+        FunctionKind::Root => trial.nearer_root(&solve),
+        FunctionKind::Record => trial.record(&meant),
     };
     last.borrow_mut().clear();
     if let Err(Complaint::Broken(report)) = &outcome {
@@ -165,7 +165,7 @@ pub fn tried(trial: &Trial, function: Function, ask: &Ask) -> Told {
         };
     }
     let (used, last) = (used.take(), last.take());
-    Told {
+    FunctionVerdict {
         outcome,
         manners: manners.into_iter().filter(|it| used.contains(it)).collect(),
         last: of_one_kind(last),
