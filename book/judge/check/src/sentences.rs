@@ -17,7 +17,7 @@ use crate::reading::Cause;
 use crate::search::{Change, Drawn, Mutant, Repair, Right as Mended};
 use crate::sources::Found;
 use crate::task::Task;
-use crate::verdict::{Finding, Mistakes, Right, Verdict};
+use crate::verdict::{Finding, Mistakes, RightPicture, Verdict};
 
 /// So many mistakes that draw the same are named.
 const NAMED: usize = 3;
@@ -27,7 +27,7 @@ const WARNINGS: usize = 2;
 // 1. The verdict on a picture, from right to none.
 
 impl Attempt<'_> {
-    pub(crate) fn right(&self, right: &Right) -> Answer {
+    pub(crate) fn right(&self, right: &RightPicture) -> Answer {
         let by = by(&right.editions);
         let size = match (right.width, right.height) {
             (1, 1) => "its one pixel".to_owned(),
@@ -50,7 +50,7 @@ impl Attempt<'_> {
         }
     }
 
-    fn right_in_all(&self, right: &Right, mut rest: String) -> Answer {
+    fn right_in_all(&self, right: &RightPicture, mut rest: String) -> Answer {
         let chapter = self.task.chapter;
         let mut done = vec![match self.task.probe {
             Some(probe) => format!("{}, probe {}: right", chapter.name(), probe.name),
@@ -498,7 +498,7 @@ impl Attempt<'_> {
 impl Attempt<'_> {
     /// A further picture that shows most of what can hide from a right one: but not what the
     /// reader can't have done, nor what would answer otherwise.
-    fn to_test_more(&self, right: &Right) -> Option<Row> {
+    fn to_test_more(&self, right: &RightPicture) -> Option<Row> {
         let chapter = self.task.chapter;
         let may_be = |slip: &Slip| {
             self.context.can_be_made(slip, &self.task)

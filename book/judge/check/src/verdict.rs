@@ -18,7 +18,7 @@ use crate::{candidates, causes, seen};
 #[derive(Debug)]
 pub enum Verdict {
     /// It is right.
-    Right(Right),
+    Right(RightPicture),
     /// It is right but for something that is no mistake.
     Near(Finding),
     /// It is a picture, and not the right one.
@@ -49,7 +49,7 @@ pub enum Verdict {
 
 /// A right picture.
 #[derive(Clone, Debug)]
-pub struct Right {
+pub struct RightPicture {
     /// The scene, by the latest edition of the book that draws this picture.
     pub task: Task,
     /// All editions that do.
@@ -157,7 +157,7 @@ pub fn judge(task: &Task, reading: &Reading, tolerance: u8, context: &Context) -
     }
     if may_be_right
         && (shape.is_none() || causes::is_a_shape_to_choose(width, height))
-        && let Some(right) = Right::of(task, reading, tolerance)
+        && let Some(right) = RightPicture::of(task, reading, tolerance)
     {
         return of_right(task, reading, context, right, shape.is_some());
     }
@@ -214,7 +214,7 @@ fn of_right(
     task: &Task,
     reading: &Reading,
     context: &Context,
-    right: Right,
+    right: RightPicture,
     has_another_shape: bool,
 ) -> Verdict {
     if !context.is_answered_by(&right.task.program(&[]))
@@ -228,7 +228,7 @@ fn of_right(
     } else {
         Vec::new()
     };
-    Verdict::Right(Right {
+    Verdict::Right(RightPicture {
         shape_given_by,
         ..right
     })
@@ -436,7 +436,7 @@ impl Near {
     }
 }
 
-impl Right {
+impl RightPicture {
     /// Counts the pixels of the picture.
     pub(crate) fn total(&self) -> usize {
         self.width as usize * self.height as usize
