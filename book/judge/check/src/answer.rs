@@ -180,7 +180,7 @@ impl Pictures {
                     right: picture(),
                 });
             }
-            Verdict::Near(finding) | Verdict::Wrong(finding) => finding,
+            Verdict::AlmostRight(finding) | Verdict::Wrong(finding) => finding,
             Verdict::WrongShape { finding, .. } | Verdict::NotAPicture { finding, .. } => *finding?,
             Verdict::Another { .. } => return None,
         };
@@ -354,10 +354,15 @@ impl Attempt<'_> {
     fn judged(&self, verdict: &Verdict) -> Answer {
         match verdict {
             Verdict::Right(right) => self.right(right),
-            Verdict::Near(finding) => match (&finding.near, finding.task.step()) {
-                (Some(near), Some(step)) if near.is_exact() => self.step(step, finding),
-                (near, _) => {
-                    let unexplained = near.as_ref().map(|it| it.unexplained).unwrap_or_default();
+            Verdict::AlmostRight(finding) => match (&finding.almost_right, finding.task.step()) {
+                (Some(almost_right), Some(step)) if almost_right.is_exact() => {
+                    self.step(step, finding)
+                }
+                (almost_right, _) => {
+                    let unexplained = almost_right
+                        .as_ref()
+                        .map(|it| it.unexplained)
+                        .unwrap_or_default();
                     self.nearly_right(finding, &unexplained)
                 }
             },

@@ -16,7 +16,7 @@ pub(crate) enum Explanation {
     /// It is the right one of other scenes, all of which look the same.
     Another(Vec<Task>),
     /// It is the right one, but for what is left.
-    Near(Fit),
+    AlmostRight(Fit),
     /// It is drawn by programs with mistakes.
     Mistakes(Fit),
     /// Nothing does. This is the right program that comes nearest.
@@ -53,13 +53,13 @@ const PAIRS: usize = 4;
 pub(crate) fn explain(evidence: &Evidence) -> Explanation {
     let reading = evidence.reading;
     let (right, unexplained) = nearest(evidence);
-    let near = |unexplained| Explanation::Near(Fit::of(right.clone(), unexplained));
+    let almost_right = |unexplained| Explanation::AlmostRight(Fit::of(right.clone(), unexplained));
     let is_answered = || {
         let program = right.task.unchanged().program(&[]);
         evidence.context.is_answered_by(&program)
     };
     if unexplained.is_nothing() && is_answered() {
-        return near(unexplained);
+        return almost_right(unexplained);
     }
     let elsewhere = right_elsewhere(evidence).filter(|_| !unexplained.is_nothing());
     if let Some(tasks) = elsewhere.clone().filter(|it| is_forgotten(evidence, it)) {
@@ -84,7 +84,7 @@ pub(crate) fn explain(evidence: &Evidence) -> Explanation {
         || MANY * unexplained.off <= reading.pixels.len()
         || unexplained.is_rounding()
     {
-        return near(unexplained);
+        return almost_right(unexplained);
     }
     let beside = described_beside(evidence, right.clone());
     if !evidence.drawn(&beside.task).is_told()

@@ -240,7 +240,7 @@ impl Finding {
             let why = slip.map_or("", |slip| context.words(slip, &self.task).why);
             return repair.rows().chain(row(RowKind::Why, why)).collect();
         }
-        if self.near.is_some() {
+        if self.almost_right.is_some() {
             return Vec::new();
         }
         let warnings = context.warnings.iter().take(WARNINGS);

@@ -20,7 +20,7 @@ pub enum Verdict {
     /// It is right.
     Right(RightPicture),
     /// It is right but for something that is no mistake.
-    Near(Finding),
+    AlmostRight(Finding),
     /// It is a picture, and not the right one.
     Wrong(Finding),
     /// It is right, but of another scene: a change was forgotten, or is still there, or
@@ -83,7 +83,7 @@ pub struct Finding {
     /// that are no levels.
     pub difference: Option<Difference>,
     /// What it is, if it is right but for something that is no mistake.
-    pub near: Option<Near>,
+    pub almost_right: Option<AlmostRight>,
     /// The mistakes that draw it, if some are known.
     pub mistakes: Option<Mistakes>,
     /// The single edits of the chapter's text that draw it, where no known mistake does.
@@ -100,7 +100,7 @@ pub struct Finding {
 
 /// A picture that is right, but for something that is no mistake.
 #[derive(Clone, Debug)]
-pub struct Near {
+pub struct AlmostRight {
     /// The scene.
     pub task: Task,
     /// The pixels that are not explained.
@@ -174,11 +174,16 @@ pub fn judge(task: &Task, reading: &Reading, tolerance: u8, context: &Context) -
                 tasks,
             },
             // In a shape that nobody chooses, a right picture is none.
-            (Answer::Of(finding), None) if finding.near.is_some() => Verdict::Near(*finding),
+            (Answer::Of(finding), None) if finding.almost_right.is_some() => {
+                Verdict::AlmostRight(*finding)
+            }
             (Answer::Of(finding), Some(_))
-                if finding.near.as_ref().is_some_and(Near::has_odd_pixels) =>
+                if finding
+                    .almost_right
+                    .as_ref()
+                    .is_some_and(AlmostRight::has_odd_pixels) =>
             {
-                Verdict::Near(*finding)
+                Verdict::AlmostRight(*finding)
             }
             (Answer::Of(finding), Some(cause)) if finding.mistakes.is_none() => {
                 Verdict::WrongShape {
@@ -249,18 +254,18 @@ impl Finding {
         let finding = match explain(&evidence) {
             Explanation::Another(tasks) => return Answer::Another(tasks),
             // The width that a probe is about was forgotten.
-            Explanation::Near(fit)
+            Explanation::AlmostRight(fit)
                 if fit.unexplained.is_nothing() && evidence.task.probe != task.probe =>
             {
                 return Answer::Another(vec![evidence.task]);
             }
-            Explanation::Near(fit) => {
-                let near = Near {
+            Explanation::AlmostRight(fit) => {
+                let almost_right = AlmostRight {
                     task: fit.candidates[0].task,
                     unexplained: fit.unexplained,
                 };
                 Self {
-                    near: Some(near),
+                    almost_right: Some(almost_right),
                     editions: fit.editions(reading),
                     ..Self::beside(&evidence, &fit.candidates[0])
                 }
@@ -279,7 +284,7 @@ impl Finding {
     /// only the one that goes with it.
     fn repaired(mut self, evidence: &Evidence) -> Self {
         let (sources, context) = (&evidence.context.sources, evidence.context);
-        let is_exact = |it: &Self| it.near.as_ref().is_some_and(Near::is_exact);
+        let is_exact = |it: &Self| it.almost_right.as_ref().is_some_and(AlmostRight::is_exact);
         let step = evidence.repair().and_then(|it| it.step);
         if self.task.step() != step
             && (sources.is_written() || !is_exact(&self))
@@ -301,7 +306,7 @@ impl Finding {
         let Some(repair) = evidence.repair().cloned() else {
             return self;
         };
-        self.near = None;
+        self.almost_right = None;
         if let Some(mistakes) = &mut self.mistakes {
             let task = mistakes.task;
             let is_mended = |slip: &&'static Slip| context.is_mended(slip, &task, &repair);
@@ -328,7 +333,7 @@ impl Finding {
             right,
             yours,
             difference,
-            near: None,
+            almost_right: None,
             mistakes: None,
             drawn: Drawn::default(),
             sights: Vec::new(),
@@ -355,7 +360,7 @@ impl Finding {
 
     /// Returns true if nothing explains a picture most of which is another.
     pub(crate) fn is_unlike(&self) -> bool {
-        let is_explained = self.near.is_some() || self.mistakes.is_some();
+        let is_explained = self.almost_right.is_some() || self.mistakes.is_some();
         let difference = self.difference.as_ref();
         let is_most = difference.is_some_and(|it| 2 * it.count > it.total);
         !is_explained && is_most && self.levels() > 1
@@ -425,7 +430,7 @@ impl Mistakes {
     }
 }
 
-impl Near {
+impl AlmostRight {
     /// Returns true if it is right to the last bit: a step on the way.
     pub(crate) fn is_exact(&self) -> bool {
         self.unexplained.is_nothing()
@@ -491,7 +496,7 @@ impl Verdict {
             Self::Another { cause, .. }
             | Self::WrongShape { cause, .. }
             | Self::NotAPicture { cause, .. } => Some(cause),
-            Self::Right(_) | Self::Near(_) | Self::Wrong(_) => None,
+            Self::Right(_) | Self::AlmostRight(_) | Self::Wrong(_) => None,
         }
     }
 
@@ -499,7 +504,7 @@ impl Verdict {
     pub fn finding(&self) -> Option<&Finding> {
         match self {
             Self::Right(_) | Self::Another { .. } => None,
-            Self::Near(finding) | Self::Wrong(finding) => Some(finding),
+            Self::AlmostRight(finding) | Self::Wrong(finding) => Some(finding),
             Self::WrongShape { finding, .. } | Self::NotAPicture { finding, .. } => {
                 finding.as_deref()
             }

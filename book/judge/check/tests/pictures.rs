@@ -124,11 +124,11 @@ fn unnamed_in(slip: &'static Slip, chapter: Chapter, width: u32, way: Way) -> St
     let few = picture.rgb().len() / 3 / 50;
     let is_named = match &verdict {
         Verdict::Right(_) => true,
-        Verdict::Near(finding) => {
+        Verdict::AlmostRight(finding) => {
             let has_few = finding
-                .near
+                .almost_right
                 .as_ref()
-                .is_some_and(|near| near.unexplained.off <= few);
+                .is_some_and(|almost_right| almost_right.unexplained.off <= few);
             has_few || drawn.size().1 != right.height()
         }
         other => other.finding().is_some_and(|finding| {
@@ -334,8 +334,8 @@ fn said(verdict: &Verdict) -> String {
     let Some(finding) = verdict.finding() else {
         return format!("{:?}", verdict.cause().map(|cause| &cause.problem));
     };
-    if let Some(near) = &finding.near {
-        return format!("right but for {}", near.unexplained.off);
+    if let Some(almost_right) = &finding.almost_right {
+        return format!("right but for {}", almost_right.unexplained.off);
     }
     let Some(mistakes) = &finding.mistakes else {
         return format!("unknown: {}", finding.sights.join(" "));
