@@ -5,7 +5,7 @@
 use common::rtweekend::*;
 use laws::Case;
 use laws::strategies::{self, samples};
-use slips::{Chapter, Program};
+use slips::{Chapter, ChapterProgram};
 
 use suite::slip;
 
@@ -102,9 +102,9 @@ fn cases() -> impl Iterator<Item = Case> {
 }
 
 /// The right program of the chapter, with these slips made in it.
-fn with_slips(chapter: Chapter, names: &[&str]) -> Program {
+fn with_slips(chapter: Chapter, names: &[&str]) -> ChapterProgram {
     let make = |program, name: &&str| slip(name).put_to(&program);
-    names.iter().fold(Program::right(chapter), make)
+    names.iter().fold(ChapterProgram::right(chapter), make)
 }
 
 /// Every choice of some of the names, none and all of them included.

@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 use laws::answers::Answers;
 use laws::{Complaint, Question, Report, Trial};
 use rayon::prelude::*;
-use slips::{Chapter, Letters, Program, Slip, Unseen, lawful};
+use slips::{Chapter, ChapterProgram, Letters, Slip, Unseen, lawful};
 
 #[test]
 fn every_slip_is_caught() {
@@ -16,7 +16,7 @@ fn every_slip_is_caught() {
 #[test]
 fn a_program_without_a_slip_breaks_no_law() {
     for chapter in Chapter::OF_THE_BOOK {
-        if let Some(report) = first_report(&Program::right(chapter)) {
+        if let Some(report) = first_report(&ChapterProgram::right(chapter)) {
             panic!("{chapter:?} breaks a law:\n{report}");
         }
     }
@@ -32,7 +32,7 @@ fn a_slip_that_breaks_a_law_has_other_answers_than_a_right_program() {
     let lawless = OUTCOMES.iter().filter(of_functions);
     for Outcome { slip, chapter, .. } in lawless {
         let answers = Answers::of(&slip.program(*chapter), lawful::questions(*chapter));
-        let (_, unlike) = answers.unlike(&Program::right(*chapter), 1);
+        let (_, unlike) = answers.unlike(&ChapterProgram::right(*chapter), 1);
         assert_eq!(unlike, 1, "{} in {chapter:?}", slip.name);
     }
 }
@@ -85,7 +85,7 @@ impl Outcome {
 
 /// Reports the first law that the program breaks: on a few cases, enough to see a
 /// mistake, not to prove anything.
-pub(crate) fn first_report(program: &Program) -> Option<Box<Report>> {
+pub(crate) fn first_report(program: &ChapterProgram) -> Option<Box<Report>> {
     if program.chapter == Chapter::BuildTest {
         return None;
     }

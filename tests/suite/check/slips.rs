@@ -8,7 +8,7 @@ use check::context::Context;
 use check::task::Task;
 use common::rtweekend::*;
 use hittable_list::{HittableList, Sphere};
-use slips::{Chapter, Edit, Edition, Letters, PROBES, Program};
+use slips::{Chapter, ChapterProgram, Edit, Edition, Letters, PROBES};
 
 use suite::drawn::p3;
 
@@ -19,7 +19,7 @@ fn a_program_without_a_slip_is_the_chapter_to_the_last_bit() {
             assert_eq!(
                 Comparison::of(
                     &chapter.picture(width),
-                    &Program::right(chapter).run(width).picture()
+                    &ChapterProgram::right(chapter).run(width).picture()
                 ),
                 Comparison::Equal,
                 "{} at {width} wide: the text around it, in book/judge/slips/src/text, does not do \
@@ -34,7 +34,7 @@ fn a_program_without_a_slip_is_the_chapter_to_the_last_bit() {
 #[test]
 fn the_text_around_a_chapter_does_what_is_done_without_it() {
     for chapter in Chapter::OF_THE_BOOK {
-        let right = Program::right(chapter);
+        let right = ChapterProgram::right(chapter);
         let edits = [
             Edit::new("255.999", "255.9990"),
             Edit::new("[i, j]", "[i + 0, j]"),
@@ -50,7 +50,7 @@ fn the_text_around_a_chapter_does_what_is_done_without_it() {
 #[test]
 fn a_program_without_a_slip_draws_every_probe_as_chapter_5_does() {
     for probe in PROBES {
-        let program = probe.put_to(&Program::right(Chapter::HittableList));
+        let program = probe.put_to(&ChapterProgram::right(Chapter::HittableList));
         let program = program.expect("chapter 5 takes any number of spheres");
         let mut world = HittableList::default();
         for ball in probe.spheres.into_iter().flatten() {
@@ -76,7 +76,7 @@ fn a_program_without_a_slip_draws_every_probe_as_chapter_5_does() {
 #[test]
 fn the_text_of_a_program_without_a_slip_is_the_p3_of_its_picture() {
     for chapter in Chapter::OF_THE_BOOK {
-        let output = Program::right(chapter).run(31);
+        let output = ChapterProgram::right(chapter).run(31);
         let text = p3(&output.picture());
         assert_eq!(output.to_string().into_bytes(), text, "{chapter:?}");
     }
@@ -107,9 +107,10 @@ fn every_slip_leads_to_a_file_that_has_it_right() {
 fn every_slip_makes_another_program() {
     for slip in slips::all().chain(slips::unnamed()) {
         for chapter in slip.chapters() {
-            let right = Program::right(chapter);
+            let right = ChapterProgram::right(chapter);
             let wrong = slip.program(chapter);
-            let text = |program: &Program| format!("{:?}", program.functions().collect::<Vec<_>>());
+            let text =
+                |program: &ChapterProgram| format!("{:?}", program.functions().collect::<Vec<_>>());
             let is_another = text(&right) != text(&wrong) || slip.name == "single-precision";
             assert!(is_another, "{} in {chapter:?}", slip.name);
         }

@@ -1,6 +1,6 @@
 //! Why a picture is not the one that was asked for: its shape, its numbers, its scene.
 
-use slips::{Edition, Letters, Program, Slip};
+use slips::{ChapterProgram, Edition, Letters, Slip};
 
 use crate::reading::{Cause, Reading};
 use crate::task::Task;
@@ -13,7 +13,7 @@ pub(crate) const MOST_MISSHAPEN: u64 = 1 << 20;
 /// The slips with which a program draws `width` × `height` pixels where the
 /// right one does not, whatever the pixels are.
 pub(crate) fn slips_giving(task: &Task, width: u32, height: u32) -> Vec<&'static Slip> {
-    let gives = |program: &Program| {
+    let gives = |program: &ChapterProgram| {
         [width, height]
             .into_iter()
             .any(|asked| program.run(asked).size() == (width, height))

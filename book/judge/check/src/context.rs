@@ -2,7 +2,7 @@
 
 use std::cell::OnceCell;
 
-use slips::{Edition, Letters, Program, Slip, Words};
+use slips::{ChapterProgram, Edition, Letters, Slip, Words};
 
 use crate::blind_spots;
 use crate::candidate::Candidate;
@@ -13,7 +13,7 @@ use crate::sources::{Found, Sources};
 use crate::task::Task;
 
 /// How many answers were given, and how many of them a program would not give.
-pub type CompareAnswers<'a> = dyn Fn(&Program) -> (usize, usize) + 'a;
+pub type CompareAnswers<'a> = dyn Fn(&ChapterProgram) -> (usize, usize) + 'a;
 
 /// What is known besides the picture.
 #[derive(Default)]
@@ -82,7 +82,7 @@ impl Context<'_> {
     }
 
     /// Returns true if the reader's functions answer as the program would.
-    pub(crate) fn is_answered_by(&self, program: &Program) -> bool {
+    pub(crate) fn is_answered_by(&self, program: &ChapterProgram) -> bool {
         self.answers.is_none_or(|unlike| unlike(program).1 == 0)
     }
 }

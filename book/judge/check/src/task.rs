@@ -8,7 +8,7 @@ use common::rtweekend::Picture;
 use crate::names::companion;
 use crate::pixels::{distance, spread};
 use crate::reading::Reading;
-use slips::{Chapter, Edition, Letters, Probe, Program, Slip, steps, width_line};
+use slips::{Chapter, ChapterProgram, Edition, Letters, Probe, Slip, steps, width_line};
 
 /// A chapter's scene, or a probe's in that chapter, by one edition of the book.
 #[derive(Clone, Copy, Debug)]
@@ -189,7 +189,7 @@ impl Task {
     }
 
     /// The program that draws the scene, with these slips in it.
-    pub fn program(&self, slips: &[&Slip]) -> Program {
+    pub fn program(&self, slips: &[&Slip]) -> ChapterProgram {
         let right = || self.kept("", || self.right_program());
         let with = |slip: &Slip| self.kept(slip.name, || slip.put_to(&right()));
         match slips {
@@ -205,7 +205,7 @@ impl Task {
     }
 
     /// The program of the scene with that slip, made once.
-    fn kept(&self, slip: &'static str, make: impl FnOnce() -> Program) -> Program {
+    fn kept(&self, slip: &'static str, make: impl FnOnce() -> ChapterProgram) -> ChapterProgram {
         type Key = (
             Chapter,
             Edition,
@@ -214,7 +214,7 @@ impl Task {
             &'static str,
             &'static str,
         );
-        static KEPT: LazyLock<Mutex<BTreeMap<Key, Program>>> = LazyLock::new(Mutex::default);
+        static KEPT: LazyLock<Mutex<BTreeMap<Key, ChapterProgram>>> = LazyLock::new(Mutex::default);
         let probe = self.probe.map_or("", |probe| probe.name);
         let key = (
             self.chapter,
@@ -237,7 +237,7 @@ impl Task {
         program
     }
 
-    fn right_program(&self) -> Program {
+    fn right_program(&self) -> ChapterProgram {
         let mut program = self.edition.shaped(self.chapter, self.shape);
         if let Some(step) = self.step {
             program = steps::of(self.chapter)[step].put_to(&program);

@@ -7,7 +7,7 @@ use check::reading::Reading;
 use check::sources::Sources;
 use check::task::Task;
 use check::verdict::judge;
-use slips::{Chapter, Edit, Letters, Program};
+use slips::{Chapter, ChapterProgram, Edit, Letters};
 
 const GRADIENT: Chapter = Chapter::Gradient;
 const RED_SPHERE: Chapter = Chapter::RedSphere;
@@ -106,7 +106,7 @@ function hitSphere(center, radius, r) {
 }
 
 fn picture(chapter: Chapter, right: &'static str, wrong: &'static str) -> Reading {
-    let program = Program::right(chapter).with(&[Edit::new(right, wrong)]);
+    let program = ChapterProgram::right(chapter).with(&[Edit::new(right, wrong)]);
     Reading::of(&program.expect("it is one edit").run(100).picture())
 }
 

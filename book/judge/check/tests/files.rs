@@ -7,7 +7,7 @@ use check::sources::Sources;
 use check::task::Task;
 use check::verdict::{Verdict, judge_file};
 use common::rtweekend::*;
-use slips::{Chapter, Edit, Edition, Letters, Program};
+use slips::{Chapter, ChapterProgram, Edit, Edition, Letters};
 
 const PROGRAM: &str = "\
 upper_left = camera_center - Vec3(0, 0, focal_length) - viewport_u / 2 - viewport_v / 2
@@ -68,7 +68,7 @@ fn a_readers_line_is_named_if_the_chapter_with_it_draws_the_readers_picture() {
 
 #[test]
 fn a_readers_line_of_the_camera_is_named() {
-    let right = Program::right(Chapter::HalfBSphere);
+    let right = ChapterProgram::right(Chapter::HalfBSphere);
     let mut camera = Camera::new(100);
     camera.pixel00 -= 0.1 * (camera.pixel_delta_u + camera.pixel_delta_v);
     let picture = Picture::paint(camera.image_width, camera.image_height, move |i, j| {

@@ -11,7 +11,7 @@ use check::text::{MOST_LINES, Style, lines};
 use check::verdict::{Verdict, judge, judge_file, judge_guessed};
 use check::{guess, png};
 use common::rtweekend::*;
-use slips::{Chapter, Edit, Edition, Program, Slip};
+use slips::{Chapter, ChapterProgram, Edit, Edition, Slip};
 
 /// Each way is a function of a picture.
 type Way = fn(&Picture) -> Picture;
@@ -204,8 +204,8 @@ fn other_colors_are_described() {
     }
 }
 
-fn with(chapter: Chapter, edit: &Edit) -> Program {
-    let right = Program::right(chapter);
+fn with(chapter: Chapter, edit: &Edit) -> ChapterProgram {
+    let right = ChapterProgram::right(chapter);
     right.with(slice::from_ref(edit)).expect("it stands there")
 }
 

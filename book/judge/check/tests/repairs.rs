@@ -10,7 +10,7 @@ use check::reading::Reading;
 use check::sources::Sources;
 use check::task::Task;
 use check::verdict::{Verdict, judge};
-use slips::{Chapter, Letters, Program, steps};
+use slips::{Chapter, ChapterProgram, Letters, steps};
 
 /// Chapters, whether in their own text or in another form, and what stands there wrong for what
 /// is right.
@@ -283,7 +283,7 @@ fn said(chapter: Chapter, files: &[(String, String)], is_wrong: bool) -> Vec<Row
     // Step 1 of the normals shows the red sphere.
     let mut shown = [chapter, Chapter::RedSphere].into_iter();
     let is_hidden = is_wrong && shown.any(|it| picture == it.picture(WIDTH));
-    let unlike = |_: &Program| (1, 1);
+    let unlike = |_: &ChapterProgram| (1, 1);
     let context = Context {
         answers: is_hidden.then_some(&unlike),
         letters: Some(Letters::Rust),

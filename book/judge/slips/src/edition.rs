@@ -11,7 +11,7 @@ use std::sync::{LazyLock, Mutex, PoisonError};
 
 use crate::chapter::Chapter;
 use crate::edit::Edit;
-use crate::program::Program;
+use crate::program::ChapterProgram;
 
 /// The versions of *Ray Tracing in One Weekend* whose pictures of these chapters
 /// differ. A version that is not named here draws what the one before it draws.
@@ -126,8 +126,8 @@ impl Edition {
     ///
     /// # Panics
     /// If the chapter is not one of [`Chapter::OF_THE_BOOK`].
-    pub fn program(self, chapter: Chapter) -> Program {
-        type Known = BTreeMap<(Edition, Chapter), Program>;
+    pub fn program(self, chapter: Chapter) -> ChapterProgram {
+        type Known = BTreeMap<(Edition, Chapter), ChapterProgram>;
         static KNOWN: LazyLock<Mutex<Known>> = LazyLock::new(Mutex::default);
         let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
         let program = known.entry((self, chapter));
@@ -141,12 +141,12 @@ impl Edition {
     ///
     /// # Panics
     /// If the edition's lines are no program, which a test rules out.
-    pub fn shaped(self, chapter: Chapter, size: Option<(u32, u32)>) -> Program {
+    pub fn shaped(self, chapter: Chapter, size: Option<(u32, u32)>) -> ChapterProgram {
         let edits = match chapter {
             Chapter::BuildTest => self.edits_of_the_build_test(size.map(|it| it.1)),
             _ => self.edits_of_the_camera(size),
         };
-        let program = Program::right(chapter).with_any(&edits);
+        let program = ChapterProgram::right(chapter).with_any(&edits);
         program.expect("an edition is a program")
     }
 

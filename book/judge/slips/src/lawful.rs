@@ -20,7 +20,7 @@ use laws::{Case, Complaint, Functions, Outcome, Question, Report, Scene, Trial, 
 
 use crate::chapter::Chapter;
 use crate::letters::Letters;
-use crate::program::Program;
+use crate::program::ChapterProgram;
 use crate::slip::Slip;
 use crate::{all, unnamed};
 
@@ -32,8 +32,8 @@ const NAMED: usize = 4;
 /// apart. Those that are made most often come first.
 pub fn that_answer_so(answers: &Answers, chapter: Chapter, letters: Letters) -> Vec<&'static Slip> {
     let gives_all =
-        |program: &Program| answers.ends_as(program) && answers.unlike(program, 1).1 == 0;
-    if gives_all(&Program::right(chapter)) {
+        |program: &ChapterProgram| answers.ends_as(program) && answers.unlike(program, 1).1 == 0;
+    if gives_all(&ChapterProgram::right(chapter)) {
         return Vec::new();
     }
     let mut mistakes: Vec<&'static Slip> = all()
@@ -82,7 +82,7 @@ pub fn explained(mut outcome: Outcome, chapter: Chapter, letters: Letters) -> Ou
 pub fn unlike(
     answers: &Answers,
     chapter: Chapter,
-    program: &Program,
+    program: &ChapterProgram,
     most: usize,
 ) -> (usize, usize) {
     match program.chapter == chapter {
@@ -115,7 +115,7 @@ pub fn scene(chapter: Chapter) -> Scene {
     }
 }
 
-impl Program {
+impl ChapterProgram {
     /// Puts the functions of the program, as its chapter has them, under the laws: the
     /// intersection, and what becomes of a hit.
     ///
@@ -150,7 +150,7 @@ impl Program {
     }
 }
 
-impl Functions for Program {
+impl Functions for ChapterProgram {
     fn hit_sphere(&self, case: &Case) -> Option<f64> {
         self.hit_sphere(case.center, case.radius, &case.ray)
     }
@@ -187,7 +187,7 @@ impl Functions for Program {
     }
 
     fn dot(&self, u: Vec3, v: Vec3) -> f64 {
-        Program::dot(self, u, v)
+        ChapterProgram::dot(self, u, v)
     }
 
     fn length_squared(&self, v: Vec3) -> f64 {

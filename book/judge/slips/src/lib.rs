@@ -1,13 +1,13 @@
 //! Mutants of the chapters: the mistakes that readers make, here called *slips*, as
 //! programs that make them.
 //!
-//! [`all`] lists them, [`Program`] draws what each of them draws,
+//! [`all`] lists them, [`ChapterProgram`] draws what each of them draws,
 //! and a [`Probe`] is a small change of scene that makes one visible where the
 //! book's picture hides it:
 //!
 //! ```
 //! use slips::Chapter;
-//! use slips::Program;
+//! use slips::ChapterProgram;
 //!
 //! let chapter = Chapter::find("half_b_sphere").unwrap();
 //! let slip = slips::find("minus-h").unwrap();
@@ -16,7 +16,7 @@
 //!
 //! // Behind the camera it finds a sphere where nothing should be:
 //! let probe = slips::find_probe("behind").unwrap();
-//! let [wrong, right] = [slip.program(chapter), Program::right(chapter)]
+//! let [wrong, right] = [slip.program(chapter), ChapterProgram::right(chapter)]
 //!     .map(|program| probe.put_to(&program).unwrap().run(probe.width).picture());
 //! assert_ne!(wrong, right);
 //!
@@ -49,6 +49,6 @@ pub use interpreter::{Ball, Hit};
 pub use letters::Letters;
 pub use notes::{Row, side_by_side};
 pub use probes::{PROBES, Probe, find as find_probe, width_line};
-pub use program::{Output, Program, files};
+pub use program::{ChapterProgram, Output, files};
 pub use sight::{SIGHT_WIDTH, Sight, sights};
 pub use slip::{Slip, Unseen, Words};

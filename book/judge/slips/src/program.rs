@@ -12,7 +12,7 @@ use crate::edit::Edit;
 
 /// A chapter's program, right or with edits, that draws without being compiled.
 #[derive(Clone, Debug)]
-pub struct Program {
+pub struct ChapterProgram {
     /// Which chapter it is meant to be.
     pub chapter: Chapter,
     code: interpreter::Program,
@@ -20,10 +20,10 @@ pub struct Program {
     levels: Option<Box<interpreter::Program>>,
 }
 
-/// The output of a [`Program`]: the numbers of a P3 file, traced when asked for.
+/// The output of a [`ChapterProgram`]: the numbers of a P3 file, traced when asked for.
 #[derive(Clone, Debug)]
 pub struct Output {
-    program: Program,
+    program: ChapterProgram,
     canvas: Option<Canvas>,
     size: (u32, u32),
     /// True if the loop and the levels are the right ones, which are done here without the text.
@@ -45,13 +45,13 @@ const AROUND: [&str; 3] = ["place", "print", "level"];
 /// The functions of these vectors.
 const OF_VECTORS: [&str; 5] = ["dot", "length_squared", "length", "normalize", "at"];
 
-static RIGHT: [LazyLock<Program>; 6] = [
-    LazyLock::new(|| Program::read(Chapter::BuildTest)),
-    LazyLock::new(|| Program::read(Chapter::Gradient)),
-    LazyLock::new(|| Program::read(Chapter::RedSphere)),
-    LazyLock::new(|| Program::read(Chapter::Normals)),
-    LazyLock::new(|| Program::read(Chapter::HalfBSphere)),
-    LazyLock::new(|| Program::read(Chapter::HittableList)),
+static RIGHT: [LazyLock<ChapterProgram>; 6] = [
+    LazyLock::new(|| ChapterProgram::read(Chapter::BuildTest)),
+    LazyLock::new(|| ChapterProgram::read(Chapter::Gradient)),
+    LazyLock::new(|| ChapterProgram::read(Chapter::RedSphere)),
+    LazyLock::new(|| ChapterProgram::read(Chapter::Normals)),
+    LazyLock::new(|| ChapterProgram::read(Chapter::HalfBSphere)),
+    LazyLock::new(|| ChapterProgram::read(Chapter::HittableList)),
 ];
 
 /// The files of the chapter's program, the root first: what the chapter has, and what of
@@ -99,7 +99,7 @@ pub(crate) fn source(chapter: Chapter, name: &str) -> String {
     }
 }
 
-impl Program {
+impl ChapterProgram {
     /// The chapter as it should be, from its own text.
     ///
     /// # Panics

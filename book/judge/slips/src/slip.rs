@@ -10,7 +10,7 @@ use crate::edit::Edit;
 use crate::edition::Edition;
 use crate::letters::{Letters, in_cpp, in_python};
 use crate::probes::PROBES;
-use crate::program::{Program, files, source};
+use crate::program::{ChapterProgram, files, source};
 use crate::sight::kept;
 
 /// The slips that the picture of a chapter hides at the book's width, and what probes show them:
@@ -59,7 +59,7 @@ pub enum Unseen {
     /// It draws the same picture; the sentence proves it.
     Equivalent(&'static str),
     /// It needs a ray that no camera here casts; the sentence is the law that
-    /// a test puts to [`Program::hit_sphere`], [`Program::record`] or a ray.
+    /// a test puts to [`ChapterProgram::hit_sphere`], [`ChapterProgram::record`] or a ray.
     OnlyByLaw(&'static str),
 }
 
@@ -171,7 +171,7 @@ impl Slip {
 
     /// Returns the edit by which it is made in the chapter's text, if that is one.
     pub fn only_edit(&self, chapter: Chapter) -> Option<&Edit> {
-        let program = Program::right(chapter);
+        let program = ChapterProgram::right(chapter);
         let mut standing = self.edits.iter().filter(|edit| program.has(edit));
         standing.next().filter(|_| standing.next().is_none())
     }
@@ -203,14 +203,14 @@ impl Slip {
     ///
     /// # Panics
     /// If it can't be made there.
-    pub fn program(&self, chapter: Chapter) -> Program {
+    pub fn program(&self, chapter: Chapter) -> ChapterProgram {
         let name = self.name;
         assert!(self.is_in(chapter), "{name} can't be made in {chapter:?}");
-        self.put_to(&Program::right(chapter))
+        self.put_to(&ChapterProgram::right(chapter))
     }
 
     /// Returns the program with this slip in it, if it can be made there.
-    pub fn put_to(&self, program: &Program) -> Program {
+    pub fn put_to(&self, program: &ChapterProgram) -> ChapterProgram {
         let made = program.with_any(&self.edits);
         made.unwrap_or_else(|| program.clone())
     }

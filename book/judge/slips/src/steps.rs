@@ -2,7 +2,7 @@
 
 use crate::chapter::Chapter;
 use crate::edit::Edit;
-use crate::program::Program;
+use crate::program::ChapterProgram;
 
 /// A few lines to type, after which there is something new to see.
 pub struct Step {
@@ -16,7 +16,7 @@ pub struct Step {
 
 impl Step {
     /// The chapter's program as far as it is written by then.
-    pub fn put_to(&self, program: &Program) -> Program {
+    pub fn put_to(&self, program: &ChapterProgram) -> ChapterProgram {
         let edits: Vec<Edit> = self.edits.iter().map(|it| Edit::written(it)).collect();
         program.with_any(&edits).unwrap_or_else(|| program.clone())
     }

@@ -17,7 +17,7 @@ use common::rtweekend::*;
 use interpreter::{Fault, FaultKind};
 use laws::answers::Answers;
 use laws::{Complaint, Trial};
-use slips::{Chapter, Letters, Program, Slip, lawful, steps};
+use slips::{Chapter, ChapterProgram, Letters, Slip, lawful, steps};
 
 use crate::habits;
 use crate::typing::Caret;
@@ -150,8 +150,8 @@ impl Text {
     }
 
     /// The chapter's program with what was typed in the place of its code.
-    fn in_place_of_ours(&self, typed: &interpreter::Program) -> Program {
-        Program::typed(self.chapter, typed.clone())
+    fn in_place_of_ours(&self, typed: &interpreter::Program) -> ChapterProgram {
+        ChapterProgram::typed(self.chapter, typed.clone())
     }
 
     /// Judges the picture, the laws and the typed lines together.
@@ -165,7 +165,7 @@ impl Text {
         let laws = laws_of(&asked);
         let answers = Answers::of(&asked, lawful::questions(self.chapter));
         let unlike =
-            |program: &Program| lawful::unlike(&answers, self.chapter, program, MOST_UNLIKE);
+            |program: &ChapterProgram| lawful::unlike(&answers, self.chapter, program, MOST_UNLIKE);
         let can_be_made =
             |slip: &Slip| slip.can_be_made_in(Letters::Rust) && slip.is_typed_in(self.chapter);
         let context = Context {
@@ -310,7 +310,7 @@ const MOST_UNLIKE: usize = 60;
 const CASES: u32 = 100;
 
 /// Returns true if the laws hold for what a program computes, if it hits something.
-fn laws_of(program: &Program) -> Option<LawsStatus> {
+fn laws_of(program: &ChapterProgram) -> Option<LawsStatus> {
     if program.chapter <= Chapter::Gradient {
         return None;
     }

@@ -1,6 +1,6 @@
 //! Half-finished pictures: what there is to see after a step on the way to a chapter.
 
-use slips::{Chapter, Program, steps};
+use slips::{Chapter, ChapterProgram, steps};
 
 use crate::ground::{escaped, named};
 use crate::slip::image;
@@ -13,7 +13,7 @@ pub(crate) fn step(chapter: &str, number: &str) -> Result<String, String> {
     let step = place
         .and_then(|place| steps.get(place))
         .ok_or_else(|| format!("{name} has no step {number}: it has {}", steps.len()))?;
-    let program = step.put_to(&Program::right(chapter));
+    let program = step.put_to(&ChapterProgram::right(chapter));
     let picture = program.run(chapter.book_width()).picture();
     Ok(format!(
         "<figure>{}<figcaption>{}</figcaption></figure>",

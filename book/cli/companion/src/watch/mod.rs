@@ -24,7 +24,7 @@ use check::verdict::judge_file;
 use clap::Args;
 use common::engine::output;
 use common::rtweekend::Picture;
-use slips::{Chapter, Letters, Probe, Program, Slip, lawful, steps};
+use slips::{Chapter, ChapterProgram, Letters, Probe, Slip, lawful, steps};
 
 use crate::chapter::OneOf;
 use crate::check::{probe_parser, seconds};
@@ -250,7 +250,7 @@ impl Subject {
         let asked = asks.then(ask).transpose()?.flatten();
         let answers = asked.as_ref().map(|it| &it.answers);
         let unlike = answers.map(|answers| {
-            |program: &Program| lawful::unlike(answers, chapter, program, MOST_UNLIKE)
+            |program: &ChapterProgram| lawful::unlike(answers, chapter, program, MOST_UNLIKE)
         });
         let is_done = |step| self.done.has(&step_is_done(chapter, step));
         let context = Context {

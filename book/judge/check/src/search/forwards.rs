@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use std::rc::Rc;
 
 use laws::answers::Answers;
-use slips::{Output, Program};
+use slips::{ChapterProgram, Output};
 
 use super::edit::Edit;
 use super::functions::Function;
@@ -50,7 +50,7 @@ pub struct Mutant {
 /// What a program does, seen from outside.
 #[derive(Clone, Debug)]
 struct Does {
-    program: Program,
+    program: ChapterProgram,
     answers: Answers,
     /// The pixels of small pictures.
     small: Vec<[i32; 3]>,
@@ -61,7 +61,7 @@ const SMALL: [u32; 2] = [24, 33];
 
 /// A picture and the right program of its scene, beside what a reader typed.
 pub(super) struct Forwards<'a> {
-    right: &'a Program,
+    right: &'a ChapterProgram,
     reading: &'a Reading,
     functions: &'a [Function],
     lines: &'a Lines<'a>,
@@ -71,7 +71,7 @@ pub(super) struct Forwards<'a> {
 
 impl<'a> Forwards<'a> {
     pub(super) fn new(
-        right: &'a Program,
+        right: &'a ChapterProgram,
         functions: &'a [Function],
         reading: &'a Reading,
         lines: &'a Lines<'a>,
@@ -108,7 +108,7 @@ impl<'a> Forwards<'a> {
         let mut seen = HashSet::new();
         for (program, number, function, edit) in self.mutated() {
             let mutant = program.interpreted().with_mutant(number);
-            if !self.may_draw(&Program::typed(self.right.chapter, mutant)) {
+            if !self.may_draw(&ChapterProgram::typed(self.right.chapter, mutant)) {
                 continue;
             }
             let text = edit.applied_to(&function.text);
@@ -137,7 +137,7 @@ impl<'a> Forwards<'a> {
     }
 
     /// Writes all mutations of each function into it, each with its number, the likeliest first.
-    fn mutated(&self) -> Vec<(Rc<Program>, u32, &'a Function, Edit)> {
+    fn mutated(&self) -> Vec<(Rc<ChapterProgram>, u32, &'a Function, Edit)> {
         let mut all = Vec::new();
         for function in self.functions {
             let mutations = mutation::mutations(function);
@@ -161,11 +161,11 @@ impl<'a> Forwards<'a> {
         all
     }
 
-    fn may_draw(&self, program: &Program) -> bool {
+    fn may_draw(&self, program: &ChapterProgram) -> bool {
         draws(program, self.reading, self.places.iter().copied())
     }
 
-    fn draws(&self, program: &Program) -> bool {
+    fn draws(&self, program: &ChapterProgram) -> bool {
         draws(program, self.reading, 0..self.reading.pixels.len() as u32)
     }
 }
@@ -188,7 +188,7 @@ impl Drawn {
 
     /// Keeps those that stand in the reader's files, if some do; and of few those that draw all of
     /// the picture.
-    fn checked(mut self, draws: impl Fn(&Program) -> bool) -> Self {
+    fn checked(mut self, draws: impl Fn(&ChapterProgram) -> bool) -> Self {
         if self.all.iter().any(|it| it.yours.is_some()) {
             self.all.retain(|it| it.yours.is_some());
         }
@@ -224,7 +224,7 @@ impl Mutant {
 }
 
 impl Does {
-    fn of(program: Program) -> Self {
+    fn of(program: ChapterProgram) -> Self {
         Self {
             answers: answers(&program),
             small: SMALL
@@ -245,7 +245,7 @@ fn lines(text: &str, before: usize, after: usize) -> String {
 }
 
 /// Chooses pixels of which wrong programs draw few: wrong ones, right ones, and some of all.
-fn places(right: &Program, reading: &Reading) -> Vec<u32> {
+fn places(right: &ChapterProgram, reading: &Reading) -> Vec<u32> {
     let total = reading.pixels.len() as u32;
     let output = right.run(reading.width);
     let is_whole = output.size() == (reading.width, reading.height);
@@ -262,7 +262,11 @@ fn places(right: &Program, reading: &Reading) -> Vec<u32> {
 }
 
 /// Returns true if the program draws these pixels.
-fn draws(program: &Program, reading: &Reading, mut places: impl Iterator<Item = u32>) -> bool {
+fn draws(
+    program: &ChapterProgram,
+    reading: &Reading,
+    mut places: impl Iterator<Item = u32>,
+) -> bool {
     let output = program.run(reading.width);
     output.size() == (reading.width, reading.height)
         && places.all(|n| is_drawn(&output, reading, n))

@@ -97,14 +97,14 @@ impl Goal {
 
     /// Adds questions to which a right program has the answers.
     pub(super) fn asking(self, right: &Program) -> Self {
-        let right = slips::Program::typed(self.chapter, right.clone());
+        let right = slips::ChapterProgram::typed(self.chapter, right.clone());
         let answers = answers(&right);
         Self { answers, ..self }
     }
 
     /// Returns true if the program answers all questions as the chapter does.
     pub(super) fn is_answered_by(&self, program: &Program) -> bool {
-        let program = slips::Program::typed(self.chapter, program.clone());
+        let program = slips::ChapterProgram::typed(self.chapter, program.clone());
         self.answers.unlike(&program, 1).1 == 0
     }
 
@@ -121,7 +121,7 @@ impl Goal {
 }
 
 /// Returns what a program answers to questions about all of its functions.
-pub(super) fn answers(program: &slips::Program) -> Answers {
+pub(super) fn answers(program: &slips::ChapterProgram) -> Answers {
     let questions = lawful::questions(program.chapter).into_iter();
     Answers::of(program, questions.step_by(ASKED).collect())
 }

@@ -86,7 +86,7 @@ impl Repair {
             return Self::transplanted(task, reading, sources);
         }
         let (yours, loops) = drawing(&files, reading)?;
-        let chapter = slips::Program::right(task.chapter);
+        let chapter = slips::ChapterProgram::right(task.chapter);
         let chapter = chapter.interpreted();
         let (own, theirs) = (functions(&yours), functions(chapter));
         let right = |task: &Task| task.right(reading.width, task.height(reading.width));

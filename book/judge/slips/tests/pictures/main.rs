@@ -6,7 +6,7 @@ mod looks;
 use std::fmt::Write;
 
 use rayon::prelude::*;
-use slips::{Chapter, Edition, PROBES, Program, Slip, steps};
+use slips::{Chapter, ChapterProgram, Edition, PROBES, Slip, steps};
 
 use looks::{Drawn, Look};
 
@@ -14,7 +14,7 @@ use looks::{Drawn, Look};
 const WIDTH: u32 = 97;
 
 /// The numbers that a program prints, in one (FNV-1a).
-fn hash(program: &Program, width: u32) -> u64 {
+fn hash(program: &ChapterProgram, width: u32) -> u64 {
     let output = program.run(width);
     let (columns, rows) = output.size();
     let numbers = [columns, rows].map(|it| it as i32);
@@ -49,7 +49,7 @@ fn every_mistake_draws_its_picture() {
 fn every_probe_edition_and_step_draws_its_picture() {
     let drawn = table(|row| {
         for chapter in Chapter::OF_THE_BOOK {
-            let right = Program::right(chapter);
+            let right = ChapterProgram::right(chapter);
             row(chapter, "right", hash(&right, WIDTH));
             for probe in PROBES {
                 if let Some(probed) = probe.put_to(&right) {
@@ -74,7 +74,8 @@ type Seen = (Look, Chapter, Vec<&'static str>);
 
 #[test]
 fn every_mistake_is_seen_as_it_was() {
-    let right = Chapter::OF_THE_BOOK.map(|chapter| Drawn::by(&Program::right(chapter), None));
+    let right =
+        Chapter::OF_THE_BOOK.map(|chapter| Drawn::by(&ChapterProgram::right(chapter), None));
     let slips: Vec<&Slip> = slips::all().collect();
     let looks = slips.into_par_iter().map(|slip| {
         let drawn = slip.chapters().map(|chapter| {
@@ -116,7 +117,7 @@ fn every_hidden_mistake_is_shown_by_the_same_probes() {
 }
 
 fn hidden_in(chapter: Chapter) -> String {
-    let right = Program::right(chapter);
+    let right = ChapterProgram::right(chapter);
     let mut hidden = String::new();
     for slip in slips::all().filter(|slip| slip.is_in(chapter)) {
         if !are_alike(&right, &slip.program(chapter), chapter.book_width()) {
@@ -135,7 +136,7 @@ fn hidden_in(chapter: Chapter) -> String {
     hidden
 }
 
-fn are_alike(right: &Program, wrong: &Program, width: u32) -> bool {
+fn are_alike(right: &ChapterProgram, wrong: &ChapterProgram, width: u32) -> bool {
     let [right, wrong] = [right, wrong].map(|it| it.run(width));
     right.size() == wrong.size() && right.rgb().eq(wrong.rgb())
 }
