@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 use laws::answers::Answers;
 use laws::{Complaint, Question, Report, Trial};
 use rayon::prelude::*;
-use slips::{Chapter, ChapterProgram, Letters, Slip, Unseen, lawful};
+use slips::{Chapter, ChapterProgram, ReaderLanguage, Slip, Unseen, lawful};
 
 #[test]
 fn every_slip_is_caught() {
@@ -94,7 +94,7 @@ pub(crate) fn first_report(program: &ChapterProgram) -> Option<Box<Report>> {
         ..Trial::default()
     };
     let outcome = program.tried_with_prelude(&trial);
-    match lawful::explained(outcome, program.chapter, Letters::Rust) {
+    match lawful::explained(outcome, program.chapter, ReaderLanguage::Rust) {
         Err(Complaint::Broken(report)) => Some(report),
         _ => None,
     }

@@ -8,7 +8,7 @@ use check::context::Context;
 use check::task::Task;
 use common::rtweekend::*;
 use hittable_list::{HittableList, Sphere};
-use slips::{Chapter, ChapterProgram, Edit, Edition, Letters, PROBES};
+use slips::{Chapter, ChapterProgram, Edit, Edition, PROBES, ReaderLanguage};
 
 use suite::drawn::p3;
 
@@ -127,13 +127,13 @@ fn every_slip_makes_another_program() {
 fn a_slip_of_an_older_edition_is_said_in_its_words() {
     let task = Task::new(Chapter::Gradient, None).expect("it has the book's scene");
     let task = task.only_by(Edition::V3);
-    for letters in [
+    for language in [
         None,
-        Some(Letters::Python(Edition::V4)),
-        Some(Letters::Rust),
+        Some(ReaderLanguage::Python(Edition::V4)),
+        Some(ReaderLanguage::Rust),
     ] {
         let context = Context {
-            letters,
+            language,
             ..Context::default()
         };
         for (slip, line) in [
@@ -143,7 +143,7 @@ fn a_slip_of_an_older_edition_is_said_in_its_words() {
             let words = context.words(suite::slip(slip), &task);
             assert!(
                 words.wrong.starts_with(line),
-                "{slip} in {letters:?} is said as {}",
+                "{slip} in {language:?} is said as {}",
                 words.wrong
             );
         }
@@ -152,13 +152,13 @@ fn a_slip_of_an_older_edition_is_said_in_its_words() {
 
 #[test]
 fn in_every_language_a_slip_changes_its_line() {
-    let books = Edition::ALL.map(Letters::Book);
-    let pythons = Edition::ALL.map(Letters::Python);
+    let books = Edition::ALL.map(ReaderLanguage::Cpp);
+    let pythons = Edition::ALL.map(ReaderLanguage::Python);
     for slip in slips::all().chain(slips::unnamed()) {
-        for letters in [Letters::Rust].iter().chain(&books).chain(&pythons) {
+        for language in [ReaderLanguage::Rust].iter().chain(&books).chain(&pythons) {
             for chapter in slip.chapters() {
-                let words = slip.words(*letters, chapter);
-                assert_ne!(words.wrong, words.right, "{} in {letters:?}", slip.name);
+                let words = slip.words(*language, chapter);
+                assert_ne!(words.wrong, words.right, "{} in {language:?}", slip.name);
             }
         }
     }

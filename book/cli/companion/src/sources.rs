@@ -8,7 +8,7 @@ use std::time::SystemTime;
 use check::names;
 use check::sources::Sources;
 use language::Language;
-use slips::{Chapter, Edition, Letters};
+use slips::{Chapter, Edition, ReaderLanguage};
 
 use crate::short;
 
@@ -24,11 +24,11 @@ pub(crate) struct Found {
 }
 
 impl Found {
-    /// The letters in which a slip can be said.
-    pub(crate) fn letters(&self) -> Option<Letters> {
+    /// Returns the language in which the answer shows lines, or `None` for one without lines.
+    pub(crate) fn reader_language(&self) -> Option<ReaderLanguage> {
         match self.language? {
-            Language::Rust => Some(Letters::Rust),
-            Language::Python => Some(Letters::Python(Edition::V4)),
+            Language::Rust => Some(ReaderLanguage::Rust),
+            Language::Python => Some(ReaderLanguage::Python(Edition::V4)),
             _ => None,
         }
     }

@@ -1,6 +1,6 @@
 //! Why a picture is not the one that was asked for: its shape, its numbers, its scene.
 
-use slips::{ChapterProgram, Edition, Letters, Slip};
+use slips::{ChapterProgram, Edition, ReaderLanguage, Slip};
 
 use crate::reading::{Cause, Reading};
 use crate::task::Task;
@@ -116,7 +116,7 @@ pub(crate) fn no_levels(reading: &Reading) -> Option<Cause> {
 }
 
 /// Why a picture of `others`, scenes of this chapter, is not the right one.
-pub(crate) fn another(wanted: &Task, others: &[Task], letters: Option<Letters>) -> Cause {
+pub(crate) fn another(wanted: &Task, others: &[Task], language: Option<ReaderLanguage>) -> Cause {
     let own = wanted.chapter.name();
     let probes: Vec<&str> = others
         .iter()
@@ -150,7 +150,7 @@ pub(crate) fn another(wanted: &Task, others: &[Task], letters: Option<Letters>) 
             ),
             format!(
                 "change your program: {}; then {}",
-                wanted.change(probe.width, letters).replace('\n', "; "),
+                wanted.change(probe.width, language).replace('\n', "; "),
                 wanted.command()
             ),
         ),

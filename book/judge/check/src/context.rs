@@ -2,7 +2,7 @@
 
 use std::cell::OnceCell;
 
-use slips::{ChapterProgram, Edition, Letters, Slip, Words};
+use slips::{ChapterProgram, Edition, ReaderLanguage, Slip, Words};
 
 use crate::blind_spots;
 use crate::candidate::Candidate;
@@ -18,8 +18,8 @@ pub type CompareAnswers<'a> = dyn Fn(&ChapterProgram) -> (usize, usize) + 'a;
 /// What is known besides the picture.
 #[derive(Default)]
 pub struct Context<'a> {
-    /// The letters in which the reader writes; without them, those of the edition.
-    pub letters: Option<Letters>,
+    /// The language in which the reader writes; `None` means the C++ of the edition.
+    pub language: Option<ReaderLanguage>,
     /// True if the reader can have made a slip; any, if nothing is known.
     pub can_be_made: Option<&'a dyn Fn(&Slip) -> bool>,
     /// What the reader wrote.
@@ -44,19 +44,19 @@ impl Context<'_> {
         self.sources.are_of_the_chapter() || self.sources.files().iter().any(has_names)
     }
 
-    /// Returns what there is to say of a slip in the scene, in the reader's letters.
+    /// Returns what there is to say of a slip in the scene, in the reader's language.
     pub fn words(&self, slip: &Slip, task: &Task) -> Words {
         let is_older = task.edition != Edition::V4;
-        let letters = match self.letters {
-            Some(Letters::Python(_)) => Letters::Python(task.edition),
+        let language = match self.language {
+            Some(ReaderLanguage::Python(_)) => ReaderLanguage::Python(task.edition),
             // In Rust there are the lines of our chapters, which follow version 4.
-            Some(Letters::Rust) if is_older && slip.has_older_words(task.chapter) => {
-                Letters::Book(task.edition)
+            Some(ReaderLanguage::Rust) if is_older && slip.has_older_words(task.chapter) => {
+                ReaderLanguage::Cpp(task.edition)
             }
-            Some(letters) => letters,
-            None => Letters::Book(task.edition),
+            Some(language) => language,
+            None => ReaderLanguage::Cpp(task.edition),
         };
-        slip.words(letters, task.chapter)
+        slip.words(language, task.chapter)
     }
 
     /// Returns true if the reader can have made the slip, as far as it is known.

@@ -5,7 +5,7 @@ use std::iter;
 
 use common::rtweekend::Picture;
 use laws::Report;
-use slips::{Chapter, Edition, Letters, Slip, steps};
+use slips::{Chapter, Edition, ReaderLanguage, Slip, steps};
 
 use crate::answer::{Answer, Attempt, Grade, LawsStatus, Row, RowKind};
 use crate::blind_spots::{self, NextPicture};
@@ -312,7 +312,7 @@ impl Mistakes {
         rows.collect()
     }
 
-    /// The first of several, each in the reader's letters.
+    /// The first of several, each in the reader's language.
     fn perhaps(&self, context: &Context) -> impl Iterator<Item = Row> {
         let wrong = |mistake: &Vec<&'static Slip>| {
             let words = mistake.iter().map(|slip| context.words(slip, &self.task));
@@ -358,10 +358,12 @@ impl Mistakes {
 }
 
 impl Drawn {
-    /// The likeliest edits, each in the reader's letters.
+    /// The likeliest edits, each in the reader's language.
     fn rows(&self, context: &Context, task: &Task) -> Vec<Row> {
-        let letters = context.letters.unwrap_or(Letters::Book(task.edition));
-        let typed = |line: &str| letters.spelled(line, task.chapter);
+        let language = context
+            .language
+            .unwrap_or(ReaderLanguage::Cpp(task.edition));
+        let typed = |line: &str| language.spelled(line, task.chapter);
         let said = |it: &Mutant| match (&*it.wrong, &it.yours) {
             (_, Some(yours)) => yours.line.to_string(),
             ("", None) => format!("{}  left out", typed(&it.right)),
@@ -509,7 +511,7 @@ impl Attempt<'_> {
         let line = format!("image_width = {width}");
         let both = format!("{line}, so that image_height is {}", task.height(*width));
         let change = task
-            .change(*width, self.context.letters)
+            .change(*width, self.context.language)
             .replace('\n', "; ");
         let change = change.replacen(&line, &both, 1);
         let (name, what) = match task.probe {
@@ -525,7 +527,7 @@ impl Attempt<'_> {
     fn to_tell_apart(&self, finding: &Finding) -> Option<Row> {
         let probe = finding.mistakes.as_ref()?.telling?;
         let change = probe
-            .lines(finding.task.chapter, self.context.letters)
+            .lines(finding.task.chapter, self.context.language)
             .replace('\n', "; ");
         let (name, judge) = (probe.name, (self.commands.judge)(Some(probe)));
         let said = format!(
@@ -619,7 +621,7 @@ pub fn names_of(mistake: &[&'static Slip]) -> String {
     let name = |slip: &&'static Slip| match slip.name {
         "" => {
             let chapter = slip.chapters().next().unwrap_or(Chapter::HittableList);
-            slip.words(Letters::Rust, chapter).wrong
+            slip.words(ReaderLanguage::Rust, chapter).wrong
         }
         name => name.into(),
     };

@@ -8,7 +8,7 @@ use common::rtweekend::Picture;
 use crate::names::companion;
 use crate::pixels::{distance, spread};
 use crate::reading::Reading;
-use slips::{Chapter, ChapterProgram, Edition, Letters, Probe, Slip, steps, width_line};
+use slips::{Chapter, ChapterProgram, Edition, Probe, ReaderLanguage, Slip, steps, width_line};
 
 /// A chapter's scene, or a probe's in that chapter, by one edition of the book.
 #[derive(Clone, Copy, Debug)]
@@ -119,10 +119,10 @@ impl Task {
     }
 
     /// Returns what a reader changes to draw it that wide, a line each.
-    pub fn change(&self, width: u32, letters: Option<Letters>) -> String {
+    pub fn change(&self, width: u32, language: Option<ReaderLanguage>) -> String {
         match self.probe {
-            Some(probe) => probe.lines(self.chapter, letters),
-            None => width_line(width, letters),
+            Some(probe) => probe.lines(self.chapter, language),
+            None => width_line(width, language),
         }
     }
 

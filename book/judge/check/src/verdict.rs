@@ -170,7 +170,7 @@ pub fn judge(task: &Task, reading: &Reading, tolerance: u8, context: &Context) -
         },
         shape => match (Finding::of(task, reading, context), shape) {
             (Answer::Another(tasks), _) => Verdict::Another {
-                cause: causes::another(task, &tasks, context.letters),
+                cause: causes::another(task, &tasks, context.language),
                 tasks,
             },
             // In a shape that nobody chooses, a right picture is none.

@@ -7,7 +7,7 @@ use check::reading::Reading;
 use check::sources::Sources;
 use check::task::Task;
 use check::verdict::judge;
-use slips::{Chapter, ChapterProgram, Edit, Letters};
+use slips::{Chapter, ChapterProgram, Edit, ReaderLanguage};
 
 const GRADIENT: Chapter = Chapter::Gradient;
 const RED_SPHERE: Chapter = Chapter::RedSphere;
@@ -112,7 +112,7 @@ fn picture(chapter: Chapter, right: &'static str, wrong: &'static str) -> Readin
 
 fn rows(chapter: Chapter, reading: &Reading, sources: Sources) -> Vec<Row> {
     let context = Context {
-        letters: Some(Letters::Rust),
+        language: Some(ReaderLanguage::Rust),
         sources,
         ..Context::default()
     };

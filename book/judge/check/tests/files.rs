@@ -7,7 +7,7 @@ use check::sources::Sources;
 use check::task::Task;
 use check::verdict::{Verdict, judge_file};
 use common::rtweekend::*;
-use slips::{Chapter, ChapterProgram, Edit, Edition, Letters};
+use slips::{Chapter, ChapterProgram, Edit, Edition, ReaderLanguage};
 
 const PROGRAM: &str = "\
 upper_left = camera_center - Vec3(0, 0, focal_length) - viewport_u / 2 - viewport_v / 2
@@ -184,7 +184,7 @@ fn rows(task: &Task, picture: &[u8], context: &Context) -> Vec<Row> {
 fn in_python(text: &str) -> Context<'static> {
     let files = vec![("main.py".to_owned(), text.to_owned())];
     Context {
-        letters: Some(Letters::Python(Edition::V4)),
+        language: Some(ReaderLanguage::Python(Edition::V4)),
         sources: Sources::new(files, Vec::new()),
         ..Context::default()
     }

@@ -10,7 +10,7 @@ use check::reading::Reading;
 use check::sources::Sources;
 use check::task::Task;
 use check::verdict::{Verdict, judge};
-use slips::{Chapter, ChapterProgram, Letters, steps};
+use slips::{Chapter, ChapterProgram, ReaderLanguage, steps};
 
 /// Chapters, whether in their own text or in another form, and what stands there wrong for what
 /// is right.
@@ -286,7 +286,7 @@ fn said(chapter: Chapter, files: &[(String, String)], is_wrong: bool) -> Vec<Row
     let unlike = |_: &ChapterProgram| (1, 1);
     let context = Context {
         answers: is_hidden.then_some(&unlike),
-        letters: Some(Letters::Rust),
+        language: Some(ReaderLanguage::Rust),
         sources: Sources::of_chapter(files.to_vec(), chapter),
         // As in a crate of `start`, in which each step on the way is judged.
         steps: vec![false; steps::of(chapter).len()],

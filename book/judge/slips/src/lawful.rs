@@ -19,8 +19,8 @@ use laws::record::Hit;
 use laws::{Case, Complaint, Functions, Outcome, Question, Report, Scene, Trial, WithInterval};
 
 use crate::chapter::Chapter;
-use crate::letters::Letters;
 use crate::program::ChapterProgram;
+use crate::reader_language::ReaderLanguage;
 use crate::slip::Slip;
 use crate::{all, unnamed};
 
@@ -30,7 +30,11 @@ const NAMED: usize = 4;
 /// Finds the mistakes, among those that can be made in the chapter, that give all the answers:
 /// none, if a right program gives them too. Each of them alone does, and no question tells them
 /// apart. Those that are made most often come first.
-pub fn that_answer_so(answers: &Answers, chapter: Chapter, letters: Letters) -> Vec<&'static Slip> {
+pub fn that_answer_so(
+    answers: &Answers,
+    chapter: Chapter,
+    language: ReaderLanguage,
+) -> Vec<&'static Slip> {
     let gives_all =
         |program: &ChapterProgram| answers.ends_as(program) && answers.unlike(program, 1).1 == 0;
     if gives_all(&ChapterProgram::right(chapter)) {
@@ -38,7 +42,7 @@ pub fn that_answer_so(answers: &Answers, chapter: Chapter, letters: Letters) -> 
     }
     let mut mistakes: Vec<&'static Slip> = all()
         .chain(unnamed())
-        .filter(|slip| slip.is_in(chapter) && slip.can_be_made_in(letters))
+        .filter(|slip| slip.is_in(chapter) && slip.can_be_made_in(language))
         .filter(|slip| gives_all(&slip.program(chapter)))
         .collect();
     mistakes.sort_by_key(|slip| Reverse(slip.reports()));
@@ -46,11 +50,11 @@ pub fn that_answer_so(answers: &Answers, chapter: Chapter, letters: Letters) -> 
     mistakes
 }
 
-/// Adds to a report the mistakes that give the same answers, in the reader's letters.
-pub fn explain(report: &mut Report, chapter: Chapter, letters: Letters) {
-    let mistakes = that_answer_so(&report.answers, chapter, letters);
+/// Adds to a report the mistakes that give the same answers, in the reader's language.
+pub fn explain(report: &mut Report, chapter: Chapter, language: ReaderLanguage) {
+    let mistakes = that_answer_so(&report.answers, chapter, language);
     let in_a_line = |slip: &&Slip| {
-        let [(_, wrong), (should_be, right), _] = slip.rows(letters, chapter);
+        let [(_, wrong), (should_be, right), _] = slip.rows(language, chapter);
         let name = match slip.name {
             "" => String::new(),
             name => format!("{name}: "),
@@ -70,9 +74,9 @@ pub fn explain(report: &mut Report, chapter: Chapter, letters: Letters) {
 ///
 /// # Errors
 /// Those of the outcome.
-pub fn explained(mut outcome: Outcome, chapter: Chapter, letters: Letters) -> Outcome {
+pub fn explained(mut outcome: Outcome, chapter: Chapter, language: ReaderLanguage) -> Outcome {
     if let Err(Complaint::Broken(report)) = &mut outcome {
-        explain(report, chapter, letters);
+        explain(report, chapter, language);
     }
     outcome
 }

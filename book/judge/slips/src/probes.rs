@@ -5,7 +5,7 @@ use interpreter::Ball;
 use super::program::ChapterProgram;
 use crate::chapter::{Chapter, SphereCount};
 use crate::edit::Edit;
-use crate::letters::Letters;
+use crate::reader_language::ReaderLanguage;
 
 /// A change to a chapter of which every right program makes the same picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -164,8 +164,8 @@ impl Probe {
 
     /// Returns what a reader changes, a line each: the width, the focal length if it is another,
     /// and the spheres, which replace the chapter's.
-    pub fn lines(&self, chapter: Chapter, letters: Option<Letters>) -> String {
-        let mut lines = vec![width_line(self.width, letters)];
+    pub fn lines(&self, chapter: Chapter, language: Option<ReaderLanguage>) -> String {
+        let mut lines = vec![width_line(self.width, language)];
         if self.focal_length != 1.0 {
             lines.push(format!("focal_length = {}", self.focal_length));
         }
@@ -194,9 +194,9 @@ fn of_ball(ball: &Ball) -> [String; 2] {
 }
 
 /// How a reader asks for a picture of that width: a crate of ours has a function for it.
-pub fn width_line(width: u32, letters: Option<Letters>) -> String {
-    match letters {
-        Some(Letters::Rust) => format!("picture({width})"),
+pub fn width_line(width: u32, language: Option<ReaderLanguage>) -> String {
+    match language {
+        Some(ReaderLanguage::Rust) => format!("picture({width})"),
         _ => format!("image_width = {width}"),
     }
 }

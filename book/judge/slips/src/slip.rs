@@ -8,9 +8,9 @@ use std::sync::{LazyLock, Mutex, PoisonError};
 use crate::chapter::Chapter;
 use crate::edit::Edit;
 use crate::edition::Edition;
-use crate::letters::{Letters, in_cpp, in_python};
 use crate::probes::PROBES;
 use crate::program::{ChapterProgram, files, source};
+use crate::reader_language::{ReaderLanguage, in_cpp, in_python};
 use crate::sight::kept;
 
 /// The slips that the picture of a chapter hides at the book's width, and what probes show them:
@@ -65,8 +65,8 @@ pub enum Unseen {
 
 impl Slip {
     /// Returns what there is to say of it to someone who made it in that chapter.
-    pub fn words(&self, letters: Letters, chapter: Chapter) -> Words {
-        let Edit { right, wrong } = self.line(letters, chapter);
+    pub fn words(&self, language: ReaderLanguage, chapter: Chapter) -> Words {
+        let Edit { right, wrong } = self.line(language, chapter);
         Words {
             wrong,
             right,
@@ -74,14 +74,14 @@ impl Slip {
         }
     }
 
-    /// Returns the line in these letters, right and wrong.
-    fn line(&self, letters: Letters, chapter: Chapter) -> Edit {
-        let edition = letters.edition();
-        let own = match letters {
+    /// Returns the line in which the slip is made, right and wrong, in the reader's language.
+    fn line(&self, language: ReaderLanguage, chapter: Chapter) -> Edit {
+        let edition = language.edition();
+        let own = match language {
             _ if edition != Edition::V4 && self.older.is_some() => &self.older,
-            Letters::Rust => &self.rust,
-            Letters::Book(_) => &self.cpp,
-            Letters::Python(_) => &self.python,
+            ReaderLanguage::Rust => &self.rust,
+            ReaderLanguage::Cpp(_) => &self.cpp,
+            ReaderLanguage::Python(_) => &self.python,
         };
         let of_chapter = || {
             let statement = self.statement(chapter, edition);
@@ -90,16 +90,20 @@ impl Slip {
         };
         let made =
             |line: Edit, to: &dyn Fn(&str) -> String| Edit::new(to(&line.right), to(&line.wrong));
-        let translated = || match letters {
-            Letters::Rust => of_chapter(),
-            Letters::Book(_) => made(of_chapter(), &|line| in_cpp(line, chapter)),
-            Letters::Python(_) => made(self.line(Letters::Book(edition), chapter), &in_python),
+        let translated = || match language {
+            ReaderLanguage::Rust => of_chapter(),
+            ReaderLanguage::Cpp(_) => made(of_chapter(), &|line| in_cpp(line, chapter)),
+            ReaderLanguage::Python(_) => {
+                made(self.line(ReaderLanguage::Cpp(edition), chapter), &in_python)
+            }
         };
         match own {
             Some(line) if line.right.is_empty() => {
                 Edit::new(translated().right, line.wrong.clone())
             }
-            Some(line) if matches!(letters, Letters::Python(_)) => made(line.clone(), &in_python),
+            Some(line) if matches!(language, ReaderLanguage::Python(_)) => {
+                made(line.clone(), &in_python)
+            }
             Some(line) => line.clone(),
             None => translated(),
         }
@@ -120,10 +124,10 @@ impl Slip {
     /// Returns the words of the slip, labeled as every report shows them.
     pub fn rows(
         &self,
-        letters: Letters,
+        language: ReaderLanguage,
         chapter: Chapter,
     ) -> [(&'static str, Cow<'static, str>); 3] {
-        let Words { wrong, right, why } = self.words(letters, chapter);
+        let Words { wrong, right, why } = self.words(language, chapter);
         [
             ("probably", wrong),
             ("should be", right),
@@ -133,11 +137,11 @@ impl Slip {
 
     /// Returns true if that language lets it be made: not all take a number for a truth, or -1.0
     /// for a miss.
-    pub fn can_be_made_in(&self, letters: Letters) -> bool {
-        let language = match letters {
-            Letters::Rust => "Rust",
-            Letters::Book(_) => "C++",
-            Letters::Python(_) => "Python",
+    pub fn can_be_made_in(&self, language: ReaderLanguage) -> bool {
+        let language = match language {
+            ReaderLanguage::Rust => "Rust",
+            ReaderLanguage::Cpp(_) => "C++",
+            ReaderLanguage::Python(_) => "Python",
         };
         self.only_in.is_empty() || self.only_in.split(", ").any(|it| it == language)
     }
@@ -145,13 +149,13 @@ impl Slip {
     /// Returns true if editions before version 4 have another line for it.
     pub fn has_older_words(&self, chapter: Chapter) -> bool {
         let [older, own] =
-            [Edition::V3, Edition::V4].map(|it| self.line(Letters::Book(it), chapter));
+            [Edition::V3, Edition::V4].map(|it| self.line(ReaderLanguage::Cpp(it), chapter));
         older != own
     }
 
     /// Returns true if it is a line of another edition in a program of this one.
     pub fn is_of_another_edition(&self, chapter: Chapter) -> bool {
-        let line = |edition| self.line(Letters::Book(edition), chapter);
+        let line = |edition| self.line(ReaderLanguage::Cpp(edition), chapter);
         let [older, own] = [Edition::V3, Edition::V4].map(line);
         older.right == own.wrong
     }

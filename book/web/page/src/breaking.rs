@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use check::{FileEdit, edits_everywhere};
 use interpreter::FaultKind;
-use slips::{Chapter, Letters};
+use slips::{Chapter, ReaderLanguage};
 
 use crate::typed::Text;
 use crate::words::words;
@@ -165,8 +165,9 @@ impl Choice {
 
 /// Lists the known slips that are one edit of one place of the chapter's text.
 fn known(chapter: Chapter, text: &Text) -> Vec<(FileEdit, Option<&'static str>)> {
-    let is_typed =
-        |slip: &&slips::Slip| slip.is_typed_in(chapter) && slip.can_be_made_in(Letters::Rust);
+    let is_typed = |slip: &&slips::Slip| {
+        slip.is_typed_in(chapter) && slip.can_be_made_in(ReaderLanguage::Rust)
+    };
     let edits = slips::all().filter(is_typed).filter_map(|slip| {
         let edit = slip.only_edit(chapter)?;
         let files = text.files.iter().enumerate();

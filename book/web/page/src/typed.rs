@@ -17,7 +17,7 @@ use common::rtweekend::*;
 use interpreter::{Fault, FaultKind};
 use laws::answers::Answers;
 use laws::{Complaint, Trial};
-use slips::{Chapter, ChapterProgram, Letters, Slip, lawful, steps};
+use slips::{Chapter, ChapterProgram, ReaderLanguage, Slip, lawful, steps};
 
 use crate::habits;
 use crate::typing::Caret;
@@ -166,10 +166,11 @@ impl Text {
         let answers = Answers::of(&asked, lawful::questions(self.chapter));
         let unlike =
             |program: &ChapterProgram| lawful::unlike(&answers, self.chapter, program, MOST_UNLIKE);
-        let can_be_made =
-            |slip: &Slip| slip.can_be_made_in(Letters::Rust) && slip.is_typed_in(self.chapter);
+        let can_be_made = |slip: &Slip| {
+            slip.can_be_made_in(ReaderLanguage::Rust) && slip.is_typed_in(self.chapter)
+        };
         let context = Context {
-            letters: Some(Letters::Rust),
+            language: Some(ReaderLanguage::Rust),
             can_be_made: Some(&can_be_made),
             sources: Sources::of_chapter(self.files.clone(), self.chapter),
             answers: laws.is_some().then_some(&unlike),
@@ -320,7 +321,7 @@ fn laws_of(program: &ChapterProgram) -> Option<LawsStatus> {
     };
     let outcome = program.tried(&trial);
     Some(
-        match lawful::explained(outcome, program.chapter, Letters::Rust) {
+        match lawful::explained(outcome, program.chapter, ReaderLanguage::Rust) {
             Ok(()) => LawsStatus::Obeyed,
             Err(Complaint::Broken(report)) => LawsStatus::Broken(report),
             Err(Complaint::NotWritten(place)) => LawsStatus::NotWritten(place),

@@ -7,7 +7,7 @@ use base64::prelude::{BASE64_STANDARD, Engine as _};
 use check::png;
 use common::rtweekend::Picture;
 use rayon::prelude::*;
-use slips::{Chapter, Edition, Letters, Sight, Slip, Unseen, Words};
+use slips::{Chapter, Edition, ReaderLanguage, Sight, Slip, Unseen, Words};
 
 use crate::ground::{escaped, read, split};
 
@@ -18,7 +18,7 @@ pub(crate) fn slip(name: &str, chapter: &str) -> Result<String, String> {
         .filter(|chapter| slip.is_in(*chapter))
         .ok_or_else(|| format!("`{name}` can't be made in a chapter `{chapter}`"))?;
     let picture = slip.program(chapter).run(chapter.book_width()).picture();
-    let why = slip.words(Letters::Book(Edition::V4), chapter).why;
+    let why = slip.words(ReaderLanguage::Cpp(Edition::V4), chapter).why;
     Ok(format!(
         "<figure>{}<figcaption><a href=\"{PAGE}.html#{name}\">{name}</a> in <code>{}</code></figcaption></figure>",
         image(&picture, &format!("What {name} draws: {why}")),
@@ -177,7 +177,7 @@ fn id(slip: &Slip, sight: &Sight) -> String {
 fn item(slip: &Slip, id: &str) -> String {
     let name = slip.name;
     let first = slip.chapters().next().unwrap_or(Chapter::HittableList);
-    let Words { wrong, right, why } = slip.words(Letters::Book(Edition::V4), first);
+    let Words { wrong, right, why } = slip.words(ReaderLanguage::Cpp(Edition::V4), first);
     let (page, heading) = slip.page_and_heading();
     format!(
         "* `{wrong}` should be `{right}`. {why} \

@@ -90,10 +90,10 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
         Source::Stdin => Found::default(),
         Source::Program(words) => sources::of_program(words, Path::new(".")),
     };
-    let letters = found.letters();
-    let can_be_made = |slip: &Slip| letters.is_none_or(|letters| slip.can_be_made_in(letters));
+    let language = found.reader_language();
+    let can_be_made = |slip: &Slip| language.is_none_or(|language| slip.can_be_made_in(language));
     let context = Context {
-        letters,
+        language,
         sources: found.sources,
         can_be_made: Some(&can_be_made),
         ..Context::default()

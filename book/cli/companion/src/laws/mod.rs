@@ -18,7 +18,7 @@ use clap::Args;
 use common::engine::output;
 use common::rtweekend::*;
 use language::Language;
-use slips::{Chapter, Edition, Letters, lawful};
+use slips::{Chapter, Edition, ReaderLanguage, lawful};
 
 use crate::chapter::OneOf;
 use crate::check::seconds;
@@ -130,13 +130,13 @@ impl<'a> Asked<'a> {
     }
 
     /// In which mistakes are said: those of the source that the command names.
-    fn letters(&self) -> Letters {
+    fn reader_language(&self) -> ReaderLanguage {
         let mut words = self.arguments.program.iter();
         let named = words.find_map(|word| sources::language(word.as_ref()));
         match named {
-            Some(Language::Rust) => Letters::Rust,
-            Some(Language::Python) => Letters::Python(Edition::V4),
-            _ => Letters::Book(Edition::V4),
+            Some(Language::Rust) => ReaderLanguage::Rust,
+            Some(Language::Python) => ReaderLanguage::Python(Edition::V4),
+            _ => ReaderLanguage::Cpp(Edition::V4),
         }
     }
 
@@ -222,7 +222,7 @@ impl<'a> Asked<'a> {
                 .answers
                 .given
                 .retain(|(question, _)| !self.may_be_both(question));
-            lawful::explain(&mut report, self.arguments.chapter, self.letters());
+            lawful::explain(&mut report, self.arguments.chapter, self.reader_language());
         }
         let mut rows = report.rows();
         if let Some(besides) = &besides {

@@ -8,7 +8,7 @@ use std::time::Duration;
 use ::laws::answers::{ANSWERS, AnswerFile, Answers};
 use ::laws::{Complaint, Outcome};
 use check::answer::LawsStatus;
-use slips::{Chapter, Letters, lawful};
+use slips::{Chapter, ReaderLanguage, lawful};
 
 use crate::short;
 use crate::subprocess::{self, End};
@@ -66,9 +66,10 @@ pub(super) fn ask(test: &OsStr, chapter: Chapter, folder: &Path, limit: Duration
         obeyed: obeyed.into_iter().map(|(of, _)| of).collect(),
         unwritten: unwritten.collect(),
         outcome: match worst(complaints) {
-            Some((of, outcome)) => {
-                of_first(&of, lawful::explained(outcome, chapter, Letters::Rust))
-            }
+            Some((of, outcome)) => of_first(
+                &of,
+                lawful::explained(outcome, chapter, ReaderLanguage::Rust),
+            ),
             None if status.success() => LawsStatus::Obeyed,
             None => LawsStatus::Unknown(errors),
         },

@@ -24,7 +24,7 @@ use check::verdict::judge_file;
 use clap::Args;
 use common::engine::output;
 use common::rtweekend::Picture;
-use slips::{Chapter, ChapterProgram, Letters, Probe, Slip, lawful, steps};
+use slips::{Chapter, ChapterProgram, Probe, ReaderLanguage, Slip, lawful, steps};
 
 use crate::chapter::OneOf;
 use crate::check::{probe_parser, seconds};
@@ -232,17 +232,17 @@ impl Subject {
     ) -> Result<Answer, Stop> {
         let chapter = self.task.chapter;
         let is_crate = built.is_some();
-        let (sources, letters) = if is_crate {
+        let (sources, language) = if is_crate {
             let sources = sources::of_crate(&self.folder, chapter);
-            (sources, Some(Letters::Rust))
+            (sources, Some(ReaderLanguage::Rust))
         } else {
             let found = sources::of_program(&self.program, &self.folder);
-            let letters = found.letters();
-            (found.sources, letters)
+            let language = found.reader_language();
+            (found.sources, language)
         };
         let has_own_prelude = self.folder.join("src/rtweekend.rs").exists();
         let can_be_made = |slip: &Slip| {
-            letters.is_none_or(|letters| slip.can_be_made_in(letters))
+            language.is_none_or(|language| slip.can_be_made_in(language))
                 && (!is_crate || has_own_prelude || slip.is_typed_in(chapter))
         };
         let warnings = built.map_or_else(Vec::new, |it| it.warnings);
@@ -254,7 +254,7 @@ impl Subject {
         });
         let is_done = |step| self.done.has(&step_is_done(chapter, step));
         let context = Context {
-            letters,
+            language,
             can_be_made: Some(&can_be_made),
             sources,
             answers: unlike.as_ref().map(|unlike| unlike as _),

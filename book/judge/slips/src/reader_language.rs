@@ -1,31 +1,31 @@
-//! Concrete syntax: a line of our Rust in other languages.
+//! Concrete syntax: a line of the chapters' Rust in C++ and in Python.
 
 use crate::chapter::Chapter;
 use crate::edition::Edition;
 
-/// The language in which a line is shown, so that readers find it in their own code.
+/// The language in which a line is shown to a reader, so that the reader finds it in the own code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Letters {
-    /// The C++ of that edition of the book, or what is near to it.
-    Book(Edition),
-    /// Rust, as the chapters here are written.
+pub enum ReaderLanguage {
+    /// The C++ of an edition of the book; also shown to readers of languages that look like it.
+    Cpp(Edition),
+    /// Rust, as the chapters of this workspace are written.
     Rust,
-    /// Python, with the names of that edition.
+    /// Python, with the names of an edition of the book.
     Python(Edition),
 }
 
-impl Letters {
-    /// The edition whose names they have.
+impl ReaderLanguage {
+    /// Returns the edition whose names the lines have; version 4 for Rust.
     pub(super) fn edition(self) -> Edition {
         match self {
-            Self::Book(edition) | Self::Python(edition) => edition,
+            Self::Cpp(edition) | Self::Python(edition) => edition,
             Self::Rust => Edition::V4,
         }
     }
-}
 
-impl Letters {
-    /// A line of our Rust in that chapter, as it is typed in this language.
+    /// Spells a line of a chapter's Rust in this language. `Some(…)` around it is dropped.
+    ///
+    /// The line is rewritten phrase by phrase, so that one in no chapter may stay partly Rust.
     pub fn spelled(self, line: &str, chapter: Chapter) -> String {
         let some = line
             .strip_prefix("Some(")
@@ -33,7 +33,7 @@ impl Letters {
         let line = some.unwrap_or(line);
         match self {
             Self::Rust => line.to_owned(),
-            Self::Book(_) => in_cpp(line, chapter),
+            Self::Cpp(_) => in_cpp(line, chapter),
             Self::Python(_) => in_python(&in_cpp(line, chapter)),
         }
     }
