@@ -2,7 +2,7 @@
 
 use std::cell::OnceCell;
 
-use slips::{ChapterProgram, Edition, ReaderLanguage, Slip, Words};
+use slips::{ChapterProgram, Edition, ReaderLanguage, Slip, SlipText};
 
 use crate::blind_spots;
 use crate::candidate::Candidate;
@@ -45,7 +45,7 @@ impl Context<'_> {
     }
 
     /// Returns what there is to say of a slip in the scene, in the reader's language.
-    pub fn words(&self, slip: &Slip, task: &Task) -> Words {
+    pub fn words(&self, slip: &Slip, task: &Task) -> SlipText {
         let is_older = task.edition != Edition::V4;
         let language = match self.language {
             Some(ReaderLanguage::Python(_)) => ReaderLanguage::Python(task.edition),

@@ -551,7 +551,7 @@ impl Attempt<'_> {
     }
 }
 
-fn step_says(at: usize, step: &steps::Step) -> String {
+fn step_says(at: usize, step: &steps::ChapterStep) -> String {
     format!("step {}: {}", at + 1, step.says)
 }
 

@@ -21,7 +21,7 @@ use laws::{Case, Complaint, Functions, Outcome, Question, Report, Scene, Trial, 
 use crate::chapter::Chapter;
 use crate::program::ChapterProgram;
 use crate::reader_language::ReaderLanguage;
-use crate::slip::Slip;
+use crate::slip::{Slip, SlipText};
 use crate::{all, unnamed};
 
 /// How many mistakes a message names at most: in four places a root can lose its sign.
@@ -54,13 +54,13 @@ pub fn that_answer_so(
 pub fn explain(report: &mut Report, chapter: Chapter, language: ReaderLanguage) {
     let mistakes = that_answer_so(&report.answers, chapter, language);
     let in_a_line = |slip: &&Slip| {
-        let [(_, wrong), (should_be, right), _] = slip.rows(language, chapter);
+        let SlipText { wrong, right, .. } = slip.words(language, chapter);
         let name = match slip.name {
             "" => String::new(),
             name => format!("{name}: "),
         };
         let wrong = wrong.trim_end_matches(';');
-        format!("{name}{wrong}; {should_be}: {right}")
+        format!("{name}{wrong}; should be: {right}")
     };
     report.same_as = mistakes.iter().map(in_a_line).collect();
     report.same_as.extend(match mistakes.len() {

@@ -35,9 +35,9 @@ mod notes;
 mod probes;
 mod program;
 mod reader_language;
-mod sight;
 mod slip;
 pub mod steps;
+mod wrong_picture;
 
 use course::chapter;
 
@@ -50,5 +50,5 @@ pub use notes::{Row, side_by_side};
 pub use probes::{PROBES, Probe, find as find_probe, width_line};
 pub use program::{ChapterProgram, Output, files};
 pub use reader_language::ReaderLanguage;
-pub use sight::{SIGHT_WIDTH, Sight, sights};
-pub use slip::{Slip, Unseen, Words};
+pub use slip::{Slip, SlipText, Unseen};
+pub use wrong_picture::{WRONG_PICTURE_WIDTH, WrongPicture, wrong_pictures};

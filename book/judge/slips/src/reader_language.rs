@@ -3,7 +3,7 @@
 use crate::chapter::Chapter;
 use crate::edition::Edition;
 
-/// The language in which a line is shown to a reader, so that the reader finds it in the own code.
+/// The language in which a line is shown to a reader, so that the reader finds it again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ReaderLanguage {
     /// The C++ of an edition of the book; also shown to readers of languages that look like it.

@@ -11,7 +11,7 @@ use crate::edition::Edition;
 use crate::probes::PROBES;
 use crate::program::{ChapterProgram, files, source};
 use crate::reader_language::{ReaderLanguage, in_cpp, in_python};
-use crate::sight::kept;
+use crate::wrong_picture::kept;
 
 /// The slips that the picture of a chapter hides at the book's width, and what probes show them:
 /// drawn once, since that takes longer than a reader waits.
@@ -44,7 +44,7 @@ pub struct Slip {
 
 /// What there is to say of a slip.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Words {
+pub struct SlipText {
     /// What the code probably says.
     pub wrong: Cow<'static, str>,
     /// What it should say.
@@ -65,9 +65,9 @@ pub enum Unseen {
 
 impl Slip {
     /// Returns what there is to say of it to someone who made it in that chapter.
-    pub fn words(&self, language: ReaderLanguage, chapter: Chapter) -> Words {
+    pub fn words(&self, language: ReaderLanguage, chapter: Chapter) -> SlipText {
         let Edit { right, wrong } = self.line(language, chapter);
-        Words {
+        SlipText {
             wrong,
             right,
             why: self.why,
@@ -119,20 +119,6 @@ impl Slip {
         let statement = || edition.program(chapter).statement_with(&self.edits);
         let key = (self.name, self.why, chapter, edition);
         known.entry(key).or_insert_with(statement).clone()
-    }
-
-    /// Returns the words of the slip, labeled as every report shows them.
-    pub fn rows(
-        &self,
-        language: ReaderLanguage,
-        chapter: Chapter,
-    ) -> [(&'static str, Cow<'static, str>); 3] {
-        let Words { wrong, right, why } = self.words(language, chapter);
-        [
-            ("probably", wrong),
-            ("should be", right),
-            ("why", why.into()),
-        ]
     }
 
     /// Returns true if that language lets it be made: not all take a number for a truth, or -1.0

@@ -5,7 +5,7 @@ use crate::edit::Edit;
 use crate::program::ChapterProgram;
 
 /// A few lines to type, after which there is something new to see.
-pub struct Step {
+pub struct ChapterStep {
     /// What to type, and what it will show.
     pub says: &'static str,
     /// What there is to see, for those who can't.
@@ -14,7 +14,7 @@ pub struct Step {
     edits: &'static [&'static str],
 }
 
-impl Step {
+impl ChapterStep {
     /// The chapter's program as far as it is written by then.
     pub fn put_to(&self, program: &ChapterProgram) -> ChapterProgram {
         let edits: Vec<Edit> = self.edits.iter().map(|it| Edit::written(it)).collect();
@@ -23,88 +23,88 @@ impl Step {
 }
 
 /// The steps that lead to the picture of `chapter`, which the last of them shows.
-pub fn of(chapter: Chapter) -> &'static [Step] {
+pub fn of(chapter: Chapter) -> &'static [ChapterStep] {
     STEPS.get(chapter as usize).copied().unwrap_or_default()
 }
 
-const LAST: Step = Step {
+const LAST: ChapterStep = ChapterStep {
     says: "",
     seen: "",
     edits: &[],
 };
 
 /// Those of each chapter.
-const STEPS: [&[Step]; 6] = [
-    &[Step {
+const STEPS: [&[ChapterStep]; 6] = [
+    &[ChapterStep {
         says: "Red grows to the right and green grows downwards, from 0 to 1.",
         seen: Chapter::BuildTest.shows(),
         ..LAST
     }],
     &[
-        Step {
+        ChapterStep {
             says: "Every ray is white: `ray_color` returns (1, 1, 1).",
             seen: "A white rectangle, 16 wide for every 9 high",
             edits: &["(1.0 - a) * white + a * blue→white"],
         },
-        Step {
+        ChapterStep {
             says: "Where does each ray go? Red is the x of its direction and green is the y.",
             seen: "Black in the lower left quarter, red growing to the right, green growing upwards",
             edits: &[
                 "(1.0 - a) * white + a * blue→Color::new(ray.direction.x, ray.direction.y, 0.0)",
             ],
         },
-        Step {
+        ChapterStep {
             says: "How steeply does it climb? Gray of a = ½(y + 1), with the y of the unit direction.",
             seen: "Gray: dark at the bottom, light at the top, and lightest above the middle",
             edits: &["(1.0 - a) * white + a * blue→a * white"],
         },
-        Step {
+        ChapterStep {
             says: "Blend white and the blue (0.5, 0.7, 1) by the weight a.",
             seen: Chapter::Gradient.shows(),
             ..LAST
         },
     ],
     &[
-        Step {
+        ChapterStep {
             says: "Nothing is hit yet: `hit_sphere` says false, and the sky of chapter 1 is there.",
             seen: Chapter::Gradient.shows(),
             edits: &["discriminant >= 0.0→false"],
         },
-        Step {
+        ChapterStep {
             says: "oc, a, b, c and the discriminant: `hit_sphere` says whether there is a root.",
             seen: Chapter::RedSphere.shows(),
             ..LAST
         },
     ],
     &[
-        Step {
+        ChapterStep {
             says: "`hit_sphere` says where: the nearer root. The disc stays red where there is one.",
             seen: Chapter::RedSphere.shows(),
             edits: &["0.5 * (normal + Vec3::ONE)→Color::new(1.0, 0.0, 0.0)"],
         },
-        Step {
+        ChapterStep {
             says: "How far is that? Gray of t where t > 0: the nearer, the darker.",
             seen: "A gray disc in front of the sky, darker in its middle than at its rim",
             edits: &["0.5 * (normal + Vec3::ONE)→t * Vec3::ONE"],
         },
-        Step {
+        ChapterStep {
             says: "Where t > 0, the unit normal at `ray.at(t)` becomes the color: ½(n + 1).",
             seen: Chapter::Normals.shows(),
             ..LAST
         },
     ],
-    &[Step {
+    &[ChapterStep {
         says: "With h = −b/2 in place of b, every 2 and 4 goes. Not one bit changes.",
         seen: Chapter::HalfBSphere.shows(),
         ..LAST
     }],
     &[
-        Step {
+        ChapterStep {
             says: "A `Sphere` is `Hittable`, and a list of one finds it: the ball of chapter 4 is back.",
             seen: Chapter::HalfBSphere.shows(),
             edits: &["world.add(Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0));→"],
         },
-        Step {
+        ChapterStep {
             says: "`world` gets the ground, at (0, −100.5, −1) with radius 100, and the list finds the nearest.",
             seen: Chapter::HittableList.shows(),
             ..LAST

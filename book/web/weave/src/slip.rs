@@ -7,7 +7,7 @@ use base64::prelude::{BASE64_STANDARD, Engine as _};
 use check::png;
 use common::rtweekend::Picture;
 use rayon::prelude::*;
-use slips::{Chapter, Edition, ReaderLanguage, Sight, Slip, Unseen, Words};
+use slips::{Chapter, Edition, ReaderLanguage, Slip, SlipText, Unseen, WrongPicture};
 
 use crate::ground::{escaped, read, split};
 
@@ -61,7 +61,7 @@ pub(crate) fn gallery(chosen: &str) -> Result<String, String> {
     if chosen == "Right" {
         return Ok(unseen().map(|slip| shown_by(slip) + "\n").collect());
     }
-    Ok(sights(chosen)?.into_par_iter().map(tile).collect())
+    Ok(wrong_pictures(chosen)?.into_par_iter().map(tile).collect())
 }
 
 /// The parts of the page of slips in the folder `notes`, each as one of its pictures, that of the
@@ -100,10 +100,10 @@ fn card((part, shown): (&str, &str)) -> Result<String, String> {
     let galleries = galleries.filter_map(|line| line.strip_suffix("}}"));
     let seen = galleries
         .filter(|look| *look != "Right")
-        .map(sights)
+        .map(wrong_pictures)
         .collect::<Result<Vec<_>, _>>()?
         .concat();
-    let has = |sight: &&&Sight| sight.slips.iter().any(|slip| slip.name == shown);
+    let has = |wrong: &&&WrongPicture| wrong.slips.iter().any(|slip| slip.name == shown);
     let first = seen.iter().find(has);
     let first = first.ok_or_else(|| format!("\"{title}\" shows no slip `{shown}`"))?;
     Ok(format!(
@@ -113,29 +113,30 @@ fn card((part, shown): (&str, &str)) -> Result<String, String> {
     ))
 }
 
-static SIGHTS: LazyLock<Vec<Sight>> = LazyLock::new(slips::sights);
+static WRONG_PICTURES: LazyLock<Vec<WrongPicture>> = LazyLock::new(slips::wrong_pictures);
 
-fn sights(chosen: &str) -> Result<Vec<&'static Sight>, String> {
+fn wrong_pictures(chosen: &str) -> Result<Vec<&'static WrongPicture>, String> {
     let (look, names) = split(chosen);
     let (is_not, names) = match names.strip_prefix("not ") {
         Some(names) => (true, names),
         None => (false, names),
     };
     let names: Vec<&str> = names.split_whitespace().collect();
-    let has = |sight: &Sight, name: &&str| {
-        sight.chapter.name() == *name || sight.slips.iter().any(|slip| slip.name == *name)
+    let has = |wrong: &WrongPicture, name: &&str| {
+        wrong.chapter.name() == *name || wrong.slips.iter().any(|slip| slip.name == *name)
     };
-    let of_look = SIGHTS.iter().filter(|it| it.look == look);
-    let of_look: Vec<&Sight> = of_look.collect();
+    let of_look = WRONG_PICTURES.iter().filter(|it| it.look == look);
+    let of_look: Vec<&WrongPicture> = of_look.collect();
     if let Some(name) = names
         .iter()
         .find(|name| !of_look.iter().any(|it| has(it, name)))
     {
         return Err(format!("no slip `{name}` has the look `{look}`"));
     }
-    let is_chosen =
-        |sight: &&Sight| names.is_empty() || names.iter().any(|name| has(sight, name)) != is_not;
-    let chosen: Vec<&Sight> = of_look.into_iter().filter(is_chosen).collect();
+    let is_chosen = |wrong: &&WrongPicture| {
+        names.is_empty() || names.iter().any(|name| has(wrong, name)) != is_not
+    };
+    let chosen: Vec<&WrongPicture> = of_look.into_iter().filter(is_chosen).collect();
     match chosen.is_empty() {
         true => Err(format!("no slip has the look `{look}`")),
         false => Ok(chosen),
@@ -144,32 +145,32 @@ fn sights(chosen: &str) -> Result<Vec<&'static Sight>, String> {
 
 /// Those that draw the right picture in all their chapters.
 fn unseen() -> impl Iterator<Item = &'static Slip> {
-    let seen = SIGHTS.iter().flat_map(|sight| &sight.slips);
+    let seen = WRONG_PICTURES.iter().flat_map(|wrong| &wrong.slips);
     let seen: Vec<&str> = seen.map(|slip| slip.name).collect();
     slips::all().filter(move |slip| !seen.contains(&slip.name))
 }
 
 /// A picture, and beside it the slips that draw it.
-fn tile(sight: &Sight) -> String {
-    let chapter = sight.chapter.name();
-    let names: Vec<&str> = sight.slips.iter().map(|slip| slip.name).collect();
+fn tile(wrong: &WrongPicture) -> String {
+    let chapter = wrong.chapter.name();
+    let names: Vec<&str> = wrong.slips.iter().map(|slip| slip.name).collect();
     let alt = format!("What {} draws in {chapter}", names.join(", "));
-    let slips = sight.slips.iter();
+    let slips = wrong.slips.iter();
     let items: String = slips
-        .map(|slip| item(slip, &id(slip, sight)) + "\n")
+        .map(|slip| item(slip, &id(slip, wrong)) + "\n")
         .collect();
     format!(
         "<div class=\"slip\">\n<figure>{}<figcaption>{chapter}</figcaption></figure>\n<div>\n\n{items}\n</div>\n</div>\n\n",
-        image(sight.picture(), &alt)
+        image(wrong.picture(), &alt)
     )
 }
 
 /// Returns what the page calls the slip where it has this look: its name, where it is seen first.
-fn id(slip: &Slip, sight: &Sight) -> String {
-    let has = |sight: &&Sight| sight.slips.iter().any(|it| it.name == slip.name);
-    match SIGHTS.iter().find(has) {
-        Some(first) if std::ptr::eq(first, sight) => slip.name.to_owned(),
-        _ => format!("{}-in-{}", slip.name, sight.chapter.name()),
+fn id(slip: &Slip, wrong: &WrongPicture) -> String {
+    let has = |wrong: &&WrongPicture| wrong.slips.iter().any(|it| it.name == slip.name);
+    match WRONG_PICTURES.iter().find(has) {
+        Some(first) if std::ptr::eq(first, wrong) => slip.name.to_owned(),
+        _ => format!("{}-in-{}", slip.name, wrong.chapter.name()),
     }
 }
 
@@ -177,7 +178,7 @@ fn id(slip: &Slip, sight: &Sight) -> String {
 fn item(slip: &Slip, id: &str) -> String {
     let name = slip.name;
     let first = slip.chapters().next().unwrap_or(Chapter::HittableList);
-    let Words { wrong, right, why } = slip.words(ReaderLanguage::Cpp(Edition::V4), first);
+    let SlipText { wrong, right, why } = slip.words(ReaderLanguage::Cpp(Edition::V4), first);
     let (page, heading) = slip.page_and_heading();
     format!(
         "* `{wrong}` should be `{right}`. {why} \

@@ -1,7 +1,7 @@
 //! Appearance: what a wrong picture looks like beside the right one.
 
 use common::rtweekend::Picture;
-use slips::{ChapterProgram, SIGHT_WIDTH};
+use slips::{ChapterProgram, WRONG_PICTURE_WIDTH};
 
 /// What sets a wrong picture apart at first sight.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,7 +65,7 @@ pub(crate) struct Drawn {
 impl Drawn {
     /// Draws what the program draws. A pixel that looks as the right one shows the same.
     pub(crate) fn by(program: &ChapterProgram, right: Option<&Self>) -> Self {
-        let output = program.run(SIGHT_WIDTH);
+        let output = program.run(WRONG_PICTURE_WIDTH);
         let picture = output.picture();
         let pixel = |picture: &Picture, n: usize| picture.rgb().as_chunks::<3>().0[n];
         let right = right.filter(|it| it.is_hit.len() == picture.rgb().len() / 3);

@@ -105,7 +105,7 @@ fn every_mistake_is_seen_as_it_was() {
     let line = |((look, chapter, names), _): &(Seen, _)| {
         format!("{look:?} {} {}\n", chapter.name(), names.join(" "))
     };
-    insta::assert_snapshot!("sights", seen.iter().map(line).collect::<String>());
+    insta::assert_snapshot!("looks", seen.iter().map(line).collect::<String>());
 }
 
 /// Which mistakes the chapter's own picture hides, and which probes show them.
