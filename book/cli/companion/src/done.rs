@@ -13,7 +13,7 @@ use clap::builder::NonEmptyStringValueParser;
 use common::engine::output;
 use slips::{Chapter, steps};
 
-use crate::mine::{Mine, TYPED};
+use crate::reader_crates::{ReaderCrates, TYPED};
 use crate::short;
 use crate::wrap::hanging;
 
@@ -67,11 +67,11 @@ impl Done {
     /// The list in the chosen folder; or else in `mine`, in this workspace and wherever that
     /// is there; or else in the current one.
     pub(crate) fn find(chosen: Option<&Path>) -> Self {
-        let mine = Mine::find(None);
+        let crates = ReaderCrates::find(None);
         match chosen {
             Some(folder) => Self::in_folder(folder),
-            None if mine.is_of_workspace() || mine.folder().is_dir() => {
-                Self::in_folder(mine.folder())
+            None if crates.is_of_workspace() || crates.folder().is_dir() => {
+                Self::in_folder(crates.folder())
             }
             None => Self::in_folder(Path::new(".")),
         }

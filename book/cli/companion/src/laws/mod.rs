@@ -22,7 +22,7 @@ use slips::{Chapter, Edition, ReaderLanguage, lawful};
 
 use crate::chapter::OneOf;
 use crate::check::seconds;
-use crate::mine;
+use crate::reader_crates::shell_word;
 use crate::sources;
 use dialogue::{Dialogue, Failure};
 
@@ -365,7 +365,7 @@ impl<'a> Asked<'a> {
     }
 
     fn program(&self) -> String {
-        let words: Vec<String> = self.arguments.program.iter().map(mine::word).collect();
+        let words: Vec<String> = self.arguments.program.iter().map(shell_word).collect();
         words.join(" ")
     }
 }

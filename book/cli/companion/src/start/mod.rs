@@ -17,8 +17,8 @@ use common::engine::output;
 use slips::{Chapter, steps};
 
 use crate::chapter::OneOf;
-use crate::mine::{Mine, TYPED};
 use crate::misuse::misuse;
+use crate::reader_crates::{ReaderCrates, TYPED};
 use crate::wrap::hanging;
 
 /// The words behind `cargo rtrace start`.
@@ -40,29 +40,29 @@ pub(crate) struct Arguments {
 /// Makes the crate, and says where it is and what comes next.
 pub(crate) fn start(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let chapter = arguments.chapter;
-    let mine = Mine::find(arguments.into.as_deref());
-    let folder = mine.of(chapter);
+    let crates = ReaderCrates::find(arguments.into.as_deref());
+    let folder = crates.folder_of(chapter);
     let failed = |cause: io::Error| {
         format!(
             "cannot write {}: {cause}\nName a folder that you may write to: {} --into FOLDER",
             from_here(&folder),
-            Mine::find(None).start(chapter),
+            ReaderCrates::find(None).start_command(chapter),
         )
     };
-    fs::create_dir_all(mine.folder()).map_err(failed)?;
+    fs::create_dir_all(crates.folder()).map_err(failed)?;
     if folder.exists() {
         return Err(misuse(&format!(
             "{} is there already, and nothing is written over it\n\
              Go on with {}, or rename that folder to begin once more.",
             from_here(&folder),
-            mine.watch(chapter),
+            crates.watch_command(chapter),
         )));
     }
     let before = TYPED.into_iter().rev().filter(|&it| it < chapter);
-    let before = before.map(|it| mine.of(it)).find(|it| it.is_dir());
+    let before = before.map(|it| crates.folder_of(it)).find(|it| it.is_dir());
     let new = New::compose(arguments, before.as_deref(), &folder)?;
     new.make(&folder).map_err(failed)?;
-    let said = new.as_text(&mine);
+    let said = new.as_text(&crates);
     Ok(output::to_stdout(|out| out.write_all(said.as_bytes()))?)
 }
 
@@ -174,8 +174,8 @@ impl New {
         Ok(())
     }
 
-    fn as_text(&self, mine: &Mine) -> String {
-        let file = mine.of(self.chapter).join("src/lib.rs");
+    fn as_text(&self, crates: &ReaderCrates) -> String {
+        let file = crates.folder_of(self.chapter).join("src/lib.rs");
         let mut said = format!("{} is yours.\n{}", from_here(&file), self.carried);
         let is_to_type = |(_, text): &&(_, String)| text.contains("todo!()");
         let to_type = self.files.iter().filter(is_to_type).map(|&(name, _)| name);
@@ -190,7 +190,7 @@ impl New {
         }
         said + &format!(
             "Open it in your editor, and in a terminal: {}\n",
-            mine.watch(self.chapter)
+            crates.watch_command(self.chapter)
         )
     }
 }

@@ -30,8 +30,8 @@ use crate::chapter::OneOf;
 use crate::check::{probe_parser, seconds};
 use crate::done::Done;
 use crate::laws::ASKED;
-use crate::mine::{self, Mine, TYPED};
 use crate::misuse::misuse;
+use crate::reader_crates::{ReaderCrates, TYPED, shell_word};
 use crate::sources;
 use crate::subprocess::{self, End};
 use background::Background;
@@ -122,7 +122,7 @@ struct Subject {
     folder: PathBuf,
     limit: Duration,
     done: Done,
-    mine: Mine,
+    crates: ReaderCrates,
     /// True if the last verdict came without the laws.
     misses_laws: Cell<bool>,
 }
@@ -132,15 +132,15 @@ impl Subject {
         let chapter = arguments.chapter;
         let task = Task::new(chapter, arguments.probe)
             .ok_or_else(|| misuse("this chapter has no place for the spheres of that probe"))?;
-        let mine = Mine::find(arguments.in_folder.as_deref());
+        let crates = ReaderCrates::find(arguments.in_folder.as_deref());
         let (folder, done) = if arguments.program.is_empty() {
-            (mine.of(chapter), Done::in_folder(mine.folder()))
+            (crates.folder_of(chapter), Done::in_folder(crates.folder()))
         } else {
             (env::current_dir()?, Done::find(None))
         };
         if !folder.is_dir() {
             let make = if TYPED.contains(&chapter) {
-                format!("Make it with {}, or name", mine.start(chapter))
+                format!("Make it with {}, or name", crates.start_command(chapter))
             } else {
                 "Name".to_owned()
             };
@@ -158,7 +158,7 @@ impl Subject {
             folder,
             limit,
             done,
-            mine,
+            crates,
             misses_laws: Cell::new(false),
         })
     }
@@ -296,7 +296,7 @@ impl Subject {
         let chapter = self.task.chapter;
         let probe = probe.map_or(String::new(), |probe| format!(" --probe {}", probe.name));
         if self.program.is_empty() {
-            self.mine.watch(chapter) + &probe
+            self.crates.watch_command(chapter) + &probe
         } else {
             self.watch_program(chapter, &probe)
         }
@@ -304,17 +304,17 @@ impl Subject {
 
     /// The command that goes on with another chapter.
     fn start(&self, chapter: Chapter) -> String {
-        if self.program.is_empty() && self.mine.of(chapter).is_dir() {
-            self.mine.watch(chapter)
+        if self.program.is_empty() && self.crates.folder_of(chapter).is_dir() {
+            self.crates.watch_command(chapter)
         } else if self.program.is_empty() {
-            self.mine.start(chapter)
+            self.crates.start_command(chapter)
         } else {
             self.watch_program(chapter, "")
         }
     }
 
     fn watch_program(&self, chapter: Chapter, option: &str) -> String {
-        let program: Vec<String> = self.program.iter().map(mine::word).collect();
+        let program: Vec<String> = self.program.iter().map(shell_word).collect();
         let (companion, name) = (companion(), chapter.name());
         format!("{companion} watch {name}{option} -- {}", program.join(" "))
     }

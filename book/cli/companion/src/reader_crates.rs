@@ -18,13 +18,13 @@ pub(crate) const TYPED: [Chapter; 5] = [
 ];
 
 /// The folder of a reader's crates, each of which is named after its chapter.
-pub(crate) struct Mine {
+pub(crate) struct ReaderCrates {
     folder: PathBuf,
     /// The word that chooses it on a command line, if it was chosen.
     chosen: Option<String>,
 }
 
-impl Mine {
+impl ReaderCrates {
     /// Finds the chosen folder. Or else `mine`: of this workspace, for a reader who is in it, or
     /// else of the nearest folder above that has one with a crate, or here.
     pub(crate) fn find(chosen: Option<&Path>) -> Self {
@@ -41,7 +41,7 @@ impl Mine {
         };
         Self {
             folder: chosen.map_or_else(usual, |chosen| here.join(chosen)),
-            chosen: chosen.map(word),
+            chosen: chosen.map(shell_word),
         }
     }
 
@@ -58,12 +58,12 @@ impl Mine {
     }
 
     /// Writes the command that makes the crate of `chapter` there.
-    pub(crate) fn start(&self, chapter: Chapter) -> String {
+    pub(crate) fn start_command(&self, chapter: Chapter) -> String {
         self.command("start", chapter, "--into")
     }
 
     /// Writes the command that judges it.
-    pub(crate) fn watch(&self, chapter: Chapter) -> String {
+    pub(crate) fn watch_command(&self, chapter: Chapter) -> String {
         self.command("watch", chapter, "--in")
     }
 
@@ -76,7 +76,7 @@ impl Mine {
     }
 
     /// Returns the folder of the reader's crate of `chapter`, which may not exist yet.
-    pub(crate) fn of(&self, chapter: Chapter) -> PathBuf {
+    pub(crate) fn folder_of(&self, chapter: Chapter) -> PathBuf {
         self.folder.join(chapter.name())
     }
 }
@@ -87,7 +87,7 @@ fn workspace_around(here: &Path) -> Option<&'static Path> {
 }
 
 /// Writes a word of a command line, in quotation marks where a shell wants them.
-pub(crate) fn word(word: impl AsRef<OsStr>) -> String {
+pub(crate) fn shell_word(word: impl AsRef<OsStr>) -> String {
     let word = names::spelled(word);
     let is_plain = |c: char| c.is_alphanumeric() || "-_./=".contains(c) || c == MAIN_SEPARATOR;
     if !word.is_empty() && word.chars().all(is_plain) {
