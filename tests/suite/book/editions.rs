@@ -103,7 +103,7 @@ fn cases() -> impl Iterator<Item = Case> {
 
 /// The right program of the chapter, with these slips made in it.
 fn with_slips(chapter: Chapter, names: &[&str]) -> ChapterProgram {
-    let make = |program, name: &&str| slip(name).put_to(&program);
+    let make = |program, name: &&str| slip(name).applied_to(&program);
     names.iter().fold(ChapterProgram::right(chapter), make)
 }
 

@@ -50,13 +50,13 @@ pub(crate) struct Outcome {
 /// Each slip in each of its chapters, in the order of the chapters.
 pub(crate) static OUTCOMES: LazyLock<Vec<Outcome>> = LazyLock::new(|| {
     let made = Chapter::OF_THE_BOOK.into_iter().flat_map(|chapter| {
-        let slips = slips::all().filter(move |slip| slip.is_in(chapter));
+        let slips = slips::all().filter(move |slip| slip.is_possible_in(chapter));
         slips.map(move |slip| (chapter, slip))
     });
     let made: Vec<_> = made.collect();
     let made = made.into_par_iter().map(|(chapter, slip)| {
         let program = slip.program(chapter);
-        let hidden = slip.hidden_in(chapter);
+        let hidden = slip.revealing_probes(chapter);
         Outcome {
             slip,
             chapter,
@@ -69,7 +69,7 @@ pub(crate) static OUTCOMES: LazyLock<Vec<Outcome>> = LazyLock::new(|| {
 
 impl Outcome {
     fn complaint(&self) -> Option<String> {
-        let unseen = self.slip.unseen_in(self.chapter);
+        let unseen = self.slip.why_unseen_in(self.chapter);
         let complaint = match (self.is_seen, self.report.is_some(), unseen) {
             (false, _, None) => "is in no picture: add a probe, or say why nothing can show it",
             (true, _, Some(_)) => "is in a picture, but the catalogue says that none shows it",
@@ -93,7 +93,7 @@ pub(crate) fn first_report(program: &ChapterProgram) -> Option<Box<Report>> {
         cases: 60,
         ..Trial::default()
     };
-    let outcome = program.tried_with_prelude(&trial);
+    let outcome = program.try_all_laws(&trial);
     match lawful::explained(outcome, program.chapter, ReaderLanguage::Rust) {
         Err(Complaint::Broken(report)) => Some(report),
         _ => None,

@@ -13,7 +13,7 @@ use suite::slip;
 fn the_first_broken_law_names_the_slip() {
     let in_rust = OUTCOMES
         .iter()
-        .filter(|it| it.slip.can_be_made_in(ReaderLanguage::Rust));
+        .filter(|it| it.slip.is_possible_in_language(ReaderLanguage::Rust));
     let reported = in_rust.filter_map(|it| Some((it, it.report.as_deref()?)));
     let (named, missed): (Vec<_>, Vec<_>) = reported.partition(|(outcome, report)| {
         let mut mistakes = mistakes(report, outcome.chapter).into_iter();
@@ -45,7 +45,7 @@ fn a_mistake_without_a_name_is_found_too() {
 }
 
 fn mistakes(report: &Report, chapter: Chapter) -> Vec<&'static Slip> {
-    lawful::that_answer_so(&report.answers, chapter, ReaderLanguage::Rust)
+    lawful::mistakes_with_answers(&report.answers, chapter, ReaderLanguage::Rust)
 }
 
 /// A step on the way, for example, which has another color on purpose.

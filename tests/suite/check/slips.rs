@@ -50,7 +50,7 @@ fn the_text_around_a_chapter_does_what_is_done_without_it() {
 #[test]
 fn a_program_without_a_slip_draws_every_probe_as_chapter_5_does() {
     for probe in PROBES {
-        let program = probe.put_to(&ChapterProgram::right(Chapter::HittableList));
+        let program = probe.applied_to(&ChapterProgram::right(Chapter::HittableList));
         let program = program.expect("chapter 5 takes any number of spheres");
         let mut world = HittableList::default();
         for ball in probe.spheres.into_iter().flatten() {

@@ -162,8 +162,9 @@ fn ahead(chapter: Chapter, text: &str) -> Vec<String> {
     if is_on(text, &picture_is_right(chapter)) {
         return Vec::new();
     }
-    let steps = (1..).zip(steps::of(chapter));
-    let last = (1..=steps::of(chapter).len()).rfind(|&n| is_on(text, &step_is_done(chapter, n)));
+    let steps = (1..).zip(steps::of_chapter(chapter));
+    let last =
+        (1..=steps::of_chapter(chapter).len()).rfind(|&n| is_on(text, &step_is_done(chapter, n)));
     steps
         .skip(last.unwrap_or(0))
         .map(|(number, step)| format!("  {:<14} {number}. {}", chapter.name(), step.says))

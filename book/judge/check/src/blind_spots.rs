@@ -27,11 +27,11 @@ pub struct NextPicture {
 pub fn hidden(task: &Task, width: u32) -> Vec<&'static Slip> {
     let own = task.without_probe();
     let can_be_wrong =
-        |slip: &&Slip| !matches!(slip.unseen_in(own.chapter), Some(Unseen::Equivalent(_)));
+        |slip: &&Slip| !matches!(slip.why_unseen_in(own.chapter), Some(Unseen::Equivalent(_)));
     let exam = (width != own.chapter.book_width()).then(|| Exam::new(own, width));
     let is_hidden = |slip: &&'static Slip| match &exam {
         Some(exam) => exam.hides(slip),
-        None => slip.hidden_in(own.chapter).is_some(),
+        None => slip.revealing_probes(own.chapter).is_some(),
     };
     let slips = own.slips().filter(can_be_wrong).filter(is_hidden);
     slips.collect()
@@ -63,7 +63,7 @@ fn most_telling(own: &Task, drawn: u32, hidden: &[&'static Slip]) -> Option<Next
     let probes = PROBES.map(|probe| Some((own.with_probe(probe)?, probe.width)));
     let all = larger.into_iter().chain(probes.into_iter().flatten());
     let nexts = all.filter_map(|(task, width)| {
-        let shows = |slip: &&'static Slip| match (task.probe, slip.hidden_in(own.chapter)) {
+        let shows = |slip: &&'static Slip| match (task.probe, slip.revealing_probes(own.chapter)) {
             (Some(probe), Some(probes)) => probes.contains(&probe.name),
             (probe, probes) => probe.is_none() && probes.is_none(),
         };

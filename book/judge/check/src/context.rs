@@ -50,7 +50,7 @@ impl Context<'_> {
         let language = match self.language {
             Some(ReaderLanguage::Python(_)) => ReaderLanguage::Python(task.edition),
             // In Rust there are the lines of our chapters, which follow version 4.
-            Some(ReaderLanguage::Rust) if is_older && slip.has_older_words(task.chapter) => {
+            Some(ReaderLanguage::Rust) if is_older && slip.has_older_line(task.chapter) => {
                 ReaderLanguage::Cpp(task.edition)
             }
             Some(language) => language,
@@ -139,7 +139,7 @@ impl<'a> Evidence<'a> {
     /// The slips that the reader can have made in the scene.
     pub(crate) fn slips(&self, task: &Task) -> impl Iterator<Item = &'static Slip> {
         let chapter = task.chapter;
-        let unnamed = slips::unnamed().filter(move |slip| slip.is_in(chapter));
+        let unnamed = slips::unnamed().filter(move |slip| slip.is_possible_in(chapter));
         let can_be_made = |slip: &&Slip| self.context.can_be_made.is_none_or(|can_be| can_be(slip));
         let all = task.slips().chain(unnamed).filter(can_be_made);
         all.filter(|slip| self.has_passed(slip))

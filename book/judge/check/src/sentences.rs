@@ -113,7 +113,7 @@ impl Attempt<'_> {
             done: vec![step_is_done(chapter, number)],
             ..Answer::of(Grade::OnTheWay, &name, "right", format!("{again}."))
         }
-        .then(step_says(number, &steps::of(chapter)[number]))
+        .then(step_says(number, &steps::of_chapter(chapter)[number]))
     }
 
     pub(crate) fn wrong(&self, finding: &Finding) -> Answer {
@@ -214,7 +214,7 @@ pub fn not_compiled(complaints: usize, first: Vec<Row>) -> Answer {
 /// Answers that the program stopped at a `todo!()`. What obeys the laws so far is named.
 pub fn not_written(chapter: Chapter, place: &str, obeyed: &[String]) -> Answer {
     let so_far = format!("so far they hold for {}", obeyed.join(", "));
-    let step = steps::of(chapter).first();
+    let step = steps::of_chapter(chapter).first();
     Answer::sentence(
         Grade::OnTheWay,
         format!("Not written yet: todo!() at {place}."),
@@ -579,7 +579,7 @@ fn named(task: &Task) -> String {
 }
 
 fn step_of(chapter: Chapter, step: usize) -> String {
-    format!("Step {} of {}", step + 1, steps::of(chapter).len())
+    format!("Step {} of {}", step + 1, steps::of_chapter(chapter).len())
 }
 
 /// Names the edition, if it is not the one that this workspace follows.

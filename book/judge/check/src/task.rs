@@ -191,15 +191,15 @@ impl Task {
     /// The program that draws the scene, with these slips in it.
     pub fn program(&self, slips: &[&Slip]) -> ChapterProgram {
         let right = || self.kept("", || self.right_program());
-        let with = |slip: &Slip| self.kept(slip.name, || slip.put_to(&right()));
+        let with = |slip: &Slip| self.kept(slip.name, || slip.applied_to(&right()));
         match slips {
             [] => right(),
             // Only some laws know what has no name.
-            [slip] if slip.name.is_empty() => slip.put_to(&right()),
+            [slip] if slip.name.is_empty() => slip.applied_to(&right()),
             [slip] => with(slip),
             [first, others @ ..] => others.iter().fold(with(first), |program, slip| {
                 let joined = program.joined(&with(slip), &right());
-                joined.unwrap_or_else(|| slip.put_to(&program))
+                joined.unwrap_or_else(|| slip.applied_to(&program))
             }),
         }
     }
@@ -240,10 +240,10 @@ impl Task {
     fn right_program(&self) -> ChapterProgram {
         let mut program = self.edition.shaped(self.chapter, self.shape);
         if let Some(step) = self.step {
-            program = steps::of(self.chapter)[step].put_to(&program);
+            program = steps::of_chapter(self.chapter)[step].applied_to(&program);
         }
         match self.probe {
-            Some(probe) => probe.put_to(&program).unwrap_or(program),
+            Some(probe) => probe.applied_to(&program).unwrap_or(program),
             None => program,
         }
     }
@@ -251,7 +251,7 @@ impl Task {
     /// The slips that can be made here: those whose lines stand in the chapter.
     pub fn slips(&self) -> impl Iterator<Item = &'static Slip> + use<> {
         let chapter = self.chapter;
-        slips::all().filter(move |slip| slip.is_in(chapter))
+        slips::all().filter(move |slip| slip.is_possible_in(chapter))
     }
 
     /// The height of the right picture that is `width` pixels wide.

@@ -18,7 +18,7 @@ fn those_slips_are_hidden_that_draw_the_right_picture() {
         let own = task(chapter, None);
         let right = chapter.picture(WIDTH);
         let hidden = own.slips().filter(|slip| {
-            let equivalent = matches!(slip.unseen_in(chapter), Some(Unseen::Equivalent(_)));
+            let equivalent = matches!(slip.why_unseen_in(chapter), Some(Unseen::Equivalent(_)));
             let wrong = slip.program(chapter).run(WIDTH);
             let is_as_large = wrong.size() == (right.width(), right.height());
             !equivalent && is_as_large && wrong.rgb().flatten().eq(right.rgb().iter().copied())
@@ -48,7 +48,7 @@ fn the_next_picture_shows_what_it_is_said_to_show() {
             assert!(drawn <= PROBES.len(), "{chapter:?} goes round in a circle");
             next = blind_spots::next(&it.task, it.width, |_| true);
         }
-        let is_unseen = |slip: &&Slip| slip.unseen_in(chapter).is_some();
+        let is_unseen = |slip: &&Slip| slip.why_unseen_in(chapter).is_some();
         assert!(hidden.iter().all(is_unseen), "{chapter:?}: {hidden:?}");
     }
 }

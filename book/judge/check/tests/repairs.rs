@@ -289,7 +289,7 @@ fn said(chapter: Chapter, files: &[(String, String)], is_wrong: bool) -> Vec<Row
         language: Some(ReaderLanguage::Rust),
         sources: Sources::of_chapter(files.to_vec(), chapter),
         // As in a crate of `start`, in which each step on the way is judged.
-        steps: vec![false; steps::of(chapter).len()],
+        steps: vec![false; steps::of_chapter(chapter).len()],
         ..Context::default()
     };
     let task = Task::new(chapter, None).expect("every chapter can be drawn without a probe");

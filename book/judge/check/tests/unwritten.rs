@@ -10,7 +10,7 @@ fn answer(text: &str, laws: &LawsStatus) -> Answer {
     let task =
         Task::new(Chapter::Gradient, None).expect("every chapter can be drawn without a probe");
     let context = Context {
-        steps: vec![false; steps::of(Chapter::Gradient).len()],
+        steps: vec![false; steps::of_chapter(Chapter::Gradient).len()],
         ..Context::default()
     };
     let attempt = Attempt {

@@ -49,11 +49,11 @@ fn read(paragraph: &'static str) -> Slip {
             Some(("only in", languages)) => slip.only_in = languages,
             Some(("equivalent", proof)) => slip.equivalent = proof,
             Some(("law", law)) => slip.law = law,
-            Some(("Rust", edit)) => slip.rust = Some(Edit::written(edit)),
-            Some(("C++", edit)) => slip.cpp = Some(Edit::written(edit)),
-            Some(("Python", edit)) => slip.python = Some(Edit::written(edit)),
-            Some(("older", edit)) => slip.older = Some(Edit::written(edit)),
-            _ if line.contains('→') => slip.edits.push(Edit::written(line)),
+            Some(("Rust", edit)) => slip.rust = Some(Edit::parse(edit)),
+            Some(("C++", edit)) => slip.cpp = Some(Edit::parse(edit)),
+            Some(("Python", edit)) => slip.python = Some(Edit::parse(edit)),
+            Some(("older", edit)) => slip.older = Some(Edit::parse(edit)),
+            _ if line.contains('→') => slip.edits.push(Edit::parse(line)),
             _ => panic!("the catalogue says \"{line}\" of {name}"),
         }
     }

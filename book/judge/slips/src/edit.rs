@@ -21,7 +21,7 @@ impl Edit {
     }
 
     /// Reads the edit that is written `right → wrong`.
-    pub fn written(said: &'static str) -> Self {
+    pub fn parse(said: &'static str) -> Self {
         let (right, wrong) = said.split_once('→').unwrap_or((said, ""));
         Self::new(right.trim(), wrong.trim())
     }
@@ -37,7 +37,7 @@ impl Edit {
     }
 
     /// The text with the edit everywhere where it stands, if it stands there.
-    pub fn made_in(&self, text: &str) -> Option<String> {
+    pub fn applied_to(&self, text: &str) -> Option<String> {
         let (mut made, mut done) = (String::new(), 0);
         while let Some((start, end)) = self.found(text, done) {
             made += &text[done..start];
@@ -60,7 +60,7 @@ impl Edit {
         let right = &text[start..end + after];
         let made = edits.iter().filter(|edit| edit.stands_in(right));
         let wrong = made.fold(right.to_owned(), |text, edit| {
-            edit.made_in(&text).unwrap_or(text)
+            edit.applied_to(&text).unwrap_or(text)
         });
         Some(Self::new(line(right), line(&wrong)))
     }

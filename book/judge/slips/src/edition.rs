@@ -90,7 +90,7 @@ impl Edition {
 
     /// After "right" or "wrong": which editions it is judged by, if the one that this
     /// workspace follows is not among them.
-    pub fn said(editions: &[Self]) -> String {
+    pub fn judged_by(editions: &[Self]) -> String {
         if editions.contains(&Self::V4) {
             return String::new();
         }
@@ -195,7 +195,7 @@ impl Edition {
                 ),
             ),
         ]);
-        edits.extend(FORMULA_BEFORE_4.map(Edit::written));
+        edits.extend(FORMULA_BEFORE_4.map(Edit::parse));
         edits.extend(self.edits_of_the_first());
         edits
     }

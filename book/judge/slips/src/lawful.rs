@@ -30,7 +30,7 @@ const NAMED: usize = 4;
 /// Finds the mistakes, among those that can be made in the chapter, that give all the answers:
 /// none, if a right program gives them too. Each of them alone does, and no question tells them
 /// apart. Those that are made most often come first.
-pub fn that_answer_so(
+pub fn mistakes_with_answers(
     answers: &Answers,
     chapter: Chapter,
     language: ReaderLanguage,
@@ -42,7 +42,7 @@ pub fn that_answer_so(
     }
     let mut mistakes: Vec<&'static Slip> = all()
         .chain(unnamed())
-        .filter(|slip| slip.is_in(chapter) && slip.can_be_made_in(language))
+        .filter(|slip| slip.is_possible_in(chapter) && slip.is_possible_in_language(language))
         .filter(|slip| gives_all(&slip.program(chapter)))
         .collect();
     mistakes.sort_by_key(|slip| Reverse(slip.reports()));
@@ -52,7 +52,7 @@ pub fn that_answer_so(
 
 /// Adds to a report the mistakes that give the same answers, in the reader's language.
 pub fn explain(report: &mut Report, chapter: Chapter, language: ReaderLanguage) {
-    let mistakes = that_answer_so(&report.answers, chapter, language);
+    let mistakes = mistakes_with_answers(&report.answers, chapter, language);
     let in_a_line = |slip: &&Slip| {
         let SlipText { wrong, right, .. } = slip.words(language, chapter);
         let name = match slip.name {
@@ -125,7 +125,7 @@ impl ChapterProgram {
     ///
     /// # Errors
     /// If a law is broken.
-    pub fn tried(&self, trial: &Trial) -> Outcome {
+    pub fn try_laws(&self, trial: &Trial) -> Outcome {
         let solve = |center, radius, ray: &Ray| self.hit_sphere(center, radius, ray);
         let record = |asked: &WithInterval| Functions::record(self, asked);
         match self.chapter {
@@ -147,10 +147,10 @@ impl ChapterProgram {
     ///
     /// # Errors
     /// If a law is broken.
-    pub fn tried_with_prelude(&self, trial: &Trial) -> Outcome {
+    pub fn try_all_laws(&self, trial: &Trial) -> Outcome {
         Prelude::of(self, |prelude| trial.prelude(prelude))?;
         trial.pixel_ray(&|pixel| self.pixel_ray(pixel))?;
-        self.tried(trial)
+        self.try_laws(trial)
     }
 }
 
@@ -165,7 +165,7 @@ impl Functions for ChapterProgram {
             center: case.center,
             radius: case.radius,
         };
-        let hit = self.record(ball, &case.ray, *t_min, *t_max)?;
+        let hit = self.code().record(ball, &case.ray, *t_min, *t_max)?;
         Some(Hit {
             t: hit.t,
             point: hit.point,
@@ -177,7 +177,8 @@ impl Functions for ChapterProgram {
     fn nearest(&self, world: &World) -> Option<f64> {
         let ball = |&(center, radius): &(Point3, f64)| Ball { center, radius };
         let balls: Vec<Ball> = world.spheres.iter().map(ball).collect();
-        self.search_among(&balls, &world.ray, world.t_min, world.t_max)
+        self.code()
+            .nearest(&balls, &world.ray, world.t_min, world.t_max)
     }
 
     fn ray_color(&self, ray: &Ray) -> Color {
@@ -190,15 +191,19 @@ impl Functions for ChapterProgram {
         own.unwrap_or_else(|| Camera::new(pixel.width).ray(pixel.i, pixel.j))
     }
 
+    // Where the text has no function of these, glam's is meant.
     fn dot(&self, u: Vec3, v: Vec3) -> f64 {
-        ChapterProgram::dot(self, u, v)
+        let own = self.code().of_vectors("dot", &[u, v]);
+        own.map_or(u.dot(v), |it| it[0])
     }
 
     fn length_squared(&self, v: Vec3) -> f64 {
-        self.squared(v)
+        let own = self.code().of_vectors("length_squared", &[v]);
+        own.map_or(v.length_squared(), |it| it[0])
     }
 
     fn normalize(&self, v: Vec3) -> Vec3 {
-        self.unit(v)
+        let own = self.code().of_vectors("normalize", &[v]);
+        own.map_or(v.normalize(), |it| Vec3::from_slice(&it))
     }
 }

@@ -17,7 +17,7 @@
 //! // Behind the camera it finds a sphere where nothing should be:
 //! let probe = slips::find_probe("behind").unwrap();
 //! let [wrong, right] = [slip.program(chapter), ChapterProgram::right(chapter)]
-//!     .map(|program| probe.put_to(&program).unwrap().run(probe.width).picture());
+//!     .map(|program| probe.applied_to(&program).unwrap().run(probe.width).picture());
 //! assert_ne!(wrong, right);
 //!
 //! // Its intersection alone, to be put under a law:

@@ -112,7 +112,7 @@ impl Probe {
 
     /// The program with this probe's spheres and focal length; its picture is to be
     /// [`width`](Self::width) pixels wide. `None` if the chapter has no room for them.
-    pub fn put_to(&self, program: &ChapterProgram) -> Option<ChapterProgram> {
+    pub fn applied_to(&self, program: &ChapterProgram) -> Option<ChapterProgram> {
         let chapter = program.chapter;
         let edits = self.fits(chapter).then(|| self.edits(chapter))?;
         program.with_any(&edits)

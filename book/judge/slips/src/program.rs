@@ -5,7 +5,7 @@ use std::fmt;
 use std::sync::LazyLock;
 
 use common::rtweekend::*;
-use interpreter::{Ball, Canvas, Hit, Note};
+use interpreter::{Canvas, Note};
 
 use crate::chapter::Chapter;
 use crate::edit::Edit;
@@ -144,7 +144,7 @@ impl ChapterProgram {
         }
         let mut all = changed.into_iter();
         all.try_fold(program, |program, (name, text)| {
-            program.with_text(&name, &text)
+            program.with_function(&name, &text)
         })
     }
 
@@ -160,7 +160,7 @@ impl ChapterProgram {
         for (name, text) in self.functions() {
             let place = changed.iter().position(|it| it.0 == name);
             let text = place.map_or(text, |place| &changed[place].1);
-            let Some(new) = edit.made_in(text) else {
+            let Some(new) = edit.applied_to(text) else {
                 continue;
             };
             stands = true;
@@ -192,7 +192,7 @@ impl ChapterProgram {
     }
 
     /// Returns this program with another text of one function, or `None` if that is none.
-    pub fn with_text(&self, function: &str, text: &str) -> Option<Self> {
+    pub fn with_function(&self, function: &str, text: &str) -> Option<Self> {
         let mut code = self.code.patched(function, text).ok()?;
         if OF_VECTORS.contains(&function) {
             code = code.instead_of_the_library(&OF_VECTORS);
@@ -231,8 +231,8 @@ impl ChapterProgram {
         self.code.functions()
     }
 
-    /// The text as it is run.
-    pub fn interpreted(&self) -> &interpreter::Program {
+    /// Returns the interpreter's program that is run, without the chapter.
+    pub fn code(&self) -> &interpreter::Program {
         &self.code
     }
 
@@ -279,34 +279,6 @@ impl ChapterProgram {
     /// lengths of `ray.direction`. Chapter 2 only tells whether there is one.
     pub fn hit_sphere(&self, center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
         self.code.hit_sphere(center, radius, ray)
-    }
-
-    /// The record of a sphere's nearest hit between `t_min` and `t_max`.
-    pub fn record(&self, ball: Ball, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit> {
-        self.code.record(ball, ray, t_min, t_max)
-    }
-
-    /// Returns what wins in a world of spheres, between `t_min` and `t_max`.
-    pub fn search_among(&self, balls: &[Ball], ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
-        self.code.nearest(balls, ray, t_min, t_max)
-    }
-
-    /// The dot product: glam's, where the text has none.
-    pub fn dot(&self, u: Vec3, v: Vec3) -> f64 {
-        let own = self.code.of_vectors("dot", &[u, v]);
-        own.map_or(u.dot(v), |it| it[0])
-    }
-
-    /// The square of a length, likewise.
-    pub fn squared(&self, v: Vec3) -> f64 {
-        let own = self.code.of_vectors("length_squared", &[v]);
-        own.map_or(v.length_squared(), |it| it[0])
-    }
-
-    /// The vector of length 1 in the same direction, likewise.
-    pub fn unit(&self, v: Vec3) -> Vec3 {
-        let own = self.code.of_vectors("normalize", &[v]);
-        own.map_or(v.normalize(), |it| Vec3::from_slice(&it))
     }
 }
 

@@ -123,7 +123,7 @@ impl Slip {
 
     /// Returns true if that language lets it be made: not all take a number for a truth, or -1.0
     /// for a miss.
-    pub fn can_be_made_in(&self, language: ReaderLanguage) -> bool {
+    pub fn is_possible_in_language(&self, language: ReaderLanguage) -> bool {
         let language = match language {
             ReaderLanguage::Rust => "Rust",
             ReaderLanguage::Cpp(_) => "C++",
@@ -133,7 +133,7 @@ impl Slip {
     }
 
     /// Returns true if editions before version 4 have another line for it.
-    pub fn has_older_words(&self, chapter: Chapter) -> bool {
+    pub fn has_older_line(&self, chapter: Chapter) -> bool {
         let [older, own] =
             [Edition::V3, Edition::V4].map(|it| self.line(ReaderLanguage::Cpp(it), chapter));
         older != own
@@ -167,14 +167,14 @@ impl Slip {
     }
 
     /// Returns true if it can be made in the chapter's program.
-    pub fn is_in(&self, chapter: Chapter) -> bool {
+    pub fn is_possible_in(&self, chapter: Chapter) -> bool {
         self.statement(chapter, Edition::V4).is_some()
     }
 
     /// Returns the chapters in which it can be made.
     pub fn chapters(&self) -> impl Iterator<Item = Chapter> {
         let chapters = Chapter::OF_THE_BOOK.into_iter();
-        chapters.filter(|&chapter| self.is_in(chapter))
+        chapters.filter(|&chapter| self.is_possible_in(chapter))
     }
 
     /// Finds the file of this workspace that has the line right.
@@ -195,19 +195,22 @@ impl Slip {
     /// If it can't be made there.
     pub fn program(&self, chapter: Chapter) -> ChapterProgram {
         let name = self.name;
-        assert!(self.is_in(chapter), "{name} can't be made in {chapter:?}");
-        self.put_to(&ChapterProgram::right(chapter))
+        assert!(
+            self.is_possible_in(chapter),
+            "{name} can't be made in {chapter:?}"
+        );
+        self.applied_to(&ChapterProgram::right(chapter))
     }
 
     /// Returns the program with this slip in it, if it can be made there.
-    pub fn put_to(&self, program: &ChapterProgram) -> ChapterProgram {
+    pub fn applied_to(&self, program: &ChapterProgram) -> ChapterProgram {
         let made = program.with_any(&self.edits);
         made.unwrap_or_else(|| program.clone())
     }
 
     /// Returns why nothing shows the slip in that chapter, or `None` if something does.
-    pub fn unseen_in(&self, chapter: Chapter) -> Option<Unseen> {
-        let is_seen = !self.hidden_in(chapter)?.is_empty();
+    pub fn why_unseen_in(&self, chapter: Chapter) -> Option<Unseen> {
+        let is_seen = !self.revealing_probes(chapter)?.is_empty();
         (!is_seen).then_some(if self.law.is_empty() {
             Unseen::Equivalent(self.equivalent)
         } else {
@@ -216,7 +219,7 @@ impl Slip {
     }
 
     /// Returns the probes that show the slip in that chapter, or `None` if its own picture does.
-    pub fn hidden_in(&self, chapter: Chapter) -> Option<Vec<&'static str>> {
+    pub fn revealing_probes(&self, chapter: Chapter) -> Option<Vec<&'static str>> {
         let mut rows = kept(HIDDEN).map(str::split_whitespace);
         rows.find_map(|mut row| {
             let is_it = row.next() == Some(chapter.name()) && row.next() == Some(self.name);
@@ -225,10 +228,10 @@ impl Slip {
     }
 
     /// Returns the first probe that shows the slip where a chapter's picture hides it.
-    pub fn shown_by(&self) -> Option<&'static str> {
+    pub fn first_revealing_probe(&self) -> Option<&'static str> {
         let hidden = self
             .chapters()
-            .filter_map(|it| self.hidden_in(it))
+            .filter_map(|it| self.revealing_probes(it))
             .flatten();
         let hidden: Vec<&str> = hidden.collect();
         let mut probes = PROBES.iter().map(|probe| probe.name);

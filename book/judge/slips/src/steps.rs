@@ -16,14 +16,14 @@ pub struct ChapterStep {
 
 impl ChapterStep {
     /// The chapter's program as far as it is written by then.
-    pub fn put_to(&self, program: &ChapterProgram) -> ChapterProgram {
-        let edits: Vec<Edit> = self.edits.iter().map(|it| Edit::written(it)).collect();
+    pub fn applied_to(&self, program: &ChapterProgram) -> ChapterProgram {
+        let edits: Vec<Edit> = self.edits.iter().map(|it| Edit::parse(it)).collect();
         program.with_any(&edits).unwrap_or_else(|| program.clone())
     }
 }
 
 /// The steps that lead to the picture of `chapter`, which the last of them shows.
-pub fn of(chapter: Chapter) -> &'static [ChapterStep] {
+pub fn of_chapter(chapter: Chapter) -> &'static [ChapterStep] {
     STEPS.get(chapter as usize).copied().unwrap_or_default()
 }
 

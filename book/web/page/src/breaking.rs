@@ -166,12 +166,12 @@ impl Choice {
 /// Lists the known slips that are one edit of one place of the chapter's text.
 fn known(chapter: Chapter, text: &Text) -> Vec<(FileEdit, Option<&'static str>)> {
     let is_typed = |slip: &&slips::Slip| {
-        slip.is_typed_in(chapter) && slip.can_be_made_in(ReaderLanguage::Rust)
+        slip.is_typed_in(chapter) && slip.is_possible_in_language(ReaderLanguage::Rust)
     };
     let edits = slips::all().filter(is_typed).filter_map(|slip| {
         let edit = slip.only_edit(chapter)?;
         let files = text.files.iter().enumerate();
-        let mut made = files.filter_map(|(n, (_, text))| Some((n, text, edit.made_in(text)?)));
+        let mut made = files.filter_map(|(n, (_, text))| Some((n, text, edit.applied_to(text)?)));
         let (file, text, new) = made.next().filter(|_| made.next().is_none())?;
         let whole = FileEdit {
             file,

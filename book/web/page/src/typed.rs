@@ -60,7 +60,10 @@ pub fn beginning(chapter: Chapter) -> Vec<String> {
     let files = Text::skeleton(chapter).files.into_iter();
     let files = files.zip(Text::full(chapter).files);
     let files = files.flat_map(|((name, empty), (_, full))| [name, empty, full]);
-    let steps: Vec<&str> = steps::of(chapter).iter().map(|step| step.says).collect();
+    let steps: Vec<&str> = steps::of_chapter(chapter)
+        .iter()
+        .map(|step| step.says)
+        .collect();
     files.chain([steps.join("\n")]).collect()
 }
 
@@ -167,7 +170,7 @@ impl Text {
         let unlike =
             |program: &ChapterProgram| lawful::unlike(&answers, self.chapter, program, MOST_UNLIKE);
         let can_be_made = |slip: &Slip| {
-            slip.can_be_made_in(ReaderLanguage::Rust) && slip.is_typed_in(self.chapter)
+            slip.is_possible_in_language(ReaderLanguage::Rust) && slip.is_typed_in(self.chapter)
         };
         let context = Context {
             language: Some(ReaderLanguage::Rust),
@@ -175,7 +178,7 @@ impl Text {
             sources: Sources::of_chapter(self.files.clone(), self.chapter),
             answers: laws.is_some().then_some(&unlike),
             warnings: Vec::new(),
-            steps: vec![false; steps::of(self.chapter).len()],
+            steps: vec![false; steps::of_chapter(self.chapter).len()],
         };
         let name = self.chapter.name();
         let attempt = Attempt {
@@ -319,7 +322,7 @@ fn laws_of(program: &ChapterProgram) -> Option<LawsStatus> {
         cases: CASES,
         ..Trial::default()
     };
-    let outcome = program.tried(&trial);
+    let outcome = program.try_laws(&trial);
     Some(
         match lawful::explained(outcome, program.chapter, ReaderLanguage::Rust) {
             Ok(()) => LawsStatus::Obeyed,

@@ -15,7 +15,7 @@ use crate::ground::{escaped, read, split};
 pub(crate) fn slip(name: &str, chapter: &str) -> Result<String, String> {
     let slip = slips::find(name).ok_or_else(|| format!("there is no slip `{name}`"))?;
     let chapter = Chapter::find(chapter)
-        .filter(|chapter| slip.is_in(*chapter))
+        .filter(|chapter| slip.is_possible_in(*chapter))
         .ok_or_else(|| format!("`{name}` can't be made in a chapter `{chapter}`"))?;
     let picture = slip.program(chapter).run(chapter.book_width()).picture();
     let why = slip.words(ReaderLanguage::Cpp(Edition::V4), chapter).why;
@@ -189,9 +189,9 @@ fn item(slip: &Slip, id: &str) -> String {
 /// Returns a sentence on what shows a slip that the book's pictures hide.
 fn shown_by(slip: &Slip) -> String {
     let mut chapters = slip.chapters();
-    let shown = match slip.shown_by() {
+    let shown = match slip.first_revealing_probe() {
         Some(probe) => format!("The probe *{probe}* shows it."),
-        None => match chapters.find_map(|chapter| slip.unseen_in(chapter)) {
+        None => match chapters.find_map(|chapter| slip.why_unseen_in(chapter)) {
             Some(Unseen::OnlyByLaw(law)) => format!("Only a law shows it: {law}"),
             Some(Unseen::Equivalent(why)) => format!("Nothing shows it: {why}"),
             None => String::new(),

@@ -8,12 +8,12 @@ use crate::slip::image;
 /// The picture of step `number` of the chapter, drawn now, and what to type for it.
 pub(crate) fn step(chapter: &str, number: &str) -> Result<String, String> {
     let chapter = named("chapter", chapter, Chapter::ALL, |chapter| chapter.name())?;
-    let (name, steps) = (chapter.name(), steps::of(chapter));
+    let (name, steps) = (chapter.name(), steps::of_chapter(chapter));
     let place = number.parse::<usize>().unwrap_or(0).checked_sub(1);
     let step = place
         .and_then(|place| steps.get(place))
         .ok_or_else(|| format!("{name} has no step {number}: it has {}", steps.len()))?;
-    let program = step.put_to(&ChapterProgram::right(chapter));
+    let program = step.applied_to(&ChapterProgram::right(chapter));
     let picture = program.run(chapter.book_width()).picture();
     Ok(format!(
         "<figure>{}<figcaption>{}</figcaption></figure>",

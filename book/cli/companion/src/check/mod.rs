@@ -91,7 +91,8 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
         Source::Program(words) => sources::of_program(words, Path::new(".")),
     };
     let language = found.reader_language();
-    let can_be_made = |slip: &Slip| language.is_none_or(|language| slip.can_be_made_in(language));
+    let can_be_made =
+        |slip: &Slip| language.is_none_or(|language| slip.is_possible_in_language(language));
     let context = Context {
         language,
         sources: found.sources,

@@ -184,7 +184,7 @@ impl New {
         {
             said += &format!("Type {}, and then {last}.\n", before.join(", "));
         }
-        for (number, step) in (1..).zip(steps::of(self.chapter)) {
+        for (number, step) in (1..).zip(steps::of_chapter(self.chapter)) {
             let line = format!("  step {number}  {}", step.says);
             said += &(hanging(&line, 10) + "\n");
         }

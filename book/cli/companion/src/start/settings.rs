@@ -42,7 +42,7 @@ pub(super) fn about(chapter: Chapter) -> String {
         "//! Chapter {number}, {}, typed by hand.\n//!\n",
         chapter.name()
     );
-    for (number, step) in (1..).zip(steps::of(chapter)) {
+    for (number, step) in (1..).zip(steps::of_chapter(chapter)) {
         about += &filled(step.says, 79, &format!("//! {number}. "), "//!    ");
         about.push('\n');
     }

@@ -242,7 +242,7 @@ impl Subject {
         };
         let has_own_prelude = self.folder.join("src/rtweekend.rs").exists();
         let can_be_made = |slip: &Slip| {
-            language.is_none_or(|language| slip.can_be_made_in(language))
+            language.is_none_or(|language| slip.is_possible_in_language(language))
                 && (!is_crate || has_own_prelude || slip.is_typed_in(chapter))
         };
         let warnings = built.map_or_else(Vec::new, |it| it.warnings);
@@ -261,7 +261,9 @@ impl Subject {
             warnings,
             steps: match self.task.probe {
                 Some(_) => Vec::new(),
-                None => (1..=steps::of(chapter).len()).map(is_done).collect(),
+                None => (1..=steps::of_chapter(chapter).len())
+                    .map(is_done)
+                    .collect(),
             },
         };
         let attempt = Attempt {

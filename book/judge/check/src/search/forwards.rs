@@ -97,7 +97,7 @@ impl<'a> Forwards<'a> {
     }
 
     fn is_drawn_with(&self, it: &Transplant) -> bool {
-        let program = self.right.with_text(&it.function, &it.text);
+        let program = self.right.with_function(&it.function, &it.text);
         program.is_some_and(|it| self.may_draw(&it) && self.draws(&it))
     }
 
@@ -107,7 +107,7 @@ impl<'a> Forwards<'a> {
         let mut drawn = Drawn::default();
         let mut seen = HashSet::new();
         for (program, number, function, edit) in self.mutated() {
-            let mutant = program.interpreted().with_mutant(number);
+            let mutant = program.code().with_mutant(number);
             if !self.may_draw(&ChapterProgram::typed(self.right.chapter, mutant)) {
                 continue;
             }
@@ -121,7 +121,7 @@ impl<'a> Forwards<'a> {
                 continue;
             }
             let yours = (said == Said::Wrong).then(|| self.lines.found(&change));
-            let Some(program) = self.right.with_text(&function.name, &text) else {
+            let Some(program) = self.right.with_function(&function.name, &text) else {
                 continue;
             };
             drawn.add(Mutant {
@@ -142,7 +142,7 @@ impl<'a> Forwards<'a> {
         for function in self.functions {
             let mutations = mutation::mutations(function);
             let text = mutation::schemata(function, &mutations, 1);
-            let Some(program) = self.right.with_text(&function.name, &text) else {
+            let Some(program) = self.right.with_function(&function.name, &text) else {
                 continue;
             };
             let program = Rc::new(program);

@@ -56,10 +56,7 @@ fn searched<T>(
             .map(|it| it.program(task.chapter))
             .to_vec(),
     };
-    let functions: Vec<_> = programs
-        .iter()
-        .map(|it| functions(it.interpreted()))
-        .collect();
+    let functions: Vec<_> = programs.iter().map(|it| functions(it.code())).collect();
     let lines = programs
         .iter()
         .map(|it| Lines::new(it.functions(), sources.typed()));

@@ -87,7 +87,7 @@ impl Repair {
         }
         let (yours, loops) = drawing(&files, reading)?;
         let chapter = slips::ChapterProgram::right(task.chapter);
-        let chapter = chapter.interpreted();
+        let chapter = chapter.code();
         let (own, theirs) = (functions(&yours), functions(chapter));
         let right = |task: &Task| task.right(reading.width, task.height(reading.width));
         let goal_of = |task: &Task| {

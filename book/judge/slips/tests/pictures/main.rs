@@ -37,7 +37,7 @@ fn table(rows: impl FnOnce(&mut dyn FnMut(Chapter, &str, u64))) -> String {
 fn every_mistake_draws_its_picture() {
     let drawn = table(|row| {
         for chapter in Chapter::OF_THE_BOOK {
-            for slip in slips::all().filter(|slip| slip.is_in(chapter)) {
+            for slip in slips::all().filter(|slip| slip.is_possible_in(chapter)) {
                 row(chapter, slip.name, hash(&slip.program(chapter), WIDTH));
             }
         }
@@ -52,7 +52,7 @@ fn every_probe_edition_and_step_draws_its_picture() {
             let right = ChapterProgram::right(chapter);
             row(chapter, "right", hash(&right, WIDTH));
             for probe in PROBES {
-                if let Some(probed) = probe.put_to(&right) {
+                if let Some(probed) = probe.applied_to(&right) {
                     row(chapter, probe.name, hash(&probed, probe.width));
                 }
             }
@@ -60,9 +60,9 @@ fn every_probe_edition_and_step_draws_its_picture() {
                 let name = format!("version {} {edition:?}", edition.name());
                 row(chapter, &name, hash(&edition.program(chapter), WIDTH));
             }
-            for (n, step) in (1..).zip(steps::of(chapter)) {
+            for (n, step) in (1..).zip(steps::of_chapter(chapter)) {
                 let name = format!("step {n}");
-                row(chapter, &name, hash(&step.put_to(&right), WIDTH));
+                row(chapter, &name, hash(&step.applied_to(&right), WIDTH));
             }
         }
     });
@@ -119,14 +119,14 @@ fn every_hidden_mistake_is_shown_by_the_same_probes() {
 fn hidden_in(chapter: Chapter) -> String {
     let right = ChapterProgram::right(chapter);
     let mut hidden = String::new();
-    for slip in slips::all().filter(|slip| slip.is_in(chapter)) {
+    for slip in slips::all().filter(|slip| slip.is_possible_in(chapter)) {
         if !are_alike(&right, &slip.program(chapter), chapter.book_width()) {
             continue;
         }
         hidden += &format!("{} {}", chapter.name(), slip.name);
         for probe in PROBES {
-            if let Some(right) = probe.put_to(&right)
-                && !are_alike(&right, &slip.put_to(&right), probe.width)
+            if let Some(right) = probe.applied_to(&right)
+                && !are_alike(&right, &slip.applied_to(&right), probe.width)
             {
                 hidden += &format!(" {}", probe.name);
             }
