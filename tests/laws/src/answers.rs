@@ -13,7 +13,7 @@ use std::path::Path;
 use tinyjson::JsonValue;
 
 use crate::question::{Functions, Question};
-use crate::verdict::{Broken, Complaint, Outcome, Report};
+use crate::verdict::{BrokenLaw, Complaint, Outcome, Report};
 
 /// The environment variable that names the file.
 pub const ANSWERS: &str = "LAWS_ANSWERS";
@@ -170,7 +170,7 @@ fn outcome(line: &Fields, before: &Answers) -> Option<Outcome> {
     let [law, found, allowed, read, test] = parts.try_into().ok()?;
     let (law, read) = (law.into(), read.into());
     let report = Report {
-        broken: Broken {
+        broken: BrokenLaw {
             law,
             found,
             allowed,

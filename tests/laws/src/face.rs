@@ -3,7 +3,7 @@
 use common::rtweekend::*;
 
 use crate::record::SET_FACE_NORMAL;
-use crate::verdict::{Broken, LawResult};
+use crate::verdict::{BrokenLaw, LawResult};
 
 pub use common::rtweekend::Vec3;
 
@@ -38,7 +38,7 @@ pub fn the_normal_is_turned_against_the_ray(
     let is_right = found == expected || along.abs() < 1e-9;
     let said =
         |Face { normal, front_face }| format!("normal = {normal}, front_face = {front_face}");
-    Broken::unless(is_right, || Broken {
+    BrokenLaw::unless(is_right, || BrokenLaw {
         law: "the normal is turned against the ray, and front_face says whether it came from \
               outside"
             .into(),

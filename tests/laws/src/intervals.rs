@@ -7,7 +7,7 @@
 use crate::nearer_root::{BAND, root_bound, said};
 use crate::oracle::Exact;
 use crate::question::{RangeSolver, WithInterval};
-use crate::verdict::{Broken, LawResult};
+use crate::verdict::{BrokenLaw, LawResult};
 
 /// Tests that a returned `t` lies between the ends; so it is never NaN.
 ///
@@ -25,7 +25,7 @@ pub fn no_t_outside_the_interval_is_returned(
     let found = asked.solve(solve);
     let is_outside = |t: &f64| !(t_min < *t && *t < t_max);
     match found.filter(is_outside) {
-        Some(t) if !is_silent => Err(Broken {
+        Some(t) if !is_silent => Err(BrokenLaw {
             law: "a hit lies inside the open interval (t_min, t_max)".into(),
             found: format!("t = {t:?}"),
             allowed: format!("{t_min:?} < t < {t_max:?}, or a miss"),
@@ -64,7 +64,7 @@ pub fn the_nearest_root_in_the_interval_is_returned(
         (found, expected) => found.is_none() && expected.is_none(),
     };
     let rounding = expected.map_or(String::new(), |_| format!(" ± {bound:.1e}"));
-    Broken::unless(is_right, || Broken {
+    BrokenLaw::unless(is_right, || BrokenLaw {
         law: "the nearest root in the open interval (t_min, t_max) is returned".into(),
         found: said(found),
         allowed: format!("{}{rounding}, in ({t_min:?}, {t_max:?})", said(expected)),

@@ -51,4 +51,4 @@ pub use ray_color::Scene;
 pub use speed_vs_accuracy::Case;
 pub use strategies::config;
 pub use trial::Trial;
-pub use verdict::{Broken, Complaint, LawResult, Outcome, Report, holds};
+pub use verdict::{BrokenLaw, Complaint, LawResult, Outcome, Report, holds};

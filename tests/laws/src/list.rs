@@ -6,7 +6,7 @@ use speed_vs_accuracy::Case;
 use crate::nearer_root::said;
 use crate::question::{WithInterval, code, of_ray, vector};
 use crate::record::Recorder;
-use crate::verdict::{Broken, LawResult};
+use crate::verdict::{BrokenLaw, LawResult};
 
 /// Spheres, a ray, and a range of `t`.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,7 +42,7 @@ pub fn the_nearest_of_all_members_is_returned(
         Some(record(&WithInterval { case, t_min, t_max })?.t)
     });
     let (found, expected) = (search(world), alone.reduce(f64::min));
-    Broken::unless(found == expected, || Broken {
+    BrokenLaw::unless(found == expected, || BrokenLaw {
         law: "of all that a ray hits, the nearest counts".into(),
         found: said(found),
         allowed: format!("{}, the least of the spheres' own answers", said(expected)),

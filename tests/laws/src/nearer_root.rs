@@ -31,7 +31,7 @@ use crate::oracle::Exact;
 use crate::question::{Question, telling};
 use crate::strategies::{anywhere, integers, ordinary};
 use crate::trial::Exam;
-use crate::verdict::{Broken, LawResult};
+use crate::verdict::{BrokenLaw, LawResult};
 
 /// A function of the kind of `hit_sphere`: center, radius and ray to nearer root.
 pub type Solver<'a> = dyn Fn(Point3, f64, &Ray) -> Option<f64> + 'a;
@@ -112,7 +112,7 @@ pub fn decision(
 /// that are written the other way round.
 fn t_is_a_number(solve: &Solver, case: &Case) -> LawResult {
     let is_nan = case.solve(solve).is_some_and(f64::is_nan);
-    Broken::unless(!is_nan || !case.is_well_scaled(), || Broken {
+    BrokenLaw::unless(!is_nan || !case.is_well_scaled(), || BrokenLaw {
         law: "t is a number".into(),
         found: "t = NaN".into(),
         allowed: "a number, or a miss".into(),
@@ -134,7 +134,7 @@ fn the_line_hits_exactly_when_there_is_a_root(solve: &Solver, case: &Case) -> La
         Some(_) => ("a hit", "a miss: the discriminant is negative"),
         None => ("a miss", "a hit: the discriminant is positive"),
     };
-    Err(Broken {
+    Err(BrokenLaw {
         law: "the line hits the sphere exactly when the discriminant is not negative".into(),
         found: found.into(),
         allowed: format!("{allowed}, by more than rounding changes"),
@@ -155,9 +155,9 @@ fn where_h_is_zero_no_root_is_lost(solve: &Solver, case: &Case) -> LawResult {
     let is_inside = Exact::of(case).origin_margin() < 0.0;
     let is_silent = !case.is_well_scaled() || case.h() != 0.0 || !is_inside;
     let found = case.solve(solve);
-    Broken::unless(
+    BrokenLaw::unless(
         is_silent || found.is_some_and(|t| t.is_finite() && t != 0.0),
-        || Broken {
+        || BrokenLaw {
             law: "where h is 0, no root is lost".into(),
             found: said(found),
             allowed: "−√D/a, which is behind the ray".into(),
@@ -183,9 +183,9 @@ pub fn the_point_lies_on_the_sphere(solve: &Solver, case: &Case) -> LawResult {
     let from_center = t * case.ray.direction - (case.center - case.ray.origin);
     let (squared, r_squared) = (from_center.length_squared(), case.radius * case.radius);
     let bound = 96.0 * U * case.m();
-    Broken::unless(
+    BrokenLaw::unless(
         (squared - r_squared).abs() <= bound || !case.is_well_scaled(),
-        || Broken {
+        || BrokenLaw {
             law: "the point at t lies on the sphere".into(),
             found: format!("|P(t) − C|² = {squared:?} at t = {t:?}"),
             allowed: format!("r² = {r_squared:?} ± {bound:.1e}, for rounding"),
@@ -204,9 +204,9 @@ fn the_root_is_the_nearer_one_to_the_digits_that_remain(solve: &Solver, case: &C
         return Ok(());
     };
     let bound = root_bound(case, exact.discriminant_margin());
-    Broken::unless(
+    BrokenLaw::unless(
         (t - root.rounded()).abs() <= bound || !case.is_well_scaled(),
-        || Broken {
+        || BrokenLaw {
             law: "t is the nearer root".into(),
             found: format!("t = {t:?}"),
             allowed: format!("{:?} ± {bound:.1e}", root.rounded()),
@@ -239,7 +239,7 @@ fn a_tangent_is_a_hit_and_its_root_is_exact(solve: &Solver, case: &Case) -> LawR
         return Ok(());
     };
     let found = case.solve(solve);
-    Broken::unless(found == Some(root), || Broken {
+    BrokenLaw::unless(found == Some(root), || BrokenLaw {
         law: "a tangent is a hit, and its root is exact where no operation rounds".into(),
         found: said(found),
         allowed: format!("a hit, at t = {root:?}"),
@@ -276,7 +276,7 @@ fn a_scene_in_another_unit_and_a_mirror_has_the_same_digits(
     let (found, expected) = (seen.solve(solve), case.solve(solve).map(|t| 128.0 * t));
     let is_silent = case.h() == 0.0 || !case.is_well_scaled() || !seen.is_well_scaled();
     // −0 and 0 are the same place on a ray, so == is what is meant here.
-    Broken::unless(found == expected || is_silent, || Broken {
+    BrokenLaw::unless(found == expected || is_silent, || BrokenLaw {
         law: "t scales with the scene, also in a mirror: lengths × 8 and directions ÷ 16 make it \
               t × 128"
             .into(),

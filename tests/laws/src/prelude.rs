@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use crate::nearer_root::U;
 use crate::question::{Functions, code, of_ray, vector};
 use crate::strategies::{ahead_if_zero, samples, whole_vector};
-use crate::verdict::{Broken, LawResult};
+use crate::verdict::{BrokenLaw, LawResult};
 
 /// Vectors and rays, as somebody computes them.
 #[allow(missing_docs)] // Each field is named after the function that it calls.
@@ -63,7 +63,7 @@ pub fn small_numbers_are_worked_out_by_head(
 ) -> LawResult {
     let (found, right) = (asked.put_to(prelude), asked.right());
     let name = asked.function.name();
-    Broken::unless(asked.same(&found, &right), || Broken {
+    BrokenLaw::unless(asked.same(&found, &right), || BrokenLaw {
         law: "a function of the prelude gives what one works out by head".into(),
         found: format!("{name}{} is {}", asked.given(), code(&found)),
         allowed: code(&right),

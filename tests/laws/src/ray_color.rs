@@ -10,7 +10,7 @@ use crate::nearer_root::{BAND, U};
 use crate::oracle::Exact;
 use crate::question::{code, of_ray};
 use crate::record::normal_bound;
-use crate::verdict::{Broken, LawResult};
+use crate::verdict::{BrokenLaw, LawResult};
 
 /// The scene that a `ray_color` draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,7 +47,7 @@ pub fn a_ray_has_its_color_from_anywhere(scene: Scene, color: Color, ray: &Ray) 
     };
     let is_near = (color - right).abs().max_element() <= bound;
     let Ray { origin, direction } = ray;
-    Broken::unless(is_near, || Broken {
+    BrokenLaw::unless(is_near, || BrokenLaw {
         law: "a ray has the color of what it meets, from wherever it starts".into(),
         found: format!("{color:.4} for the ray from {origin} along {direction}"),
         allowed: format!("{right:.4}"),

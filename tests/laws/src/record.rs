@@ -12,7 +12,7 @@ use crate::oracle::Exact;
 use crate::question::{Question, WithInterval, of_hit, telling};
 use crate::strategies::{anywhere, integers, ordinary, ordinary_asked, with_interval};
 use crate::trial::Exam;
-use crate::verdict::{Broken, LawResult};
+use crate::verdict::{BrokenLaw, LawResult};
 
 /// The record of a hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -84,9 +84,9 @@ fn the_point_is_the_one_at_t(case: &Case, hit: &Hit) -> LawResult {
     let Ray { origin, direction } = case.ray;
     let expected = origin + hit.t * direction;
     let bound = 4.0 * U * (origin.abs() + (hit.t * direction).abs()).max_element();
-    Broken::unless(
+    BrokenLaw::unless(
         (hit.point - expected).abs().max_element() <= bound || !case.is_well_scaled(),
-        || Broken {
+        || BrokenLaw {
             law: "the point of a hit is the one at its t".into(),
             found: format!("{} at t = {}", hit.point, hit.t),
             allowed: format!("{expected} ± {bound:.1e}"),
@@ -107,9 +107,9 @@ fn the_normal_is_the_radius_to_the_point_by_its_length(case: &Case, hit: &Hit) -
     let outward = (case.ray.at(hit.t) - case.center) / r;
     let is_near = |normal: Vec3| (normal - outward).length() <= bound;
     let is_silent = r == 0.0 || !case.is_well_scaled();
-    Broken::unless(
+    BrokenLaw::unless(
         is_near(hit.normal) || is_near(-hit.normal) || is_silent,
-        || Broken {
+        || BrokenLaw {
             law: "the normal of a hit is the radius to its point, and of length 1".into(),
             found: format!("{}, of length {}", hit.normal, hit.normal.length()),
             allowed: format!("{outward} ± {bound:.1e}, or the other way"),
@@ -134,7 +134,7 @@ pub(crate) fn normal_bound(case: &Case) -> f64 {
 /// surface. Holds to the last bit: turning a vector turns its dot product.
 fn the_normal_points_against_the_ray(case: &Case, hit: &Hit) -> LawResult {
     let along = case.ray.direction.dot(hit.normal);
-    Broken::unless(along <= 0.0 || case.radius == 0.0, || Broken {
+    BrokenLaw::unless(along <= 0.0 || case.radius == 0.0, || BrokenLaw {
         law: "the normal of a hit points against the ray".into(),
         found: format!("d·n = {along:?}, with n = {}", hit.normal),
         allowed: "d·n ≤ 0".into(),
@@ -154,9 +154,9 @@ fn the_front_face_is_where_the_ray_enters(case: &Case, hit: &Hit) -> LawResult {
     let scale = case.m().sqrt();
     let coordinates = case.center.length() + case.ray.origin.length();
     let error = 4.0 * U * (coordinates + scale * (24.0 + 24.0 / margin));
-    Broken::unless(
+    BrokenLaw::unless(
         front_face == enters || margin * scale <= error || !case.is_well_scaled(),
-        || Broken {
+        || BrokenLaw {
             law: "a ray meets the front face where it enters the sphere".into(),
             found: format!("front_face = {front_face}"),
             allowed: format!("front_face = {enters}"),

@@ -24,7 +24,7 @@ use crate::question::{Question, decided, of_hit, of_ray, telling};
 use crate::ray_color::{self, Scene, a_ray_has_its_color_from_anywhere};
 use crate::record::{self, Recorder};
 use crate::strategies::{self, config};
-use crate::verdict::{Broken, Complaint, LawResult, Outcome, Report};
+use crate::verdict::{BrokenLaw, Complaint, LawResult, Outcome, Report};
 
 /// How the functions of a chapter are tried.
 ///
@@ -294,7 +294,7 @@ impl Trial {
         &self,
         cases: &BoxedStrategy<Q>,
         law: &Law<Q>,
-    ) -> Option<(Q, Broken)> {
+    ) -> Option<(Q, BrokenLaw)> {
         let mut runner = TestRunner::new(Config {
             cases: self.cases,
             ..config()

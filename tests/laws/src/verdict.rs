@@ -9,11 +9,11 @@ use crate::answers::Answers;
 
 /// The result of one law on one case: `Ok` if it holds. In a test by proptest, `?` makes the broken
 /// law the reason of the failure.
-pub type LawResult = Result<(), Broken>;
+pub type LawResult = Result<(), BrokenLaw>;
 
 /// A law that a case breaks.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Broken {
+pub struct BrokenLaw {
     /// The sentence of the law.
     pub law: Cow<'static, str>,
     /// The answer of the function.
@@ -40,7 +40,7 @@ pub enum Complaint {
 #[derive(Clone, Debug)]
 pub struct Report {
     /// How the case breaks the law.
-    pub broken: Broken,
+    pub broken: BrokenLaw,
     /// The answers of the function, that to the smallest case last.
     pub answers: Answers,
     /// The known mistakes that give the same answers, a line each. Whoever shows the report fills
@@ -50,7 +50,7 @@ pub struct Report {
     pub test: String,
 }
 
-impl Broken {
+impl BrokenLaw {
     /// Returns the result of a law that holds if `is_right`.
     pub(crate) fn unless(is_right: bool, broken: impl FnOnce() -> Self) -> LawResult {
         if is_right { Ok(()) } else { Err(broken()) }
@@ -90,7 +90,7 @@ pub fn laid_out<'a>(rows: impl IntoIterator<Item = (&'a str, &'a str)>) -> Strin
     rows.into_iter().map(line).collect::<Vec<_>>().join("\n")
 }
 
-impl fmt::Display for Broken {
+impl fmt::Display for BrokenLaw {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&laid_out(self.rows()))
     }
@@ -120,8 +120,8 @@ impl fmt::Display for Complaint {
     }
 }
 
-impl From<Broken> for TestCaseError {
-    fn from(broken: Broken) -> Self {
+impl From<BrokenLaw> for TestCaseError {
+    fn from(broken: BrokenLaw) -> Self {
         Self::fail(broken.to_string())
     }
 }
