@@ -20,7 +20,7 @@ macro_rules! functions_of_a_list {
             }
         }
 
-        fn record(asked: &$crate::WithInterval) -> Option<$crate::record::Hit> {
+        fn record(asked: &$crate::WithInterval) -> Option<$crate::record::RecordedHit> {
             use $chapter::Hittable;
             let $crate::Case {
                 center,
@@ -29,7 +29,7 @@ macro_rules! functions_of_a_list {
             } = asked.case;
             let sphere = $chapter::Sphere::new($vector(center), radius);
             let record = sphere.hit(&$ray(ray), asked.t_min, asked.t_max)?;
-            Some($crate::record::Hit {
+            Some($crate::record::RecordedHit {
                 t: record.t,
                 point: $back(record.point),
                 normal: $back(record.normal),

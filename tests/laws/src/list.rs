@@ -97,13 +97,13 @@ impl World {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::record::Hit;
+    use crate::record::RecordedHit;
     use crate::{Complaint, Trial};
 
-    fn record(asked: &WithInterval) -> Option<Hit> {
+    fn record(asked: &WithInterval) -> Option<RecordedHit> {
         let t = asked.solve(&speed_vs_accuracy::half_b)?;
         let point = asked.case.ray.at(t);
-        Some(Hit {
+        Some(RecordedHit {
             t,
             point,
             normal: point,

@@ -12,7 +12,7 @@ use crate::list::World;
 use crate::oracle::Exact;
 use crate::prelude::{FUNCTIONS, Prelude, PreludeQuestion};
 use crate::ray_color;
-use crate::record::Hit;
+use crate::record::RecordedHit;
 use crate::strategies::{self, samples};
 
 /// A question to one function of a program.
@@ -39,7 +39,7 @@ pub enum Question {
 #[allow(missing_docs)] // Each is named after the function that it calls.
 pub trait Functions {
     fn hit_sphere(&self, case: &Case) -> Option<f64>;
-    fn record(&self, asked: &WithInterval) -> Option<Hit>;
+    fn record(&self, asked: &WithInterval) -> Option<RecordedHit>;
     fn nearest(&self, world: &World) -> Option<f64>;
     fn ray_color(&self, ray: &Ray) -> Color;
 
@@ -195,7 +195,7 @@ pub(crate) fn decided(is_hit: bool) -> Vec<f64> {
 }
 
 /// Writes a record as numbers: only `t` for a tangent, where rounding decides which side is hit.
-pub(crate) fn of_hit(asked: &WithInterval, hit: Option<Hit>) -> Vec<f64> {
+pub(crate) fn of_hit(asked: &WithInterval, hit: Option<RecordedHit>) -> Vec<f64> {
     let Some(hit) = hit else {
         return Vec::new();
     };

@@ -16,7 +16,7 @@ use crate::verdict::{BrokenLaw, LawResult};
 
 /// The record of a hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hit {
+pub struct RecordedHit {
     /// The ray parameter, in lengths of the ray's direction.
     pub t: f64,
     /// The point on the sphere.
@@ -28,7 +28,7 @@ pub struct Hit {
 }
 
 /// A function from a case with a range of `t` to the record of the nearest hit in it.
-pub type Recorder<'a> = dyn Fn(&WithInterval) -> Option<Hit> + 'a;
+pub type Recorder<'a> = dyn Fn(&WithInterval) -> Option<RecordedHit> + 'a;
 
 /// Where `set_face_normal` is explained.
 pub(crate) const SET_FACE_NORMAL: &str = "chapter 5: `set_face_normal`";
@@ -80,7 +80,7 @@ pub(crate) fn exam<'a>(record: &'a Recorder<'a>) -> Exam<'a, WithInterval> {
 
 /// The point of a record is that of the ray at its t: two roundings of each letter, and
 /// two more if it was computed in another way.
-fn the_point_is_the_one_at_t(case: &Case, hit: &Hit) -> LawResult {
+fn the_point_is_the_one_at_t(case: &Case, hit: &RecordedHit) -> LawResult {
     let Ray { origin, direction } = case.ray;
     let expected = origin + hit.t * direction;
     let bound = 4.0 * U * (origin.abs() + (hit.t * direction).abs()).max_element();
@@ -102,7 +102,10 @@ fn the_point_is_the_one_at_t(case: &Case, hit: &Hit) -> LawResult {
 /// normal: nothing is claimed for it here or below.
 ///
 /// See [`normal_bound`] for how far.
-fn the_normal_is_the_radius_to_the_point_by_its_length(case: &Case, hit: &Hit) -> LawResult {
+fn the_normal_is_the_radius_to_the_point_by_its_length(
+    case: &Case,
+    hit: &RecordedHit,
+) -> LawResult {
     let (r, bound) = (case.radius, normal_bound(case));
     let outward = (case.ray.at(hit.t) - case.center) / r;
     let is_near = |normal: Vec3| (normal - outward).length() <= bound;
@@ -132,7 +135,7 @@ pub(crate) fn normal_bound(case: &Case) -> f64 {
 
 /// The normal of a hit never points along the ray, on either side of the
 /// surface. Holds to the last bit: turning a vector turns its dot product.
-fn the_normal_points_against_the_ray(case: &Case, hit: &Hit) -> LawResult {
+fn the_normal_points_against_the_ray(case: &Case, hit: &RecordedHit) -> LawResult {
     let along = case.ray.direction.dot(hit.normal);
     BrokenLaw::unless(along <= 0.0 || case.radius == 0.0, || BrokenLaw {
         law: "the normal of a hit points against the ray".into(),
@@ -147,7 +150,7 @@ fn the_normal_points_against_the_ray(case: &Case, hit: &Hit) -> LawResult {
 ///
 /// Silent where half the chord inside the sphere, √D/|d|, is not longer than
 /// the errors of the point and of the dot product together.
-fn the_front_face_is_where_the_ray_enters(case: &Case, hit: &Hit) -> LawResult {
+fn the_front_face_is_where_the_ray_enters(case: &Case, hit: &RecordedHit) -> LawResult {
     let front_face = hit.front_face;
     let enters = hit.t < case.h() / case.a();
     let margin = Exact::of(case).discriminant_margin().max(0.0).sqrt();

@@ -15,7 +15,7 @@ use laws::answers::Answers;
 use laws::camera::Pixel;
 use laws::list::World;
 use laws::prelude::Prelude;
-use laws::record::Hit;
+use laws::record::RecordedHit;
 use laws::{Case, Complaint, Functions, Outcome, Question, Report, Scene, Trial, WithInterval};
 
 use crate::chapter::Chapter;
@@ -159,14 +159,14 @@ impl Functions for ChapterProgram {
         self.hit_sphere(case.center, case.radius, &case.ray)
     }
 
-    fn record(&self, asked: &WithInterval) -> Option<Hit> {
+    fn record(&self, asked: &WithInterval) -> Option<RecordedHit> {
         let WithInterval { case, t_min, t_max } = asked;
         let ball = Ball {
             center: case.center,
             radius: case.radius,
         };
         let hit = self.code().record(ball, &case.ray, *t_min, *t_max)?;
-        Some(Hit {
+        Some(RecordedHit {
             t: hit.t,
             point: hit.point,
             normal: hit.normal,

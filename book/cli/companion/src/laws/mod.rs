@@ -9,7 +9,7 @@ use std::ffi::OsString;
 use std::process::ExitCode;
 use std::time::Duration;
 
-use ::laws::record::Hit;
+use ::laws::record::RecordedHit;
 use ::laws::verdict::laid_out;
 use ::laws::{Case, Complaint, Question, Report, Trial, WithInterval};
 use check::any_language::{self, FunctionKind, FunctionVerdict, NoAnswer};
@@ -94,7 +94,7 @@ struct Asked<'a> {
 /// A line, and what it means.
 struct Answer {
     said: String,
-    hit: Option<Hit>,
+    hit: Option<RecordedHit>,
 }
 
 impl<'a> Asked<'a> {
@@ -162,7 +162,7 @@ impl<'a> Asked<'a> {
     }
 
     /// Returns what the program answers, if it does. After a failure, nothing hits.
-    fn answer(&self, asked: &WithInterval) -> Option<Hit> {
+    fn answer(&self, asked: &WithInterval) -> Option<RecordedHit> {
         let line = self.line(asked);
         if let Some(known) = self.answers.borrow().get(&line) {
             return known.hit;

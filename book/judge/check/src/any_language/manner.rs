@@ -5,7 +5,7 @@ use super::{Ask, FunctionKind};
 use laws::nearer_root::{BAND, root_bound};
 use laws::oracle::Exact;
 use laws::question::telling;
-use laws::record::Hit;
+use laws::record::RecordedHit;
 use laws::strategies::{ordinary, ordinary_asked};
 use laws::{Case, WithInterval};
 
@@ -93,8 +93,8 @@ impl Manner {
         self,
         function: FunctionKind,
         asked: &WithInterval,
-        found: Option<&Hit>,
-    ) -> Option<Option<Hit>> {
+        found: Option<&RecordedHit>,
+    ) -> Option<Option<RecordedHit>> {
         let WithInterval { case, t_min, t_max } = asked;
         let exact = Exact::of(case);
         let roots = [exact.nearer_root(), exact.farther_root()];
@@ -107,7 +107,8 @@ impl Manner {
             Self::NothingBehind => {
                 let ahead = farther.filter(|&root| root >= 0.0);
                 let bound = root_bound(case, exact.discriminant_margin());
-                let is_ahead = |hit: &Hit| ahead.is_some_and(|root| (hit.t - root).abs() <= bound);
+                let is_ahead =
+                    |hit: &RecordedHit| ahead.is_some_and(|root| (hit.t - root).abs() <= bound);
                 let may_miss = function != FunctionKind::Decision || ahead.is_none();
                 right.is_some_and(|root| root <= 0.0) && found.map_or(may_miss, is_ahead)
             }
@@ -117,12 +118,12 @@ impl Manner {
 }
 
 /// Fills the record of a hit at `t`, as chapter 5 fills it.
-pub(super) fn right_record(case: &Case, t: f64) -> Hit {
+pub(super) fn right_record(case: &Case, t: f64) -> RecordedHit {
     let point = case.ray.at(t);
     let outward = (point - case.center) * (1.0 / case.radius);
     let front_face = case.ray.direction.dot(outward) < 0.0;
     let normal = if front_face { outward } else { -outward };
-    Hit {
+    RecordedHit {
         t,
         point,
         normal,

@@ -8,7 +8,7 @@ use std::cell::RefCell;
 use common::rtweekend::*;
 use laws::nearer_root::{self, obeys_every_law, root_bound};
 use laws::oracle::Exact;
-use laws::record::{self, Hit};
+use laws::record::{self, RecordedHit};
 use laws::{Case, Complaint, Outcome, Question, Trial, WithInterval};
 
 mod manner;
@@ -32,7 +32,7 @@ pub enum FunctionKind {
 }
 
 /// Asks a program for the hit in a range, which only a [`FunctionKind::Record`] has.
-pub type Ask<'a> = dyn Fn(&WithInterval) -> Option<Hit> + 'a;
+pub type Ask<'a> = dyn Fn(&WithInterval) -> Option<RecordedHit> + 'a;
 
 /// What comes of a program.
 pub struct FunctionVerdict {
@@ -84,14 +84,14 @@ impl FunctionKind {
         asked: &WithInterval,
         line: &str,
         says_minus_one: bool,
-    ) -> Result<Option<Hit>, NoAnswer> {
+    ) -> Result<Option<RecordedHit>, NoAnswer> {
         let words: Vec<&str> = line.split_whitespace().collect();
         let case = &asked.case;
         match (self, &words[..]) {
             (_, ["miss"]) => Ok(None),
             (Self::Decision, ["hit"]) => Ok(Some(right_record(case, 0.0))),
             (Self::Decision, _) => Err(NoAnswer::Other),
-            (Self::Record, [t, x, y, z, side @ ("front" | "back")]) => Ok(Some(Hit {
+            (Self::Record, [t, x, y, z, side @ ("front" | "back")]) => Ok(Some(RecordedHit {
                 normal: Vec3::new(number(x)?, number(y)?, number(z)?),
                 front_face: *side == "front",
                 ..right_record(case, number(t)?)
