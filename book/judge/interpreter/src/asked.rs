@@ -28,7 +28,7 @@ impl Ball {
 
 /// A record of a hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hit {
+pub struct SphereHit {
     /// The ray parameter, in lengths of the ray's direction.
     pub t: f64,
     /// The point on the sphere.
@@ -69,13 +69,13 @@ impl Program {
     }
 
     /// Calls the `hit` of a sphere in chapter 5.
-    pub fn record(&self, ball: Ball, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit> {
+    pub fn record(&self, ball: Ball, ray: &Ray, t_min: f64, t_max: f64) -> Option<SphereHit> {
         let sphere = [self.vec3(ball.center), ball.radius.into()];
         let sphere = self.called("Sphere::new", &sphere)?;
         let given = [sphere, Self::ray(self, ray), t_min.into(), t_max.into()];
         let record = self.called("Sphere::hit", &given)?.option()?;
         let point = self.field(&record, "point");
-        Some(Hit {
+        Some(SphereHit {
             t: self.field(&record, "t")?.float(),
             point: self.vec3_of(&point.or_else(|| self.field(&record, "p"))?)?,
             normal: self.vec3_of(&self.field(&record, "normal")?)?,

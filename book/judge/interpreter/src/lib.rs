@@ -23,7 +23,7 @@ mod read;
 mod refusal;
 mod types;
 
-pub use asked::{Ball, Hit};
+pub use asked::{Ball, SphereHit};
 pub use canvas::{Canvas, Note, number};
 pub use program::{Program, Sample, read};
 pub use refusal::{Fault, FaultKind, Place};

@@ -45,7 +45,7 @@ pub use catalogue::{all, find, unnamed};
 pub use course::chapter::{Chapter, SphereCount};
 pub use edit::Edit;
 pub use edition::Edition;
-pub use interpreter::{Ball, Hit};
+pub use interpreter::{Ball, SphereHit};
 pub use notes::{Row, side_by_side};
 pub use probes::{PROBES, Probe, find as find_probe, width_line};
 pub use program::{ChapterProgram, Output, files};
