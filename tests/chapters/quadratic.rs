@@ -6,7 +6,7 @@
 use std::convert::identity;
 
 use common::rtweekend::*;
-use laws::camera::Pixel;
+use laws::camera::CameraPixel;
 use laws::nearer_root::{Solver, obeys_every_law};
 use laws::prelude::Prelude;
 use laws::{Case, Outcome, Scene, Trial, WithInterval, functions_of_a_list, holds};
@@ -77,7 +77,7 @@ fn assert_lawful(chapter: Chapter, attempt: impl Fn(&Trial) -> Outcome) {
 /// Every later chapter stands on these small functions, and every picture on the camera.
 pub(crate) fn rays_are_lawful(trial: &Trial) -> Outcome {
     trial.prelude(&Prelude::right())?;
-    trial.pixel_ray(&|pixel: &Pixel| Camera::new(pixel.width).ray(pixel.i, pixel.j))
+    trial.pixel_ray(&|pixel: &CameraPixel| Camera::new(pixel.width).ray(pixel.i, pixel.j))
 }
 
 /// The cases of a file, each of which was once hard for somebody.

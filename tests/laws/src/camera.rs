@@ -7,7 +7,7 @@ use crate::verdict::{BrokenLaw, LawResult};
 
 /// A pixel of a picture of 16:9.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pixel {
+pub struct CameraPixel {
     /// How many columns the picture has.
     pub width: u32,
     /// The column of the pixel.
@@ -20,7 +20,7 @@ pub struct Pixel {
 ///
 /// # Errors
 /// If it does not, but for roundings.
-pub fn the_ray_of_a_pixel_goes_through_its_center(ray: &Ray, pixel: &Pixel) -> LawResult {
+pub fn the_ray_of_a_pixel_goes_through_its_center(ray: &Ray, pixel: &CameraPixel) -> LawResult {
     let right = pixel.right_ray();
     BrokenLaw::unless(same(&of_ray(*ray), &of_ray(right)), || BrokenLaw {
         law: "the ray of a pixel goes from the eye through the pixel's center".into(),
@@ -30,7 +30,7 @@ pub fn the_ray_of_a_pixel_goes_through_its_center(ray: &Ray, pixel: &Pixel) -> L
     })
 }
 
-impl Pixel {
+impl CameraPixel {
     /// Returns the ray from the origin to the center of the pixel, in a viewport that is 2 high and
     /// as wide as the picture has it.
     pub fn right_ray(&self) -> Ray {

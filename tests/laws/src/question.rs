@@ -7,7 +7,7 @@ use common::rtweekend::*;
 use proptest::strategy::Strategy;
 use speed_vs_accuracy::Case;
 
-use crate::camera::Pixel;
+use crate::camera::CameraPixel;
 use crate::list::World;
 use crate::oracle::Exact;
 use crate::prelude::{FUNCTIONS, Prelude, PreludeQuestion};
@@ -31,7 +31,7 @@ pub enum Question {
     /// `ray_color`.
     RayColor(Ray),
     /// The ray of a pixel.
-    PixelRay(Pixel),
+    PixelRay(CameraPixel),
 }
 
 /// The functions of a program, which can be asked. Those of the prelude are right if nothing else
@@ -43,7 +43,7 @@ pub trait Functions {
     fn nearest(&self, world: &World) -> Option<f64>;
     fn ray_color(&self, ray: &Ray) -> Color;
 
-    fn pixel_ray(&self, pixel: &Pixel) -> Ray {
+    fn pixel_ray(&self, pixel: &CameraPixel) -> Ray {
         pixel.right_ray()
     }
     fn dot(&self, u: Vec3, v: Vec3) -> f64 {
@@ -134,7 +134,9 @@ impl Question {
             }
             Self::Nearest(world) => world.numbers(),
             Self::RayColor(ray) => of_ray(*ray),
-            Self::PixelRay(Pixel { width, i, j }) => [width, i, j].map(|&it| it.into()).to_vec(),
+            Self::PixelRay(CameraPixel { width, i, j }) => {
+                [width, i, j].map(|&it| it.into()).to_vec()
+            }
         }
     }
 
@@ -156,7 +158,7 @@ impl Question {
             ("pixel_ray", numbers) => {
                 let numbers: [f64; 3] = numbers.try_into().ok()?;
                 let [width, i, j] = numbers.map(|it| it as u32);
-                Self::PixelRay(Pixel { width, i, j })
+                Self::PixelRay(CameraPixel { width, i, j })
             }
             (name, &[x, y, z, vx, vy, vz, t]) => Self::Prelude(PreludeQuestion {
                 function: FUNCTIONS.iter().find(|it| it.name() == name)?,

@@ -16,7 +16,7 @@ use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, RngSeed, TestRunner};
 use speed_vs_accuracy::Case;
 
-use crate::camera::Pixel;
+use crate::camera::CameraPixel;
 use crate::list::World;
 use crate::oracle::Exact;
 use crate::question::WithInterval;
@@ -93,8 +93,8 @@ pub fn anywhere() -> impl Strategy<Value = Case> {
 }
 
 /// A pixel of a picture up to 400 wide.
-pub fn pixels() -> impl Strategy<Value = Pixel> {
-    (1..=400_u32, any::<[u32; 2]>()).prop_map(|(width, [i, j])| Pixel {
+pub fn pixels() -> impl Strategy<Value = CameraPixel> {
+    (1..=400_u32, any::<[u32; 2]>()).prop_map(|(width, [i, j])| CameraPixel {
         width,
         i: i % width,
         j: j % Camera::new(width).image_height,

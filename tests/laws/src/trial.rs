@@ -15,7 +15,7 @@ use proptest::test_runner::{Config, TestError, TestRunner};
 use speed_vs_accuracy::Case;
 
 use crate::answers::{ANSWERS, Answers, Line};
-use crate::camera::{Pixel, the_ray_of_a_pixel_goes_through_its_center};
+use crate::camera::{CameraPixel, the_ray_of_a_pixel_goes_through_its_center};
 use crate::face::{Facing, the_normal_is_turned_against_the_ray};
 use crate::list::{Search, World, the_nearest_of_all_members_is_returned};
 use crate::nearer_root::{self, Solver};
@@ -187,17 +187,17 @@ impl Trial {
     ///
     /// # Errors
     /// See [`Trial::decision`].
-    pub fn pixel_ray(&self, ray: &dyn Fn(&Pixel) -> Ray) -> Outcome {
+    pub fn pixel_ray(&self, ray: &dyn Fn(&CameraPixel) -> Ray) -> Outcome {
         self.put(&Exam {
             of: "pixel_ray",
             kinds: vec![strategies::pixels().boxed()],
             telling: telling(&strategies::pixels()),
             question: Question::PixelRay,
             answer: Box::new(|pixel| of_ray(ray(pixel))),
-            laws: vec![Box::new(|pixel: &Pixel| {
+            laws: vec![Box::new(|pixel: &CameraPixel| {
                 the_ray_of_a_pixel_goes_through_its_center(&ray(pixel), pixel)
             })],
-            test: &Pixel::as_test,
+            test: &CameraPixel::as_test,
         })
     }
 

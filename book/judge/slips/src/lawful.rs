@@ -12,7 +12,7 @@ use std::cmp::Reverse;
 use common::rtweekend::*;
 use interpreter::Ball;
 use laws::answers::Answers;
-use laws::camera::Pixel;
+use laws::camera::CameraPixel;
 use laws::list::World;
 use laws::prelude::Prelude;
 use laws::record::RecordedHit;
@@ -185,7 +185,7 @@ impl Functions for ChapterProgram {
         self.ray_color(ray)
     }
 
-    fn pixel_ray(&self, pixel: &Pixel) -> Ray {
+    fn pixel_ray(&self, pixel: &CameraPixel) -> Ray {
         // A reader of a chapter has no camera in the text.
         let own = self.ray(pixel.width, pixel.i, pixel.j);
         own.unwrap_or_else(|| Camera::new(pixel.width).ray(pixel.i, pixel.j))
