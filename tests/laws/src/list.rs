@@ -22,7 +22,7 @@ pub struct World {
 }
 
 /// Searches a world for the nearest `t` in its range.
-pub type Search<'a> = dyn Fn(&World) -> Option<f64> + 'a;
+pub type ListSolver<'a> = dyn Fn(&World) -> Option<f64> + 'a;
 
 /// Tests that the answer of a list is the least of its spheres' own answers, in whatever order they
 /// are added. The spheres are asked themselves: a list of one may be wrong, too.
@@ -31,7 +31,7 @@ pub type Search<'a> = dyn Fn(&World) -> Option<f64> + 'a;
 /// If `search` answers otherwise.
 pub fn the_nearest_of_all_members_is_returned(
     record: &Recorder,
-    search: &Search,
+    search: &ListSolver,
     world: &World,
 ) -> LawResult {
     let alone = world.spheres.iter().filter_map(|&(center, radius)| {
@@ -120,7 +120,7 @@ mod tests {
         hits.map(|hit| hit.t).reduce(f64::min)
     }
 
-    fn found_and_allowed(search: &Search) -> Option<[String; 2]> {
+    fn found_and_allowed(search: &ListSolver) -> Option<[String; 2]> {
         match Trial::default().list(&record, search) {
             Err(Complaint::Broken(report)) => Some([report.broken.found, report.broken.allowed]),
             outcome => outcome.map(|()| None).expect("all is written"),
@@ -130,7 +130,7 @@ mod tests {
     #[test]
     fn a_sphere_that_the_list_forgets_is_what_is_allowed() {
         assert_eq!(found_and_allowed(&|world| without(0, world)), None);
-        let searches: [&Search; 2] = [&|world| without(1, world), &|_| None];
+        let searches: [&ListSolver; 2] = [&|world| without(1, world), &|_| None];
         for search in searches {
             let [found, allowed] = found_and_allowed(search).expect("the law is broken");
             assert_eq!(found, "a miss");

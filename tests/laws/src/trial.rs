@@ -17,7 +17,7 @@ use speed_vs_accuracy::Case;
 use crate::answers::{ANSWERS, Answers, Line};
 use crate::camera::{CameraPixel, the_ray_of_a_pixel_goes_through_its_center};
 use crate::face::{Facing, the_normal_is_turned_against_the_ray};
-use crate::list::{Search, World, the_nearest_of_all_members_is_returned};
+use crate::list::{ListSolver, World, the_nearest_of_all_members_is_returned};
 use crate::nearer_root::{self, Solver};
 use crate::prelude::{FUNCTIONS, Prelude, PreludeQuestion, small_numbers_are_worked_out_by_head};
 use crate::question::{Question, decided, of_hit, of_ray, telling};
@@ -127,7 +127,7 @@ impl Trial {
     ///
     /// # Errors
     /// See [`Trial::decision`].
-    pub fn list(&self, record: &Recorder, search: &Search) -> Outcome {
+    pub fn list(&self, record: &Recorder, search: &ListSolver) -> Outcome {
         let mut outcome = self.outcome(&Exam {
             of: "list",
             kinds: vec![
