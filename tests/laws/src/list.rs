@@ -5,7 +5,7 @@ use speed_vs_accuracy::Case;
 
 use crate::nearer_root::said;
 use crate::question::{WithInterval, code, of_ray, vector};
-use crate::record::Recorder;
+use crate::record::RecordSolver;
 use crate::verdict::{BrokenLaw, LawResult};
 
 /// Spheres, a ray, and a range of `t`.
@@ -30,7 +30,7 @@ pub type ListSolver<'a> = dyn Fn(&World) -> Option<f64> + 'a;
 /// # Errors
 /// If `search` answers otherwise.
 pub fn the_nearest_of_all_members_is_returned(
-    record: &Recorder,
+    record: &RecordSolver,
     search: &ListSolver,
     world: &World,
 ) -> LawResult {

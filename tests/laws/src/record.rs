@@ -28,7 +28,7 @@ pub struct RecordedHit {
 }
 
 /// A function from a case with a range of `t` to the record of the nearest hit in it.
-pub type Recorder<'a> = dyn Fn(&WithInterval) -> Option<RecordedHit> + 'a;
+pub type RecordSolver<'a> = dyn Fn(&WithInterval) -> Option<RecordedHit> + 'a;
 
 /// Where `set_face_normal` is explained.
 pub(crate) const SET_FACE_NORMAL: &str = "chapter 5: `set_face_normal`";
@@ -38,7 +38,7 @@ pub(crate) const SET_FACE_NORMAL: &str = "chapter 5: `set_face_normal`";
 ///
 /// # Errors
 /// The first law that the answer of `record` breaks.
-pub fn obeys_every_law(record: &Recorder, asked: &WithInterval) -> LawResult {
+pub fn obeys_every_law(record: &RecordSolver, asked: &WithInterval) -> LawResult {
     let solve = |center, radius, ray: &Ray, t_min, t_max| {
         let case = Case::new(center, radius, *ray);
         record(&WithInterval { case, t_min, t_max }).map(|hit| hit.t)
@@ -59,7 +59,7 @@ pub fn obeys_every_law(record: &Recorder, asked: &WithInterval) -> LawResult {
 }
 
 /// Lists the cases and laws for a record, in the order of those for a nearer root.
-pub(crate) fn exam<'a>(record: &'a Recorder<'a>) -> Exam<'a, WithInterval> {
+pub(crate) fn exam<'a>(record: &'a RecordSolver<'a>) -> Exam<'a, WithInterval> {
     let kinds = [integers().boxed(), ordinary().boxed(), anywhere().boxed()];
     Exam {
         of: "sphere",

@@ -22,7 +22,7 @@ use crate::nearer_root::{self, Solver};
 use crate::prelude::{FUNCTIONS, Prelude, PreludeQuestion, small_numbers_are_worked_out_by_head};
 use crate::question::{Question, decided, of_hit, of_ray, telling};
 use crate::ray_color::{self, Scene, a_ray_has_its_color_from_anywhere};
-use crate::record::{self, Recorder};
+use crate::record::{self, RecordSolver};
 use crate::strategies::{self, config};
 use crate::verdict::{BrokenLaw, Complaint, LawResult, Outcome, Report};
 
@@ -118,7 +118,7 @@ impl Trial {
     ///
     /// # Errors
     /// See [`Trial::decision`].
-    pub fn record(&self, record: &Recorder) -> Outcome {
+    pub fn record(&self, record: &RecordSolver) -> Outcome {
         self.put(&record::exam(record))
     }
 
@@ -127,7 +127,7 @@ impl Trial {
     ///
     /// # Errors
     /// See [`Trial::decision`].
-    pub fn list(&self, record: &Recorder, search: &ListSolver) -> Outcome {
+    pub fn list(&self, record: &RecordSolver, search: &ListSolver) -> Outcome {
         let mut outcome = self.outcome(&Exam {
             of: "list",
             kinds: vec![
