@@ -17,7 +17,7 @@ pub struct Face {
 }
 
 /// A function from a ray and the outward normal to the face.
-pub type Facing<'a> = dyn Fn(&Ray, Vec3) -> Face + 'a;
+pub type SetFaceNormal<'a> = dyn Fn(&Ray, Vec3) -> Face + 'a;
 
 /// Tests that the normal is the outward one, or its opposite where that points along the ray.
 ///
@@ -26,7 +26,7 @@ pub type Facing<'a> = dyn Fn(&Ray, Vec3) -> Face + 'a;
 /// # Errors
 /// If `set_face_normal` answers otherwise.
 pub fn the_normal_is_turned_against_the_ray(
-    set_face_normal: &Facing,
+    set_face_normal: &SetFaceNormal,
     direction: Vec3,
     outward: Vec3,
 ) -> LawResult {

@@ -16,7 +16,7 @@ use speed_vs_accuracy::Case;
 
 use crate::answers::{ANSWERS, Answers, Line};
 use crate::camera::{CameraPixel, the_ray_of_a_pixel_goes_through_its_center};
-use crate::face::{Facing, the_normal_is_turned_against_the_ray};
+use crate::face::{SetFaceNormal, the_normal_is_turned_against_the_ray};
 use crate::list::{ListSolver, World, the_nearest_of_all_members_is_returned};
 use crate::nearer_root::{self, Solver};
 use crate::prelude::{FUNCTIONS, Prelude, PreludeQuestion, small_numbers_are_worked_out_by_head};
@@ -229,7 +229,7 @@ impl Trial {
     ///
     /// # Errors
     /// See [`Trial::decision`].
-    pub fn set_face_normal(&self, set_face_normal: &Facing) -> Outcome {
+    pub fn set_face_normal(&self, set_face_normal: &SetFaceNormal) -> Outcome {
         let law: Law<(Vec3, Vec3)> = Box::new(|&(direction, outward)| {
             the_normal_is_turned_against_the_ray(set_face_normal, direction, outward)
         });
