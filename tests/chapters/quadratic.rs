@@ -9,7 +9,7 @@ use common::rtweekend::*;
 use laws::camera::CameraPixel;
 use laws::nearer_root::{Solver, obeys_every_law};
 use laws::prelude::Prelude;
-use laws::{Case, Outcome, Scene, Trial, WithInterval, functions_of_a_list, holds};
+use laws::{Case, IntervalCase, Outcome, Scene, Trial, functions_of_a_list, holds};
 use slips::{Chapter, ReaderLanguage, lawful};
 
 use crate::more;
@@ -85,7 +85,7 @@ pub(crate) fn rays_are_lawful(trial: &Trial) -> Outcome {
 fn what_was_once_special_is_solved() {
     let on_the_line = |center, radius, ray: &Ray| {
         let case = Case::new(center, radius, *ray);
-        record(&WithInterval::on_the_line(case)).map(|hit| hit.t)
+        record(&IntervalCase::on_the_line(case)).map(|hit| hit.t)
     };
     let solvers: [&Solver; 3] = [
         &normals::hit_sphere,

@@ -20,7 +20,7 @@ macro_rules! functions_of_a_list {
             }
         }
 
-        fn record(asked: &$crate::WithInterval) -> Option<$crate::record::RecordedHit> {
+        fn record(asked: &$crate::IntervalCase) -> Option<$crate::record::RecordedHit> {
             use $chapter::Hittable;
             let $crate::Case {
                 center,

@@ -6,7 +6,7 @@
 
 use crate::nearer_root::{BAND, root_bound, said};
 use crate::oracle::Exact;
-use crate::question::{RangeSolver, WithInterval};
+use crate::question::{IntervalCase, RangeSolver};
 use crate::verdict::{BrokenLaw, LawResult};
 
 /// Tests that a returned `t` lies between the ends; so it is never NaN.
@@ -18,9 +18,9 @@ use crate::verdict::{BrokenLaw, LawResult};
 /// If it lies outside.
 pub fn no_t_outside_the_interval_is_returned(
     solve: &RangeSolver,
-    asked: &WithInterval,
+    asked: &IntervalCase,
 ) -> LawResult {
-    let WithInterval { case, t_min, t_max } = *asked;
+    let IntervalCase { case, t_min, t_max } = *asked;
     let is_silent = !case.is_well_scaled() || t_min.is_nan() || t_max.is_nan();
     let found = asked.solve(solve);
     let is_outside = |t: &f64| !(t_min < *t && *t < t_max);
@@ -42,9 +42,9 @@ pub fn no_t_outside_the_interval_is_returned(
 /// If another `t`, or none, is returned.
 pub fn the_nearest_root_in_the_interval_is_returned(
     solve: &RangeSolver,
-    asked: &WithInterval,
+    asked: &IntervalCase,
 ) -> LawResult {
-    let WithInterval { case, t_min, t_max } = *asked;
+    let IntervalCase { case, t_min, t_max } = *asked;
     let exact = Exact::of(&case);
     let margin = exact.discriminant_margin();
     let bound = root_bound(&case, margin);

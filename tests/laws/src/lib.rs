@@ -46,7 +46,7 @@ pub mod trial;
 pub mod verdict;
 
 pub use common::rtweekend::{Color, Point3, Ray};
-pub use question::{Functions, Question, WithInterval};
+pub use question::{Functions, IntervalCase, Question};
 pub use ray_color::Scene;
 pub use speed_vs_accuracy::Case;
 pub use strategies::config;

@@ -4,7 +4,7 @@ use common::rtweekend::*;
 use speed_vs_accuracy::Case;
 
 use crate::nearer_root::said;
-use crate::question::{WithInterval, code, of_ray, vector};
+use crate::question::{IntervalCase, code, of_ray, vector};
 use crate::record::RecordSolver;
 use crate::verdict::{BrokenLaw, LawResult};
 
@@ -39,7 +39,7 @@ pub fn the_nearest_of_all_members_is_returned(
             ray, t_min, t_max, ..
         } = *world;
         let case = Case::new(center, radius, ray);
-        Some(record(&WithInterval { case, t_min, t_max })?.t)
+        Some(record(&IntervalCase { case, t_min, t_max })?.t)
     });
     let (found, expected) = (search(world), alone.reduce(f64::min));
     BrokenLaw::unless(found == expected, || BrokenLaw {
@@ -100,7 +100,7 @@ mod tests {
     use crate::record::RecordedHit;
     use crate::{Complaint, Trial};
 
-    fn record(asked: &WithInterval) -> Option<RecordedHit> {
+    fn record(asked: &IntervalCase) -> Option<RecordedHit> {
         let t = asked.solve(&speed_vs_accuracy::half_b)?;
         let point = asked.case.ray.at(t);
         Some(RecordedHit {
@@ -116,7 +116,7 @@ mod tests {
         let spheres = world.spheres.iter().skip(few);
         let cases = spheres.map(|&(center, radius)| Case::new(center, radius, world.ray));
         let World { t_min, t_max, .. } = *world;
-        let hits = cases.filter_map(|case| record(&WithInterval { case, t_min, t_max }));
+        let hits = cases.filter_map(|case| record(&IntervalCase { case, t_min, t_max }));
         hits.map(|hit| hit.t).reduce(f64::min)
     }
 

@@ -25,7 +25,7 @@ pub enum Question {
     /// `hit_sphere` of chapters 3 and 4: the nearer root.
     Root(Case),
     /// `hit` of a sphere in chapter 5.
-    Record(WithInterval),
+    Record(IntervalCase),
     /// `hit` of a list in chapter 5.
     Nearest(World),
     /// `ray_color`.
@@ -39,7 +39,7 @@ pub enum Question {
 #[allow(missing_docs)] // Each is named after the function that it calls.
 pub trait Functions {
     fn hit_sphere(&self, case: &Case) -> Option<f64>;
-    fn record(&self, asked: &WithInterval) -> Option<RecordedHit>;
+    fn record(&self, asked: &IntervalCase) -> Option<RecordedHit>;
     fn nearest(&self, world: &World) -> Option<f64>;
     fn ray_color(&self, ray: &Ray) -> Color;
 
@@ -129,7 +129,7 @@ impl Question {
                 [&u.to_array()[..], &v.to_array(), &[*t]].concat()
             }
             Self::Decision(case) | Self::Root(case) => case.numbers().to_vec(),
-            Self::Record(WithInterval { case, t_min, t_max }) => {
+            Self::Record(IntervalCase { case, t_min, t_max }) => {
                 [&case.numbers()[..], &[*t_min, *t_max]].concat()
             }
             Self::Nearest(world) => world.numbers(),
@@ -146,7 +146,7 @@ impl Question {
         Some(match (kind, numbers) {
             ("decision", _) => Self::Decision(case()?),
             ("root", _) => Self::Root(case()?),
-            ("record", [case @ .., t_min, t_max]) => Self::Record(WithInterval {
+            ("record", [case @ .., t_min, t_max]) => Self::Record(IntervalCase {
                 case: Case::from_numbers(case.try_into().ok()?),
                 t_min: *t_min,
                 t_max: *t_max,
@@ -197,7 +197,7 @@ pub(crate) fn decided(is_hit: bool) -> Vec<f64> {
 }
 
 /// Writes a record as numbers: only `t` for a tangent, where rounding decides which side is hit.
-pub(crate) fn of_hit(asked: &WithInterval, hit: Option<RecordedHit>) -> Vec<f64> {
+pub(crate) fn of_hit(asked: &IntervalCase, hit: Option<RecordedHit>) -> Vec<f64> {
     let Some(hit) = hit else {
         return Vec::new();
     };
@@ -210,7 +210,7 @@ pub(crate) fn of_hit(asked: &WithInterval, hit: Option<RecordedHit>) -> Vec<f64>
 
 /// A case with a range of `t`, as a sphere of chapter 5 takes it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WithInterval {
+pub struct IntervalCase {
     /// The ray and the sphere.
     pub case: Case,
     /// The lower end, left out.
@@ -223,7 +223,7 @@ pub struct WithInterval {
 /// between the two.
 pub type RangeSolver<'a> = dyn Fn(Point3, f64, &Ray, f64, f64) -> Option<f64> + 'a;
 
-impl WithInterval {
+impl IntervalCase {
     /// Makes a case about the whole line, from −∞ to ∞.
     pub fn on_the_line(case: Case) -> Self {
         let (t_min, t_max) = (f64::NEG_INFINITY, f64::INFINITY);
@@ -241,7 +241,7 @@ impl WithInterval {
     }
 }
 
-impl fmt::Display for WithInterval {
+impl fmt::Display for IntervalCase {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { case, t_min, t_max } = self;
         let [t_min, t_max] = [t_min, t_max].map(|&end| code(&[end]));

@@ -9,7 +9,7 @@ use crate::intervals::{
 };
 use crate::nearer_root::{self, U};
 use crate::oracle::Exact;
-use crate::question::{Question, WithInterval, of_hit, telling};
+use crate::question::{IntervalCase, Question, of_hit, telling};
 use crate::strategies::{anywhere, integers, ordinary, ordinary_asked, with_interval};
 use crate::trial::Exam;
 use crate::verdict::{BrokenLaw, LawResult};
@@ -28,7 +28,7 @@ pub struct RecordedHit {
 }
 
 /// A function from a case with a range of `t` to the record of the nearest hit in it.
-pub type RecordSolver<'a> = dyn Fn(&WithInterval) -> Option<RecordedHit> + 'a;
+pub type RecordSolver<'a> = dyn Fn(&IntervalCase) -> Option<RecordedHit> + 'a;
 
 /// Where `set_face_normal` is explained.
 pub(crate) const SET_FACE_NORMAL: &str = "chapter 5: `set_face_normal`";
@@ -38,10 +38,10 @@ pub(crate) const SET_FACE_NORMAL: &str = "chapter 5: `set_face_normal`";
 ///
 /// # Errors
 /// The first law that the answer of `record` breaks.
-pub fn obeys_every_law(record: &RecordSolver, asked: &WithInterval) -> LawResult {
+pub fn obeys_every_law(record: &RecordSolver, asked: &IntervalCase) -> LawResult {
     let solve = |center, radius, ray: &Ray, t_min, t_max| {
         let case = Case::new(center, radius, *ray);
-        record(&WithInterval { case, t_min, t_max }).map(|hit| hit.t)
+        record(&IntervalCase { case, t_min, t_max }).map(|hit| hit.t)
     };
     let on_the_line =
         |center, radius, ray: &Ray| solve(center, radius, ray, f64::NEG_INFINITY, f64::INFINITY);
@@ -59,7 +59,7 @@ pub fn obeys_every_law(record: &RecordSolver, asked: &WithInterval) -> LawResult
 }
 
 /// Lists the cases and laws for a record, in the order of those for a nearer root.
-pub(crate) fn exam<'a>(record: &'a RecordSolver<'a>) -> Exam<'a, WithInterval> {
+pub(crate) fn exam<'a>(record: &'a RecordSolver<'a>) -> Exam<'a, IntervalCase> {
     let kinds = [integers().boxed(), ordinary().boxed(), anywhere().boxed()];
     Exam {
         of: "sphere",
@@ -71,7 +71,7 @@ pub(crate) fn exam<'a>(record: &'a RecordSolver<'a>) -> Exam<'a, WithInterval> {
         test: &|asked| {
             format!(
                 "{asked}\nlet case = laws::Case::new(center, radius, ray);\n\
-                 let asked = laws::WithInterval {{ case, t_min, t_max }};\n\
+                 let asked = laws::IntervalCase {{ case, t_min, t_max }};\n\
                  laws::holds(laws::record::obeys_every_law(&record, &asked));"
             )
         },

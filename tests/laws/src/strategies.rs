@@ -19,7 +19,7 @@ use speed_vs_accuracy::Case;
 use crate::camera::CameraPixel;
 use crate::list::World;
 use crate::oracle::Exact;
-use crate::question::WithInterval;
+use crate::question::IntervalCase;
 
 /// Returns the configuration of all tests here: each run makes equal cases, so that a failure is
 /// never luck, unless `PROPTEST_RNG_SEED` chooses others. `PROPTEST_CASES` says how many.
@@ -56,7 +56,7 @@ pub fn samples<T: std::fmt::Debug>(strategy: &impl Strategy<Value = T>, count: u
 }
 
 /// Ordinary cases, each with an interval.
-pub fn ordinary_asked() -> impl Strategy<Value = WithInterval> {
+pub fn ordinary_asked() -> impl Strategy<Value = IntervalCase> {
     with_interval(ordinary())
 }
 
@@ -273,7 +273,7 @@ pub fn exponents() -> impl Strategy<Value = Case> {
 
 /// A case, and an interval with ends near and between its roots, exactly at one, far from
 /// them, or infinite. Few are empty.
-pub fn with_interval(cases: impl Strategy<Value = Case>) -> impl Strategy<Value = WithInterval> {
+pub fn with_interval(cases: impl Strategy<Value = Case>) -> impl Strategy<Value = IntervalCase> {
     let end = || {
         prop_oneof![
             Just(None),
@@ -290,7 +290,7 @@ pub fn with_interval(cases: impl Strategy<Value = Case>) -> impl Strategy<Value 
             (false, false) if low == high => [low, f64::INFINITY],
             (false, false) => [high, low],
         };
-        WithInterval { case, t_min, t_max }
+        IntervalCase { case, t_min, t_max }
     })
 }
 
@@ -316,7 +316,7 @@ pub fn worlds() -> impl Strategy<Value = World> {
     ]);
     let move_and_size = (number(-3.0..=3.0), number(0.5..=2.0));
     (asked, vec(move_and_size, 0..11), 0..11usize).prop_map(|(asked, others, place)| {
-        let WithInterval { case, t_min, t_max } = asked;
+        let IntervalCase { case, t_min, t_max } = asked;
         let towards = case.center - case.ray.origin;
         let mut spheres: Vec<(Point3, f64)> = others
             .into_iter()

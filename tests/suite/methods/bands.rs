@@ -6,7 +6,7 @@
 
 use common::rtweekend::*;
 use laws::strategies::{anywhere, far, integers, near_the_surface, number, whole_vector};
-use laws::{Case, WithInterval};
+use laws::{Case, IntervalCase};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::select;
@@ -32,7 +32,7 @@ use Compared::{Above, Below, C, D};
 
 /// A question at the edge of a band. One in eight is asked in units so small or so large that
 /// it is at the edge of what is ordinary, too.
-pub(crate) fn at_a_band() -> impl Strategy<Value = WithInterval> {
+pub(crate) fn at_a_band() -> impl Strategy<Value = IntervalCase> {
     let is_nearer = any::<bool>();
     let at_an_end = prop_oneof![
         3 => is_nearer.prop_map(|is_nearer| Above { is_nearer }),
@@ -61,7 +61,7 @@ pub(crate) fn at_a_band() -> impl Strategy<Value = WithInterval> {
     let at_a_band = prop_oneof![3 => any, 1 => across_from_below()];
     (at_a_band, units()).prop_map(|(asked, units)| {
         let [length, direction] = units.map(f64::exp2);
-        WithInterval {
+        IntervalCase {
             case: in_units(&asked.case, length, direction),
             t_min: length / direction * asked.t_min,
             t_max: length / direction * asked.t_max,
@@ -72,7 +72,7 @@ pub(crate) fn at_a_band() -> impl Strategy<Value = WithInterval> {
 /// From a little below the surface, and so nearly across that the nearer root is a band before
 /// 0. The direction has a tiny component there, of which each last digit counts. A `t_min` that is
 /// nearly 0 asks the same of the filter for any range.
-fn across_from_below() -> impl Strategy<Value = WithInterval> {
+fn across_from_below() -> impl Strategy<Value = IntervalCase> {
     let band = prop_oneof![1 => Just(-64.0), 1 => select(vec![-34.0, -38.0, -48.0])];
     let radius = prop_oneof![number(0.5..=2.0), (2..=8).prop_map(|n| f64::from(n) / 4.0)];
     let t_min = select(vec![0.0, -0.0, 1e-300]);
@@ -81,7 +81,7 @@ fn across_from_below() -> impl Strategy<Value = WithInterval> {
             let origin = radius * (1.0 + times * band * U) * Vec3::Y;
             let case = Case::new(Point3::ZERO, radius, Ray::new(origin, Vec3::X));
             let t_max = f64::INFINITY;
-            let asked = WithInterval { case, t_min, t_max };
+            let asked = IntervalCase { case, t_min, t_max };
             moved(asked, 8, -1e-6, (Above { is_nearer: true }, band), ulps)
         },
     )
@@ -90,19 +90,19 @@ fn across_from_below() -> impl Strategy<Value = WithInterval> {
 /// The question with one of its numbers moved towards another, until what is compared is equal
 /// to the band, and then so many ulps; as it is if that cannot be.
 fn moved(
-    asked: WithInterval,
+    asked: IntervalCase,
     place: usize,
     to: f64,
     (what, band): (Compared, f64),
     ulps: i32,
-) -> WithInterval {
+) -> IntervalCase {
     let is_above = |x| compared(&with(asked, place, x), what) > band;
     let found = edge([get(&asked, place), to], is_above);
     found.map_or(asked, |x| with(asked, place, ulps_away(x, ulps)))
 }
 
 /// Most often from 0 on, and half of them to ∞.
-fn asked() -> impl Strategy<Value = WithInterval> {
+fn asked() -> impl Strategy<Value = IntervalCase> {
     let cases = prop_oneof![
         anywhere(),
         far(0.5..=4.0),
@@ -112,7 +112,7 @@ fn asked() -> impl Strategy<Value = WithInterval> {
     ];
     let t_min = prop_oneof![3 => Just(0.0), 1 => number(-3.0..=3.0)];
     let t_max = prop_oneof![1 => Just(f64::INFINITY), 1 => number(0.5..=9.0)];
-    (cases, t_min, t_max).prop_map(|(case, t_min, t_max)| WithInterval { case, t_min, t_max })
+    (cases, t_min, t_max).prop_map(|(case, t_min, t_max)| IntervalCase { case, t_min, t_max })
 }
 
 /// Along one axis from the center, and in the direction of the same or another: most numbers are
@@ -168,8 +168,8 @@ fn edge([mut from, mut to]: [f64; 2], answer: impl Fn(f64) -> bool) -> Option<f6
     Some(from)
 }
 
-fn compared(asked: &WithInterval, what: Compared) -> f64 {
-    let WithInterval { case, t_min, t_max } = asked;
+fn compared(asked: &IntervalCase, what: Compared) -> f64 {
+    let IntervalCase { case, t_min, t_max } = asked;
     let gap = |is_nearer, end: f64| {
         let sqrtd = case.discriminant().max(0.0).sqrt();
         let q = case.h() + sqrtd.copysign(case.h());
@@ -189,7 +189,7 @@ fn compared(asked: &WithInterval, what: Compared) -> f64 {
 }
 
 /// The number at that place: ten of the case, and the ends of the range.
-fn get(asked: &WithInterval, place: usize) -> f64 {
+fn get(asked: &IntervalCase, place: usize) -> f64 {
     match place {
         10 => asked.t_min,
         11 => asked.t_max,
@@ -197,7 +197,7 @@ fn get(asked: &WithInterval, place: usize) -> f64 {
     }
 }
 
-fn with(mut asked: WithInterval, place: usize, number: f64) -> WithInterval {
+fn with(mut asked: IntervalCase, place: usize, number: f64) -> IntervalCase {
     match place {
         10 => asked.t_min = number,
         11 => asked.t_max = number,

@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use common::rtweekend::*;
 use hittable_list::{Hittable, Sphere};
-use laws::{Case, WithInterval};
+use laws::{Case, IntervalCase};
 use speed_vs_accuracy::find;
 
 /// Each row in the words of the page, and what it changes in the ball of chapter 3 and its ray
@@ -47,7 +47,7 @@ $c$ underflows | c.z -1e-170, r 5e-171
 ";
 
 /// Makes the question of a row.
-fn asked(changes: &str) -> WithInterval {
+fn asked(changes: &str) -> IntervalCase {
     let mut case = Case::new(Vec3::NEG_Z, 0.5, Ray::new(Point3::ZERO, Vec3::NEG_Z));
     let [mut t_min, mut t_max] = [0.0, f64::INFINITY];
     for change in changes.split(", ").filter(|it| !it.is_empty()) {
@@ -66,7 +66,7 @@ fn asked(changes: &str) -> WithInterval {
             what => panic!("nothing is called {what}"),
         } = number.parse().expect("a number");
     }
-    WithInterval { case, t_min, t_max }
+    IntervalCase { case, t_min, t_max }
 }
 
 #[test]
@@ -80,7 +80,7 @@ fn each_cell_of_the_table_on_the_page_is_what_the_function_answers() {
     for row in ROWS.lines() {
         let mut row = row.split('|').map(str::trim);
         let name = row.next().expect("a name");
-        let all_asked: Vec<WithInterval> = row.map(asked).collect();
+        let all_asked: Vec<IntervalCase> = row.map(asked).collect();
         let _ = write!(expected, "| {name} |");
         for column in &columns {
             let answers = |asked| column.iter().map(move |function| answer(function, asked));
@@ -112,8 +112,8 @@ fn names(head: &str) -> Vec<&str> {
 }
 
 /// `t`, or what else is answered.
-fn answer(function: &str, asked: &WithInterval) -> String {
-    let WithInterval { case, t_min, t_max } = *asked;
+fn answer(function: &str, asked: &IntervalCase) -> String {
+    let IntervalCase { case, t_min, t_max } = *asked;
     let Case {
         center,
         radius,

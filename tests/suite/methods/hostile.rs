@@ -6,7 +6,7 @@ use laws::oracle::Exact;
 use laws::strategies::{
     ahead_if_zero, anywhere, far, number, ordinary_sphere, tangents, unit, whole_vector,
 };
-use laws::{Case, WithInterval};
+use laws::{Case, IntervalCase};
 use proptest::prelude::*;
 use proptest::sample::select;
 use std::ops::RangeInclusive;
@@ -125,8 +125,8 @@ pub(crate) fn directions_of(length: f64) -> BoxedStrategy<Case> {
 /// 0 or 1, or at an end of all numbers; one in a hundred is NaN.
 pub(crate) fn with_hostile_interval(
     cases: impl Strategy<Value = Case>,
-) -> impl Strategy<Value = WithInterval> {
-    (cases, end(), end()).prop_map(|(case, low, high)| WithInterval {
+) -> impl Strategy<Value = IntervalCase> {
+    (cases, end(), end()).prop_map(|(case, low, high)| IntervalCase {
         case,
         t_min: end_of(low, &case).unwrap_or(0.0),
         t_max: end_of(high, &case).unwrap_or(f64::INFINITY),

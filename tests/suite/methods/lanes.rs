@@ -2,7 +2,7 @@
 //! of the block are asked.
 
 use laws::strategies::samples;
-use laws::{Case, WithInterval};
+use laws::{Case, IntervalCase};
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseResult;
 use speed_vs_accuracy::{
@@ -29,8 +29,8 @@ fn the_certified_methods_answer_in_lanes_as_they_do_alone() {
 }
 
 /// One question in each of the lanes.
-pub(crate) fn answers_as_alone(asked: &WithInterval) -> TestCaseResult {
-    let WithInterval { case, t_min, t_max } = *asked;
+pub(crate) fn answers_as_alone(asked: &IntervalCase) -> TestCaseResult {
+    let IntervalCase { case, t_min, t_max } = *asked;
     certified(&[case; BLOCK], t_min, t_max)
 }
 

@@ -10,7 +10,7 @@ use laws::nearer_root::{self, root_bound};
 use laws::oracle::Exact;
 use laws::question::RangeSolver;
 use laws::strategies::{self, samples};
-use laws::{Case, LawResult, WithInterval, config, intervals};
+use laws::{Case, IntervalCase, LawResult, config, intervals};
 use proptest::prelude::*;
 use proptest::test_runner::{RngSeed, TestCaseError, TestCaseResult, TestRunner};
 use speed_vs_accuracy::{
@@ -93,7 +93,7 @@ fn double_double_takes_no_farther_root_for_one_that_rounds_to_an_end() {
 fn the_exact_method_is_the_oracle_to_the_last_bit() {
     let asked = hostile::with_hostile_interval(hostile::hostile());
     for asked in samples(&asked, 10_000) {
-        let WithInterval { case, t_min, t_max } = asked;
+        let IntervalCase { case, t_min, t_max } = asked;
         let oracle = Exact::of(&case);
         let expected = oracle
             .nearest_root_in(t_min, t_max)
@@ -120,7 +120,7 @@ mod the_certified_methods {
         /// Where no end of the interval is in the way, the proof promises more.
         #[test]
         fn round_to_less_than_eight_tenths_of_an_ulp(case in hostile::hostile()) {
-            let asked = WithInterval { case, t_min: 0.0, t_max: f64::INFINITY };
+            let asked = IntervalCase { case, t_min: 0.0, t_max: f64::INFINITY };
             if asked.solve(&certified_t).is_some_and(|t| t > f64::from_bits(1)) {
                 is_within_ulps(&asked, 0.8)?;
             }
@@ -211,8 +211,8 @@ mod the_certified_methods {
 ///
 /// One exception is by definition: between two neighbors there is no `f64` to
 /// return, so an interval like that is missed.
-pub(crate) fn is_certified(asked: &WithInterval) -> TestCaseResult {
-    let WithInterval { case, t_min, t_max } = *asked;
+pub(crate) fn is_certified(asked: &IntervalCase) -> TestCaseResult {
+    let IntervalCase { case, t_min, t_max } = *asked;
     let exact = Exact::of(&case);
     let has_numbers = t_min.next_up() < t_max;
     let root = exact.nearest_root_in(t_min, t_max).filter(|_| has_numbers);
@@ -232,7 +232,7 @@ pub(crate) fn is_certified(asked: &WithInterval) -> TestCaseResult {
 
 /// `t` is within so many ulps of the nearest root in the interval; a root that no `f64`
 /// reaches becomes the largest one.
-fn is_within_ulps(asked: &WithInterval, ulps: f64) -> TestCaseResult {
+fn is_within_ulps(asked: &IntervalCase, ulps: f64) -> TestCaseResult {
     let exact = Exact::of(&asked.case);
     let root = exact.nearest_root_in(asked.t_min, asked.t_max);
     if let (Some(t), Some(root)) = (asked.solve(&certified_t), root) {

@@ -4,7 +4,7 @@ use common::rtweekend::*;
 use laws::list::World;
 use laws::oracle::Exact;
 use laws::strategies::{ahead_if_zero, unit, whole_vector};
-use laws::{Case, WithInterval};
+use laws::{Case, IntervalCase};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::select;
@@ -25,7 +25,7 @@ pub(crate) fn hostile() -> impl Strategy<Value = World> {
 fn beside_one() -> impl Strategy<Value = World> {
     let asked = with_hostile_interval(hostile::hostile());
     (asked, vec(neighbor(), 1..=5), 0..=5_usize).prop_map(|(asked, neighbors, place)| {
-        let WithInterval { case, t_min, t_max } = asked;
+        let IntervalCase { case, t_min, t_max } = asked;
         let mut spheres: Vec<(Point3, f64)> = neighbors
             .into_iter()
             .map(|neighbor| neighbor.of(&case))

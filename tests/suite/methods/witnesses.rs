@@ -4,7 +4,7 @@
 
 use figures::records::Tightness;
 use figures::table::Table;
-use laws::{Case, WithInterval};
+use laws::{Case, IntervalCase};
 
 use crate::methods::is_certified;
 
@@ -22,11 +22,11 @@ fn the_certified_methods_answer_each_of_them_rightly() {
     assert!(wrong.is_empty(), "bounds that are too small\n\n{wrong}");
 }
 
-fn asked(row: &Tightness) -> WithInterval {
+fn asked(row: &Tightness) -> IntervalCase {
     let numbers = row.witness.split(' ').map(|number| number.parse());
     let numbers: Result<Vec<f64>, _> = numbers.collect();
     let numbers = numbers.ok().and_then(|numbers| numbers.try_into().ok());
-    WithInterval {
+    IntervalCase {
         case: Case::from_numbers(numbers.expect("ten numbers")),
         t_min: row.t_min,
         t_max: row.t_max,

@@ -2,12 +2,12 @@
 
 use check::any_language::{FunctionKind, FunctionVerdict, Manner, NoAnswer, tried};
 use common::rtweekend::*;
-use laws::{Case, Complaint, Trial, WithInterval};
+use laws::{Case, Complaint, IntervalCase, Trial};
 
-type Solve = fn(&WithInterval) -> Option<f64>;
+type Solve = fn(&IntervalCase) -> Option<f64>;
 
 fn verdict(function: FunctionKind, solve: Solve) -> FunctionVerdict {
-    let answer = |asked: &WithInterval| match (solve(asked), function) {
+    let answer = |asked: &IntervalCase| match (solve(asked), function) {
         (None, _) => "miss".to_owned(),
         (Some(_), FunctionKind::Decision) => "hit".to_owned(),
         (Some(t), _) => format!("{t:?}"),
@@ -24,30 +24,30 @@ fn roots(case: &Case, meets: fn(&f64) -> bool) -> Option<[f64; 2]> {
     Some([(case.h() - sqrtd) / case.a(), (case.h() + sqrtd) / case.a()])
 }
 
-fn version_4(asked: &WithInterval) -> Option<f64> {
-    let WithInterval { case, t_min, t_max } = *asked;
+fn version_4(asked: &IntervalCase) -> Option<f64> {
+    let IntervalCase { case, t_min, t_max } = *asked;
     let roots = roots(&case, |d| *d >= 0.0)?;
     roots.into_iter().find(|&root| t_min < root && root < t_max)
 }
 
-fn version_3(asked: &WithInterval) -> Option<f64> {
-    let WithInterval { case, t_min, t_max } = *asked;
+fn version_3(asked: &IntervalCase) -> Option<f64> {
+    let IntervalCase { case, t_min, t_max } = *asked;
     let roots = roots(&case, |d| *d >= 0.0)?;
     roots
         .into_iter()
         .find(|&root| !(root < t_min || t_max < root))
 }
 
-fn version_1(asked: &WithInterval) -> Option<f64> {
+fn version_1(asked: &IntervalCase) -> Option<f64> {
     Some(roots(&asked.case, |d| *d > 0.0)?[0])
 }
 
-fn in_front(asked: &WithInterval) -> Option<f64> {
+fn in_front(asked: &IntervalCase) -> Option<f64> {
     let roots = roots(&asked.case, |d| *d >= 0.0)?;
     roots.into_iter().find(|&t| t >= 0.0)
 }
 
-fn in_front_from_outside(asked: &WithInterval) -> Option<f64> {
+fn in_front_from_outside(asked: &IntervalCase) -> Option<f64> {
     version_4(asked).filter(|&t| t >= 0.0)
 }
 
@@ -95,7 +95,7 @@ fn a_mistake_is_no_manner() {
         }),
         (FunctionKind::Record, in_front),
         (FunctionKind::Record, |asked| {
-            version_4(&WithInterval {
+            version_4(&IntervalCase {
                 t_min: 0.001,
                 ..*asked
             })
@@ -123,7 +123,7 @@ fn the_books_word_for_a_miss_is_one_unless_it_is_the_root() {
     let said = |z, function: FunctionKind| {
         let ray = Ray::new(Vec3::ZERO, Vec3::NEG_Z);
         let case = Case::new(Vec3::new(0.0, 0.0, z), 1.0, ray);
-        let hit = function.read(&WithInterval::on_the_line(case), "-1", true);
+        let hit = function.read(&IntervalCase::on_the_line(case), "-1", true);
         hit.map(|hit| hit.map(|hit| hit.t))
     };
     assert_eq!(said(0.0, FunctionKind::Root), Ok(Some(-1.0)));
@@ -134,7 +134,7 @@ fn the_books_word_for_a_miss_is_one_unless_it_is_the_root() {
 #[test]
 fn a_decimal_comma_is_told_from_other_nonsense() {
     let ray = Ray::new(Vec3::ZERO, Vec3::NEG_Z);
-    let asked = WithInterval::on_the_line(Case::new(Vec3::ZERO, 1.0, ray));
+    let asked = IntervalCase::on_the_line(Case::new(Vec3::ZERO, 1.0, ray));
     let why = |line| FunctionKind::Root.read(&asked, line, false).err();
     assert_eq!(why("0,5"), Some(NoAnswer::DecimalComma));
     assert_eq!(why("None"), Some(NoAnswer::Other));

@@ -16,7 +16,7 @@ use laws::camera::CameraPixel;
 use laws::list::World;
 use laws::prelude::Prelude;
 use laws::record::RecordedHit;
-use laws::{Case, Complaint, Functions, Outcome, Question, Report, Scene, Trial, WithInterval};
+use laws::{Case, Complaint, Functions, IntervalCase, Outcome, Question, Report, Scene, Trial};
 
 use crate::chapter::Chapter;
 use crate::program::ChapterProgram;
@@ -127,7 +127,7 @@ impl ChapterProgram {
     /// If a law is broken.
     pub fn try_laws(&self, trial: &Trial) -> Outcome {
         let solve = |center, radius, ray: &Ray| self.hit_sphere(center, radius, ray);
-        let record = |asked: &WithInterval| Functions::record(self, asked);
+        let record = |asked: &IntervalCase| Functions::record(self, asked);
         match self.chapter {
             Chapter::RedSphere => {
                 trial.decision(&|center, radius, ray| solve(center, radius, ray).is_some())?;
@@ -159,8 +159,8 @@ impl Functions for ChapterProgram {
         self.hit_sphere(case.center, case.radius, &case.ray)
     }
 
-    fn record(&self, asked: &WithInterval) -> Option<RecordedHit> {
-        let WithInterval { case, t_min, t_max } = asked;
+    fn record(&self, asked: &IntervalCase) -> Option<RecordedHit> {
+        let IntervalCase { case, t_min, t_max } = asked;
         let ball = Ball {
             center: case.center,
             radius: case.radius,

@@ -11,7 +11,7 @@ use std::time::Duration;
 
 use ::laws::record::RecordedHit;
 use ::laws::verdict::laid_out;
-use ::laws::{Case, Complaint, Question, Report, Trial, WithInterval};
+use ::laws::{Case, Complaint, IntervalCase, Question, Report, Trial};
 use check::any_language::{self, FunctionKind, FunctionVerdict, NoAnswer};
 use check::names;
 use clap::Args;
@@ -145,7 +145,7 @@ impl<'a> Asked<'a> {
     fn greet(&self) -> String {
         let ball = Point3::new(0.0, 0.0, -1.0);
         let [_, last] = [Vec3::Y, ball].map(|direction| {
-            let asked = WithInterval {
+            let asked = IntervalCase {
                 case: Case::new(ball, 0.5, Ray::new(Point3::ZERO, direction)),
                 t_min: 0.0,
                 t_max: f64::INFINITY,
@@ -162,7 +162,7 @@ impl<'a> Asked<'a> {
     }
 
     /// Returns what the program answers, if it does. After a failure, nothing hits.
-    fn answer(&self, asked: &WithInterval) -> Option<RecordedHit> {
+    fn answer(&self, asked: &IntervalCase) -> Option<RecordedHit> {
         let line = self.line(asked);
         if let Some(known) = self.answers.borrow().get(&line) {
             return known.hit;
@@ -190,7 +190,7 @@ impl<'a> Asked<'a> {
         }
     }
 
-    fn line(&self, asked: &WithInterval) -> String {
+    fn line(&self, asked: &IntervalCase) -> String {
         self.function.line(asked)
     }
 
@@ -237,11 +237,11 @@ impl<'a> Asked<'a> {
             return false;
         };
         let answers = self.answers.borrow();
-        let answer = answers.get(&self.line(&WithInterval::on_the_line(*case)));
+        let answer = answers.get(&self.line(&IntervalCase::on_the_line(*case)));
         self.says_minus_one() && answer.is_some_and(|it| it.said.parse() == Ok(-1.0))
     }
 
-    fn broken(&self, report: &Report, last: &[WithInterval]) -> String {
+    fn broken(&self, report: &Report, last: &[IntervalCase]) -> String {
         let answers = self.answers.borrow();
         let by_hand = last.iter().map(|asked| {
             let line = self.line(asked);

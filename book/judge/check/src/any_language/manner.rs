@@ -7,7 +7,7 @@ use laws::oracle::Exact;
 use laws::question::telling;
 use laws::record::RecordedHit;
 use laws::strategies::{ordinary, ordinary_asked};
-use laws::{Case, WithInterval};
+use laws::{Case, IntervalCase};
 
 /// A manner in which a function answers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,7 +36,7 @@ impl Manner {
             FunctionKind::Record => telling(&ordinary_asked()),
             _ => {
                 let cases = telling(&ordinary()).into_iter();
-                cases.map(WithInterval::on_the_line).collect()
+                cases.map(IntervalCase::on_the_line).collect()
             }
         };
         let is_kept = |manner: &Self| {
@@ -59,8 +59,8 @@ impl Manner {
 
     /// Returns true if a function with this manner must answer otherwise than one without, whatever else
     /// its manners are.
-    fn shows(self, function: FunctionKind, asked: &WithInterval) -> bool {
-        let WithInterval { case, t_min, t_max } = *asked;
+    fn shows(self, function: FunctionKind, asked: &IntervalCase) -> bool {
+        let IntervalCase { case, t_min, t_max } = *asked;
         let exact = Exact::of(&case);
         let roots = [exact.nearer_root(), exact.farther_root()];
         let [first, last] = roots;
@@ -92,10 +92,10 @@ impl Manner {
     pub(super) fn meant(
         self,
         function: FunctionKind,
-        asked: &WithInterval,
+        asked: &IntervalCase,
         found: Option<&RecordedHit>,
     ) -> Option<Option<RecordedHit>> {
-        let WithInterval { case, t_min, t_max } = asked;
+        let IntervalCase { case, t_min, t_max } = asked;
         let exact = Exact::of(case);
         let roots = [exact.nearer_root(), exact.farther_root()];
         let mut roots = roots.into_iter().flatten().map(|root| root.rounded());

@@ -9,7 +9,7 @@ use common::rtweekend::*;
 use laws::nearer_root::{self, obeys_every_law, root_bound};
 use laws::oracle::Exact;
 use laws::record::{self, RecordedHit};
-use laws::{Case, Complaint, Outcome, Question, Trial, WithInterval};
+use laws::{Case, Complaint, IntervalCase, Outcome, Question, Trial};
 
 mod manner;
 
@@ -32,7 +32,7 @@ pub enum FunctionKind {
 }
 
 /// Asks a program for the hit in a range, which only a [`FunctionKind::Record`] has.
-pub type Ask<'a> = dyn Fn(&WithInterval) -> Option<RecordedHit> + 'a;
+pub type Ask<'a> = dyn Fn(&IntervalCase) -> Option<RecordedHit> + 'a;
 
 /// What comes of a program.
 pub struct FunctionVerdict {
@@ -41,7 +41,7 @@ pub struct FunctionVerdict {
     /// In which of its answers it differs from version 4 of the book, and no picture shows it.
     pub manners: Vec<Manner>,
     /// What was asked about the smallest case that breaks a law.
-    pub last: Vec<WithInterval>,
+    pub last: Vec<IntervalCase>,
 }
 
 /// Why a line is no answer.
@@ -56,7 +56,7 @@ pub enum NoAnswer {
 impl FunctionKind {
     /// Writes the question as a line: center, radius, origin, direction, and for a record the range, as
     /// decimal numbers that read back to the same bits.
-    pub fn line(self, asked: &WithInterval) -> String {
+    pub fn line(self, asked: &IntervalCase) -> String {
         let range = [asked.t_min, asked.t_max].map(|end| end.clamp(-FAR, FAR));
         let range = if self == Self::Record {
             &range[..]
@@ -81,7 +81,7 @@ impl FunctionKind {
     /// If it is no answer.
     pub fn read(
         self,
-        asked: &WithInterval,
+        asked: &IntervalCase,
         line: &str,
         says_minus_one: bool,
     ) -> Result<Option<RecordedHit>, NoAnswer> {
@@ -132,7 +132,7 @@ fn is_root(case: &Case, t: f64) -> bool {
 pub fn tried(trial: &Trial, function: FunctionKind, ask: &Ask) -> FunctionVerdict {
     let manners = Manner::of(function, ask);
     let (used, last) = (RefCell::new(Vec::new()), RefCell::new(Vec::new()));
-    let meant = |asked: &WithInterval| {
+    let meant = |asked: &IntervalCase| {
         last.borrow_mut().push(*asked);
         let found = ask(asked);
         let meant = |manner: &&Manner| manner.meant(function, asked, found.as_ref());
@@ -144,7 +144,7 @@ pub fn tried(trial: &Trial, function: FunctionKind, ask: &Ask) -> FunctionVerdic
     };
     let solve = |center, radius, ray: &Ray| {
         let case = Case::new(center, radius, *ray);
-        Some(meant(&WithInterval::on_the_line(case))?.t)
+        Some(meant(&IntervalCase::on_the_line(case))?.t)
     };
     let decide = |center, radius, ray: &Ray| solve(center, radius, ray).is_some();
     let outcome = match function {
@@ -174,10 +174,10 @@ pub fn tried(trial: &Trial, function: FunctionKind, ask: &Ask) -> FunctionVerdic
 
 /// Each question once, of the kind of the last one: what is asked about a range is no matter of
 /// the whole line.
-fn of_one_kind(asked: Vec<WithInterval>) -> Vec<WithInterval> {
-    let is_on_the_line = |it: &WithInterval| it.t_min == f64::NEG_INFINITY;
+fn of_one_kind(asked: Vec<IntervalCase>) -> Vec<IntervalCase> {
+    let is_on_the_line = |it: &IntervalCase| it.t_min == f64::NEG_INFINITY;
     let kind = asked.last().map(is_on_the_line);
-    let mut once: Vec<WithInterval> = Vec::new();
+    let mut once: Vec<IntervalCase> = Vec::new();
     for it in asked {
         if Some(is_on_the_line(&it)) == kind && !once.contains(&it) {
             once.push(it);
