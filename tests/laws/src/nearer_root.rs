@@ -37,7 +37,7 @@ use crate::verdict::{BrokenLaw, LawResult};
 pub type Solver<'a> = dyn Fn(Point3, f64, &Ray) -> Option<f64> + 'a;
 
 /// A law for a nearer root.
-pub type Law = fn(&Solver, &Case) -> LawResult;
+pub type RootLaw = fn(&Solver, &Case) -> LawResult;
 
 /// Half the distance from 1 to the next `f64`: the largest relative error of
 /// one rounded operation.
@@ -50,7 +50,7 @@ pub const BAND: f64 = 24.0 * U;
 ///
 /// A function that only decides, as that of chapter 2, is under them too, with the exact
 /// root for each hit: see [`decision`].
-pub const NEARER_ROOT: [Law; 7] = [
+pub const NEARER_ROOT: [RootLaw; 7] = [
     t_is_a_number,
     the_line_hits_exactly_when_there_is_a_root,
     where_h_is_zero_no_root_is_lost,
@@ -72,7 +72,7 @@ pub fn obeys_every_law(solve: &Solver, case: &Case) -> LawResult {
 /// checked by hand, and ordinary cases before those where only rounding or an overflow shows a
 /// mistake.
 pub(crate) fn exam<'a>(solve: &'a Solver<'a>) -> Exam<'a, Case> {
-    let law = |law: Law| Box::new(move |case: &Case| law(solve, case)) as _;
+    let law = |law: RootLaw| Box::new(move |case: &Case| law(solve, case)) as _;
     Exam {
         of: "hit_sphere",
         kinds: vec![integers().boxed(), ordinary().boxed(), anywhere().boxed()],
