@@ -9,7 +9,7 @@ use common::rtweekend::*;
 use laws::camera::CameraPixel;
 use laws::nearer_root::{Solver, obeys_every_law};
 use laws::prelude::Prelude;
-use laws::{Case, IntervalCase, Outcome, Scene, Trial, functions_of_a_list, holds};
+use laws::{Case, ChapterScene, IntervalCase, Outcome, Trial, functions_of_a_list, holds};
 use slips::{Chapter, ReaderLanguage, lawful};
 
 use crate::more;
@@ -21,7 +21,7 @@ mod obeys_its_laws {
     fn gradient() {
         assert_lawful(Chapter::Gradient, |trial| {
             rays_are_lawful(trial)?;
-            trial.ray_color(Scene::Sky, &gradient::ray_color)
+            trial.ray_color(ChapterScene::Sky, &gradient::ray_color)
         });
     }
 
@@ -29,7 +29,7 @@ mod obeys_its_laws {
     fn red_sphere() {
         assert_lawful(Chapter::RedSphere, |trial| {
             trial.decision(&red_sphere::hit_sphere)?;
-            trial.ray_color(Scene::Disc, &red_sphere::ray_color)
+            trial.ray_color(ChapterScene::Disc, &red_sphere::ray_color)
         });
     }
 
@@ -37,7 +37,7 @@ mod obeys_its_laws {
     fn normals() {
         assert_lawful(Chapter::Normals, |trial| {
             trial.nearer_root(&normals::hit_sphere)?;
-            trial.ray_color(Scene::Ball, &normals::ray_color)
+            trial.ray_color(ChapterScene::Ball, &normals::ray_color)
         });
     }
 
@@ -45,7 +45,7 @@ mod obeys_its_laws {
     fn half_b_sphere() {
         assert_lawful(Chapter::HalfBSphere, |trial| {
             trial.nearer_root(&half_b_sphere::hit_sphere)?;
-            trial.ray_color(Scene::Ball, &half_b_sphere::ray_color)
+            trial.ray_color(ChapterScene::Ball, &half_b_sphere::ray_color)
         });
     }
 
@@ -55,7 +55,7 @@ mod obeys_its_laws {
             trial.set_face_normal(&set_face_normal)?;
             trial.record(&record)?;
             trial.list(&record, &nearest)?;
-            trial.ray_color(Scene::List, &ray_color)
+            trial.ray_color(ChapterScene::List, &ray_color)
         });
     }
 }

@@ -188,7 +188,7 @@ mod tests {
     use common::rtweekend::*;
 
     use super::*;
-    use crate::{Case, Scene, Trial};
+    use crate::{Case, ChapterScene, Trial};
 
     fn lines(trial: impl Fn(&Trial) -> Outcome) -> (String, Outcome) {
         let folder = std::env::temp_dir().join(format!("laws-{}", std::process::id()));
@@ -206,7 +206,7 @@ mod tests {
     fn what_is_kept_reads_back_as_far_as_it_goes() {
         let no_number = |case: &Case| Some(1.0 / 0.0 * case.h()).filter(|_| case.a() > 1.0);
         let (text, outcome) = lines(|trial| {
-            trial.ray_color(Scene::Sky, &sky)?;
+            trial.ray_color(ChapterScene::Sky, &sky)?;
             trial.nearer_root(&|center, radius, ray| no_number(&Case::new(center, radius, *ray)))
         });
         let Err(Complaint::Broken(report)) = outcome else {

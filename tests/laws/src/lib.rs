@@ -47,7 +47,7 @@ pub mod verdict;
 
 pub use common::rtweekend::{Color, Point3, Ray};
 pub use question::{Functions, IntervalCase, Question};
-pub use ray_color::Scene;
+pub use ray_color::ChapterScene;
 pub use speed_vs_accuracy::Case;
 pub use strategies::config;
 pub use trial::Trial;

@@ -14,7 +14,7 @@ use crate::verdict::{BrokenLaw, LawResult};
 
 /// The scene that a `ray_color` draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Scene {
+pub enum ChapterScene {
     /// The sky of chapter 1.
     Sky,
     /// The disc of chapter 2: red where the line meets the ball, before the eye or behind.
@@ -37,7 +37,11 @@ struct Expected {
 ///
 /// # Errors
 /// If `color` is another one.
-pub fn a_ray_has_its_color_from_anywhere(scene: Scene, color: Color, ray: &Ray) -> LawResult {
+pub fn a_ray_has_its_color_from_anywhere(
+    scene: ChapterScene,
+    color: Color,
+    ray: &Ray,
+) -> LawResult {
     let Some(Expected {
         color: right,
         bound,
@@ -55,7 +59,7 @@ pub fn a_ray_has_its_color_from_anywhere(scene: Scene, color: Color, ray: &Ray) 
     })
 }
 
-impl Scene {
+impl ChapterScene {
     /// Returns true if the rays of the book's own picture have the right colors: where they don't,
     /// the picture says so, and a step on the way may want it so.
     pub(crate) fn looks_right(self, ray_color: &dyn Fn(&Ray) -> Color) -> bool {
@@ -70,7 +74,7 @@ impl Scene {
         let ray = code(&of_ray(*ray));
         format!(
             "let ray = {ray};\nlet law = laws::ray_color::a_ray_has_its_color_from_anywhere;\n\
-             laws::holds(law(laws::Scene::{self:?}, ray_color(&ray), &ray));"
+             laws::holds(law(laws::ChapterScene::{self:?}, ray_color(&ray), &ray));"
         )
     }
 

@@ -21,7 +21,7 @@ use crate::list::{ListSolver, World, the_nearest_of_all_members_is_returned};
 use crate::nearer_root::{self, Solver};
 use crate::prelude::{FUNCTIONS, Prelude, PreludeQuestion, small_numbers_are_worked_out_by_head};
 use crate::question::{Question, decided, of_hit, of_ray, telling};
-use crate::ray_color::{self, Scene, a_ray_has_its_color_from_anywhere};
+use crate::ray_color::{self, ChapterScene, a_ray_has_its_color_from_anywhere};
 use crate::record::{self, RecordSolver};
 use crate::strategies::{self, config};
 use crate::verdict::{BrokenLaw, Complaint, LawResult, Outcome, Report};
@@ -206,7 +206,7 @@ impl Trial {
     ///
     /// # Errors
     /// See [`Trial::decision`].
-    pub fn ray_color(&self, scene: Scene, ray_color: &dyn Fn(&Ray) -> Color) -> Outcome {
+    pub fn ray_color(&self, scene: ChapterScene, ray_color: &dyn Fn(&Ray) -> Color) -> Outcome {
         let law = |ray: &Ray| a_ray_has_its_color_from_anywhere(scene, ray_color(ray), ray);
         let exam = Exam {
             of: "ray_color",

@@ -1,7 +1,7 @@
 //! The first report about a function names the mistake that was made in it, where its
 //! answers are those of a known one.
 
-use laws::{Report, Scene, Trial};
+use laws::{ChapterScene, Report, Trial};
 use slips::{Chapter, ReaderLanguage, Slip, lawful};
 
 use crate::caught::{OUTCOMES, first_report};
@@ -51,7 +51,7 @@ fn mistakes(report: &Report, chapter: Chapter) -> Vec<&'static Slip> {
 /// A step on the way, for example, which has another color on purpose.
 #[test]
 fn a_color_that_the_picture_shows_is_left_to_it() {
-    let outcome = Trial::default().ray_color(Scene::Ball, &red_sphere::ray_color);
+    let outcome = Trial::default().ray_color(ChapterScene::Ball, &red_sphere::ray_color);
     assert!(outcome.is_ok());
 }
 

@@ -16,7 +16,9 @@ use laws::camera::CameraPixel;
 use laws::list::World;
 use laws::prelude::Prelude;
 use laws::record::RecordedHit;
-use laws::{Case, Complaint, Functions, IntervalCase, Outcome, Question, Report, Scene, Trial};
+use laws::{
+    Case, ChapterScene, Complaint, Functions, IntervalCase, Outcome, Question, Report, Trial,
+};
 
 use crate::chapter::Chapter;
 use crate::program::ChapterProgram;
@@ -110,12 +112,12 @@ pub fn questions(chapter: Chapter) -> Vec<Question> {
 }
 
 /// Returns the scene that the `ray_color` of a chapter draws.
-pub fn scene(chapter: Chapter) -> Scene {
+pub fn scene(chapter: Chapter) -> ChapterScene {
     match chapter {
-        Chapter::BuildTest | Chapter::Gradient => Scene::Sky,
-        Chapter::RedSphere => Scene::Disc,
-        Chapter::Normals | Chapter::HalfBSphere => Scene::Ball,
-        Chapter::HittableList | Chapter::SpeedVsAccuracy => Scene::List,
+        Chapter::BuildTest | Chapter::Gradient => ChapterScene::Sky,
+        Chapter::RedSphere => ChapterScene::Disc,
+        Chapter::Normals | Chapter::HalfBSphere => ChapterScene::Ball,
+        Chapter::HittableList | Chapter::SpeedVsAccuracy => ChapterScene::List,
     }
 }
 

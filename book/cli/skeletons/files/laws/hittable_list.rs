@@ -2,6 +2,6 @@
 
 use std::convert::identity;
 
-use laws::{Scene, Trial, holds};
+use laws::{ChapterScene, Trial, holds};
 
 laws::functions_of_a_list!(my_chapter, common::rtweekend::Ray, identity, identity, identity);

@@ -11,7 +11,7 @@ fn list_obeys_the_laws() {
 
 #[test]
 fn ray_color_obeys_the_laws() {
-    holds(Trial::default().ray_color(Scene::MyScene, &ray_color));
+    holds(Trial::default().ray_color(ChapterScene::MyScene, &ray_color));
 }
 
 #[test]

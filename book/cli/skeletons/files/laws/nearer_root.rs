@@ -1,6 +1,6 @@
 //! Your functions, under the laws: `cargo test`
 
-use laws::{Scene, Trial, holds};
+use laws::{ChapterScene, Trial, holds};
 use my_chapter::{hit_sphere, ray_color};
 
 #[test]
@@ -10,5 +10,5 @@ fn hit_sphere_obeys_the_laws() {
 
 #[test]
 fn ray_color_obeys_the_laws() {
-    holds(Trial::default().ray_color(Scene::MyScene, &ray_color));
+    holds(Trial::default().ray_color(ChapterScene::MyScene, &ray_color));
 }

@@ -2,12 +2,12 @@
 
 use common::rtweekend as ours;
 use laws::prelude::Prelude;
-use laws::{Scene, Trial, holds};
+use laws::{ChapterScene, Trial, holds};
 use my_chapter::rtweekend::{Ray, Vec3};
 
 #[test]
 fn ray_color_obeys_the_laws() {
-    holds(Trial::default().ray_color(Scene::MyScene, &ray_color));
+    holds(Trial::default().ray_color(ChapterScene::MyScene, &ray_color));
 }
 
 fn ray_color(ray: &ours::Ray) -> ours::Color {

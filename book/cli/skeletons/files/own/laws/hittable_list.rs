@@ -2,7 +2,7 @@
 
 use common::rtweekend as ours;
 use laws::prelude::Prelude;
-use laws::{Scene, Trial, holds};
+use laws::{ChapterScene, Trial, holds};
 use my_chapter::rtweekend::{Ray, Vec3};
 
 laws::functions_of_a_list!(my_chapter, Ray, own, own_ray, our);

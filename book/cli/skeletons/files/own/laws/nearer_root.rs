@@ -2,7 +2,7 @@
 
 use common::rtweekend as ours;
 use laws::prelude::Prelude;
-use laws::{Scene, Trial, holds};
+use laws::{ChapterScene, Trial, holds};
 use my_chapter::rtweekend::{Ray, Vec3};
 
 #[test]
@@ -12,7 +12,7 @@ fn hit_sphere_obeys_the_laws() {
 
 #[test]
 fn ray_color_obeys_the_laws() {
-    holds(Trial::default().ray_color(Scene::MyScene, &ray_color));
+    holds(Trial::default().ray_color(ChapterScene::MyScene, &ray_color));
 }
 
 fn hit_sphere(center: ours::Point3, radius: f64, ray: &ours::Ray) -> Option<f64> {
