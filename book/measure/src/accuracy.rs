@@ -11,7 +11,7 @@
 use common::rtweekend::*;
 use figures::records::{Accuracy, Level};
 use figures::table::Table;
-use laws::oracle::{Exact, Root};
+use laws::oracle::{ExactCase, Root};
 use rayon::prelude::*;
 use speed_vs_accuracy::{Case, METHODS, Method, Precision, REGIMES, Regime, SPHERES};
 
@@ -186,7 +186,7 @@ fn errors_of<'a>(
     let none = || vec![Errors::default(); methods.len()];
     let note = |mut found: Vec<Errors>, number| {
         let case = case(number);
-        let exact = Exact::of(&case);
+        let exact = ExactCase::of(&case);
         let root = exact.nearest_root_in(0.0, f64::INFINITY);
         for (found, method) in found.iter_mut().zip(&methods) {
             found.note(method, &case, root, number < FEW);
@@ -214,7 +214,7 @@ pub fn ulps_off(root: Root, precision: Precision, t: f64) -> f64 {
 fn off_the_surface(case: &Case, t: f64, precision: Precision) -> f64 {
     let point = case.point(t, precision);
     // The direction does not matter here.
-    let Some(exact) = Exact::of_finite(&case.with_ray(point, Vec3::NEG_Z)) else {
+    let Some(exact) = ExactCase::of_finite(&case.with_ray(point, Vec3::NEG_Z)) else {
         return f64::INFINITY;
     };
     // With x = |P − C|/r, the margin is (x² − 1) / (x² + 1).

@@ -5,7 +5,7 @@
 //! are those of [`nearer_root`](crate::nearer_root).
 
 use crate::nearer_root::{BAND, root_bound, said};
-use crate::oracle::Exact;
+use crate::oracle::ExactCase;
 use crate::question::{IntervalCase, RangeSolver};
 use crate::verdict::{BrokenLaw, LawResult};
 
@@ -45,7 +45,7 @@ pub fn the_nearest_root_in_the_interval_is_returned(
     asked: &IntervalCase,
 ) -> LawResult {
     let IntervalCase { case, t_min, t_max } = *asked;
-    let exact = Exact::of(&case);
+    let exact = ExactCase::of(&case);
     let margin = exact.discriminant_margin();
     let bound = root_bound(&case, margin);
     let roots = [exact.nearer_root(), exact.farther_root()];

@@ -27,7 +27,7 @@ use common::rtweekend::*;
 use proptest::strategy::Strategy;
 use speed_vs_accuracy::Case;
 
-use crate::oracle::Exact;
+use crate::oracle::ExactCase;
 use crate::question::{Question, telling};
 use crate::strategies::{anywhere, integers, ordinary};
 use crate::trial::Exam;
@@ -91,7 +91,7 @@ pub(crate) fn exam<'a>(solve: &'a Solver<'a>) -> Exam<'a, Case> {
 
 /// Writes the body of a test that asks a function that only decides.
 pub(crate) fn decision_as_test(case: &Case) -> String {
-    let is_hit = Exact::of(case).nearer_root().is_some();
+    let is_hit = ExactCase::of(case).nearer_root().is_some();
     format!("{case}\nassert_eq!(hit_sphere(center, radius, &ray), {is_hit});")
 }
 
@@ -102,7 +102,7 @@ pub fn decision(
 ) -> impl Fn(Point3, f64, &Ray) -> Option<f64> {
     move |center, radius, ray| {
         let case = Case::new(center, radius, *ray);
-        let exact = Exact::of(&case);
+        let exact = ExactCase::of(&case);
         let root = exact.nearer_root().map(|root| root.rounded());
         decide(center, radius, ray).then(|| root.unwrap_or(case.h() / case.a()))
     }
@@ -123,7 +123,7 @@ fn t_is_a_number(solve: &Solver, case: &Case) -> LawResult {
 /// Outside the band where rounding may decide, a root is returned exactly where there is
 /// one. Two-sided: a solver that always or never hits breaks it.
 fn the_line_hits_exactly_when_there_is_a_root(solve: &Solver, case: &Case) -> LawResult {
-    let exact = Exact::of(case);
+    let exact = ExactCase::of(case);
     let margin = exact.discriminant_margin();
     let is_silent = !case.is_well_scaled() || margin.abs() <= BAND;
     let found = case.solve(solve);
@@ -152,7 +152,7 @@ pub(crate) fn said(root: Option<f64>) -> String {
 ///
 /// Only what is no root at all breaks it. By how much t is off is the matter of others.
 fn where_h_is_zero_no_root_is_lost(solve: &Solver, case: &Case) -> LawResult {
-    let is_inside = Exact::of(case).origin_margin() < 0.0;
+    let is_inside = ExactCase::of(case).origin_margin() < 0.0;
     let is_silent = !case.is_well_scaled() || case.h() != 0.0 || !is_inside;
     let found = case.solve(solve);
     BrokenLaw::unless(
@@ -199,7 +199,7 @@ pub fn the_point_lies_on_the_sphere(solve: &Solver, case: &Case) -> LawResult {
 /// See [`root_bound`] for the bound. Where D is within twice the band, no digit
 /// of √D is certain, and then √(72u)·√(M/a) bounds what it may be.
 fn the_root_is_the_nearer_one_to_the_digits_that_remain(solve: &Solver, case: &Case) -> LawResult {
-    let exact = Exact::of(case);
+    let exact = ExactCase::of(case);
     let (Some(t), Some(root)) = (case.solve(solve), exact.nearer_root()) else {
         return Ok(());
     };
@@ -251,7 +251,7 @@ fn a_tangent_is_a_hit_and_its_root_is_exact(solve: &Solver, case: &Case) -> LawR
 /// `None` for any other case.
 fn exact_tangent(case: &Case) -> Option<f64> {
     let is_small_integer = |number: &f64| number.fract() == 0.0 && number.abs() < 4096.0;
-    let exact = Exact::of(case);
+    let exact = ExactCase::of(case);
     let root = exact.nearer_root()?.rounded();
     let rounds_nowhere = case.numbers().iter().chain([&root]).all(is_small_integer);
     (rounds_nowhere && exact.discriminant().is_eq()).then_some(root)

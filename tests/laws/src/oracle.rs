@@ -23,7 +23,7 @@ use speed_vs_accuracy::Case;
 /// c = oc·oc − r² and D = h² − a·c. Source: equations (13)–(15) of the notes
 /// with h = b/−2 and D = (b² − 4ac)/4.
 #[derive(Clone, Debug)]
-pub struct Exact {
+pub struct ExactCase {
     // Integers: lengths are counted in one power of two, `d` in another.
     a: IBig,
     h: IBig,
@@ -44,11 +44,11 @@ pub struct Exact {
 /// of another sphere on the same ray.
 #[derive(Clone, Copy, Debug)]
 pub struct Root<'a> {
-    of: &'a Exact,
+    of: &'a ExactCase,
     nearer: bool,
 }
 
-impl Exact {
+impl ExactCase {
     /// Looks at `case` with numbers that are never rounded.
     ///
     /// # Panics
@@ -92,7 +92,7 @@ impl Exact {
     /// from being a tangent, on the scale that rounding errors have.
     ///
     /// From −1 to 1, and 0 if a·M is. What rounds to 0 still has its sign in
-    /// [`Exact::discriminant`].
+    /// [`ExactCase::discriminant`].
     pub fn discriminant_margin(&self) -> f64 {
         ratio(&self.discriminant, &(&self.a * &self.extent))
     }
@@ -113,7 +113,7 @@ impl Exact {
         self.root(true)
     }
 
-    /// Returns the greater of the roots; otherwise as [`Exact::nearer_root`].
+    /// Returns the greater of the roots; otherwise as [`ExactCase::nearer_root`].
     pub fn farther_root(&self) -> Option<Root<'_>> {
         self.root(false)
     }
@@ -173,7 +173,7 @@ impl Root<'_> {
     /// number of this scale: all of the interval lies on the same side of it,
     /// and rounds as the root does. The other digits measure small errors.
     fn digits(&self) -> (IBig, isize) {
-        let Exact {
+        let ExactCase {
             a, h, discriminant, ..
         } = self.of;
         // If h ∓ √D cancels, the same root is c / (h ± √D), where nothing does.
@@ -206,7 +206,7 @@ impl PartialOrd<f64> for Root<'_> {
         let Some((mantissa, exponent)) = decode(*t) else {
             return 0.0.partial_cmp(t);
         };
-        let Exact {
+        let ExactCase {
             a, h, discriminant, ..
         } = self.of;
         // ∓√D against a·t − h, both in the finer of two units.
@@ -365,7 +365,7 @@ mod tests {
         for line in &vectors {
             let numbers: Vec<f64> = line.split(' ').flat_map(str::parse).collect();
             let (&case, expected) = numbers.split_first_chunk().expect("ten numbers and roots");
-            let exact = Exact::of(&Case::from_numbers(case));
+            let exact = ExactCase::of(&Case::from_numbers(case));
             let roots = [exact.nearer_root(), exact.farther_root()];
             let found = roots.iter().flatten().map(Root::rounded);
             let bits = |t: f64| t.to_bits();

@@ -9,7 +9,7 @@ use speed_vs_accuracy::Case;
 
 use crate::camera::CameraPixel;
 use crate::list::World;
-use crate::oracle::Exact;
+use crate::oracle::ExactCase;
 use crate::prelude::{FUNCTIONS, Prelude, PreludeQuestion};
 use crate::ray_color;
 use crate::record::RecordedHit;
@@ -201,7 +201,7 @@ pub(crate) fn of_hit(asked: &IntervalCase, hit: Option<RecordedHit>) -> Vec<f64>
     let Some(hit) = hit else {
         return Vec::new();
     };
-    if Exact::of(&asked.case).discriminant().is_eq() {
+    if ExactCase::of(&asked.case).discriminant().is_eq() {
         return vec![hit.t];
     }
     let vectors = [hit.point.to_array(), hit.normal.to_array()].concat();

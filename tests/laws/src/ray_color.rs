@@ -7,7 +7,7 @@ use proptest::sample::select;
 use speed_vs_accuracy::Case;
 
 use crate::nearer_root::{BAND, U};
-use crate::oracle::Exact;
+use crate::oracle::ExactCase;
 use crate::question::{code, of_ray};
 use crate::record::normal_bound;
 use crate::verdict::{BrokenLaw, LawResult};
@@ -96,7 +96,7 @@ impl ChapterScene {
         let mut nearest: Option<(f64, Case)> = None;
         for &(center, radius) in self.spheres() {
             let case = Case::new(center, radius, *ray);
-            let exact = Exact::of_finite(&case)?;
+            let exact = ExactCase::of_finite(&case)?;
             if exact.discriminant_margin().abs() <= BAND {
                 return None;
             }

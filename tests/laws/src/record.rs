@@ -8,7 +8,7 @@ use crate::intervals::{
     no_t_outside_the_interval_is_returned, the_nearest_root_in_the_interval_is_returned,
 };
 use crate::nearer_root::{self, U};
-use crate::oracle::Exact;
+use crate::oracle::ExactCase;
 use crate::question::{IntervalCase, Question, of_hit, telling};
 use crate::strategies::{anywhere, integers, ordinary, ordinary_asked, with_interval};
 use crate::trial::Exam;
@@ -153,7 +153,7 @@ fn the_normal_points_against_the_ray(case: &Case, hit: &RecordedHit) -> LawResul
 fn the_front_face_is_where_the_ray_enters(case: &Case, hit: &RecordedHit) -> LawResult {
     let front_face = hit.front_face;
     let enters = hit.t < case.h() / case.a();
-    let margin = Exact::of(case).discriminant_margin().max(0.0).sqrt();
+    let margin = ExactCase::of(case).discriminant_margin().max(0.0).sqrt();
     let scale = case.m().sqrt();
     let coordinates = case.center.length() + case.ray.origin.length();
     let error = 4.0 * U * (coordinates + scale * (24.0 + 24.0 / margin));

@@ -18,7 +18,7 @@ use speed_vs_accuracy::Case;
 
 use crate::camera::CameraPixel;
 use crate::list::World;
-use crate::oracle::Exact;
+use crate::oracle::ExactCase;
 use crate::question::IntervalCase;
 
 /// Returns the configuration of all tests here: each run makes equal cases, so that a failure is
@@ -335,7 +335,7 @@ pub fn worlds() -> impl Strategy<Value = World> {
 /// From the nearer root at 0 to the farther one at 1, or as far as roots may be if there are
 /// none.
 fn on_the_way(case: &Case, share: f64) -> f64 {
-    let exact = Exact::of(case);
+    let exact = ExactCase::of(case);
     let roots = exact.nearer_root().zip(exact.farther_root());
     let [nearer, farther] = roots.map_or([0.0, case.t_scale()], |(nearer, farther)| {
         [nearer.rounded(), farther.rounded()]

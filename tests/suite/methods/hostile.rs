@@ -2,7 +2,7 @@
 //! without end gets right.
 
 use common::rtweekend::*;
-use laws::oracle::Exact;
+use laws::oracle::ExactCase;
 use laws::strategies::{
     ahead_if_zero, anywhere, far, number, ordinary_sphere, tangents, unit, whole_vector,
 };
@@ -160,7 +160,7 @@ fn end_of(end: End, case: &Case) -> Option<f64> {
         Ok(root) => root,
         Err(number) => return Some(number),
     };
-    let exact = Exact::of(case);
+    let exact = ExactCase::of(case);
     let root = if nearer {
         exact.nearer_root()
     } else {

@@ -7,7 +7,7 @@
 use common::rtweekend::*;
 use hittable_list::{Hittable, Sphere};
 use laws::nearer_root::{self, root_bound};
-use laws::oracle::Exact;
+use laws::oracle::ExactCase;
 use laws::question::RangeSolver;
 use laws::strategies::{self, samples};
 use laws::{Case, IntervalCase, LawResult, config, intervals};
@@ -94,7 +94,7 @@ fn the_exact_method_is_the_oracle_to_the_last_bit() {
     let asked = hostile::with_hostile_interval(hostile::hostile());
     for asked in samples(&asked, 10_000) {
         let IntervalCase { case, t_min, t_max } = asked;
-        let oracle = Exact::of(&case);
+        let oracle = ExactCase::of(&case);
         let expected = oracle
             .nearest_root_in(t_min, t_max)
             .filter(|_| t_min.next_up() < t_max)
@@ -131,7 +131,7 @@ mod the_certified_methods {
         fn are_never_wrong_in_f32(asked in hostile::with_hostile_interval(hostile::hostile())) {
             let case = asked.case.rounded(Precision::Single);
             let [t_min, t_max] = [asked.t_min, asked.t_max].map(|end| end as f32);
-            let exact = Exact::of_finite(&case);
+            let exact = ExactCase::of_finite(&case);
             let root = exact.as_ref().and_then(|exact| {
                 exact.nearest_root_in(t_min.into(), t_max.into())
             });
@@ -213,7 +213,7 @@ mod the_certified_methods {
 /// return, so an interval like that is missed.
 pub(crate) fn is_certified(asked: &IntervalCase) -> TestCaseResult {
     let IntervalCase { case, t_min, t_max } = *asked;
-    let exact = Exact::of(&case);
+    let exact = ExactCase::of(&case);
     let has_numbers = t_min.next_up() < t_max;
     let root = exact.nearest_root_in(t_min, t_max).filter(|_| has_numbers);
     for solve in [certified_hit, certified_t] {
@@ -233,7 +233,7 @@ pub(crate) fn is_certified(asked: &IntervalCase) -> TestCaseResult {
 /// `t` is within so many ulps of the nearest root in the interval; a root that no `f64`
 /// reaches becomes the largest one.
 fn is_within_ulps(asked: &IntervalCase, ulps: f64) -> TestCaseResult {
-    let exact = Exact::of(&asked.case);
+    let exact = ExactCase::of(&asked.case);
     let root = exact.nearest_root_in(asked.t_min, asked.t_max);
     if let (Some(t), Some(root)) = (asked.solve(&certified_t), root) {
         let is_beyond = root.rounded().is_infinite() && t.abs() == f64::MAX;

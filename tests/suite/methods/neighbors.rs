@@ -2,7 +2,7 @@
 
 use common::rtweekend::*;
 use laws::list::World;
-use laws::oracle::Exact;
+use laws::oracle::ExactCase;
 use laws::strategies::{ahead_if_zero, unit, whole_vector};
 use laws::{Case, IntervalCase};
 use proptest::collection::vec;
@@ -78,7 +78,7 @@ impl Neighbor {
             Self::Nested(size) => (center, size * radius),
             Self::Touching(way, size) => (center + (1.0 + size) * radius * way, size * radius),
             Self::ThroughTheHit(way, size) => {
-                let exact = Exact::of(case);
+                let exact = ExactCase::of(case);
                 let root = exact.nearest_root_in(0.0, f64::INFINITY);
                 let point = case.ray.at(root.map_or(1.0, |root| root.rounded()));
                 (point + size * radius * way, size * radius)

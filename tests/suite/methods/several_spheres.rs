@@ -4,7 +4,7 @@ use common::rtweekend::*;
 use laws::Case;
 use laws::config;
 use laws::list::World;
-use laws::oracle::{Exact, Root};
+use laws::oracle::{ExactCase, Root};
 use proptest::prelude::*;
 use speed_vs_accuracy::{certified_nearest, certified_t, exact};
 
@@ -18,7 +18,7 @@ proptest! {
     /// the largest one. `PROPTEST_CASES` says how many worlds, and `PROPTEST_RNG_SEED` which.
     #[test]
     fn the_first_of_several_spheres_is_found_for_every_input(world in neighbors::hostile()) {
-        let exacts: Vec<Option<Exact>> = cases(&world).map(|it| Exact::of_finite(&it)).collect();
+        let exacts: Vec<Option<ExactCase>> = cases(&world).map(|it| ExactCase::of_finite(&it)).collect();
         let World { spheres, ray, t_min, t_max } = &world;
         let found = certified_nearest(spheres, ray, *t_min, *t_max);
         let expected = first_root(&exacts, &world);
@@ -40,7 +40,7 @@ fn cases(world: &World) -> impl Iterator<Item = Case> {
     })
 }
 
-fn first_root<'a>(exacts: &'a [Option<Exact>], world: &World) -> Option<(usize, Root<'a>)> {
+fn first_root<'a>(exacts: &'a [Option<ExactCase>], world: &World) -> Option<(usize, Root<'a>)> {
     // Between two neighbors there is no number to return.
     if world.t_min.next_up() >= world.t_max {
         return None;

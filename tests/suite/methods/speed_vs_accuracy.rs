@@ -1,7 +1,7 @@
 //! The cases and the scenes by which chapter 6 is measured.
 
 use common::rtweekend::*;
-use laws::oracle::Exact;
+use laws::oracle::ExactCase;
 use measure::scene_file::find_scene;
 use speed_vs_accuracy::{Case, Eye, Lens, Method, Precision, REGIMES, Scene, exact_discriminant};
 
@@ -28,7 +28,7 @@ mod cases {
     #[test]
     fn have_an_exact_discriminant_that_is_the_oracle_s() {
         for case in of_all_regimes() {
-            let exact = Exact::of(&case);
+            let exact = ExactCase::of(&case);
             let found = exact_discriminant(case.center, case.radius, &case.ray).expect("finite");
             assert_eq!(found.total_cmp(&0.0), exact.discriminant(), "{case}");
             // a and M are off by some 3u each, and three more operations round.

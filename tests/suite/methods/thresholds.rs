@@ -10,7 +10,7 @@ use std::ops::RangeInclusive;
 use common::rtweekend::*;
 use hittable_list::{Hittable, Sphere};
 use laws::Case;
-use laws::oracle::Exact;
+use laws::oracle::ExactCase;
 use laws::strategies::{self, samples};
 use proptest::prelude::*;
 use speed_vs_accuracy::Method;
@@ -94,7 +94,7 @@ fn each_method_decides_wrongly_as_often_as_its_row_says() {
         for method in *methods {
             let found = share(&cases, |case| {
                 let given = case.rounded(method.precision());
-                let root = Exact::of(&given);
+                let root = ExactCase::of(&given);
                 let is_hit = root.nearest_root_in(0.0, f64::INFINITY).is_some();
                 in_front(&given, method).is_some() != is_hit
             });

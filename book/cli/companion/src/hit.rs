@@ -6,7 +6,7 @@ use clap::Args;
 use common::engine::output;
 use common::rtweekend::*;
 use figures::number::three_digits;
-use laws::oracle::{Exact, Root};
+use laws::oracle::{ExactCase, Root};
 use measure::accuracy::ulps_off;
 use speed_vs_accuracy::{Case, METHODS, Method, Precision, Solve};
 
@@ -59,7 +59,7 @@ pub(crate) fn under_the_microscope(
 ) -> String {
     let rounded = case.rounded(precision);
     let name = precision.name();
-    let Some(exact) = Exact::of_finite(&rounded) else {
+    let Some(exact) = ExactCase::of_finite(&rounded) else {
         return format!("These numbers do not fit into {name}: they overflow.\n");
     };
     let (lower, greatest) = match precision {

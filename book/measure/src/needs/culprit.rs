@@ -3,7 +3,7 @@
 use crate::accuracy::ulps_off;
 use crate::wrong_pixels::View;
 use common::rtweekend::*;
-use laws::oracle::Exact;
+use laws::oracle::ExactCase;
 use speed_vs_accuracy::{Case, Eye, Hit, Method, Scene};
 
 /// A question that a method answers wrongly, and the pixel that shows it.
@@ -89,7 +89,7 @@ fn worst(
 /// Returns how many ulps t is off; infinity where a hit is taken for a miss, or a miss for a hit.
 fn error(method: &Method, case: &Case, t_min: f64) -> f64 {
     let precision = method.precision();
-    let exact = Exact::of_finite(&case.rounded(precision));
+    let exact = ExactCase::of_finite(&case.rounded(precision));
     let root = exact
         .as_ref()
         .and_then(|exact| exact.nearest_root_in(t_min, f64::INFINITY));

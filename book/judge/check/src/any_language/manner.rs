@@ -3,7 +3,7 @@
 
 use super::{Ask, FunctionKind};
 use laws::nearer_root::{BAND, root_bound};
-use laws::oracle::Exact;
+use laws::oracle::ExactCase;
 use laws::question::telling;
 use laws::record::RecordedHit;
 use laws::strategies::{ordinary, ordinary_asked};
@@ -61,7 +61,7 @@ impl Manner {
     /// its manners are.
     fn shows(self, function: FunctionKind, asked: &IntervalCase) -> bool {
         let IntervalCase { case, t_min, t_max } = *asked;
-        let exact = Exact::of(&case);
+        let exact = ExactCase::of(&case);
         let roots = [exact.nearer_root(), exact.farther_root()];
         let [first, last] = roots;
         match self {
@@ -96,7 +96,7 @@ impl Manner {
         found: Option<&RecordedHit>,
     ) -> Option<Option<RecordedHit>> {
         let IntervalCase { case, t_min, t_max } = asked;
-        let exact = Exact::of(case);
+        let exact = ExactCase::of(case);
         let roots = [exact.nearer_root(), exact.farther_root()];
         let mut roots = roots.into_iter().flatten().map(|root| root.rounded());
         let farther = roots.clone().next_back();

@@ -7,7 +7,7 @@ use std::cell::RefCell;
 
 use common::rtweekend::*;
 use laws::nearer_root::{self, obeys_every_law, root_bound};
-use laws::oracle::Exact;
+use laws::oracle::ExactCase;
 use laws::record::{self, RecordedHit};
 use laws::{Case, Complaint, IntervalCase, Outcome, Question, Trial};
 
@@ -121,7 +121,7 @@ fn number(word: &str) -> Result<f64, NoAnswer> {
 
 /// Returns true if `t` is the nearer root, as far as rounding lets it be known.
 fn is_root(case: &Case, t: f64) -> bool {
-    let exact = Exact::of(case);
+    let exact = ExactCase::of(case);
     let bound = root_bound(case, exact.discriminant_margin());
     let root = exact.nearer_root();
     root.is_some_and(|root| (root.rounded() - t).abs() <= bound)
