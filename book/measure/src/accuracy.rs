@@ -11,7 +11,7 @@
 use common::rtweekend::*;
 use figures::records::{Accuracy, Level};
 use figures::table::Table;
-use laws::oracle::{ExactCase, Root};
+use laws::oracle::{ExactCase, ExactRoot};
 use rayon::prelude::*;
 use speed_vs_accuracy::{Case, METHODS, Method, Precision, REGIMES, Regime, SPHERES};
 
@@ -137,7 +137,7 @@ impl Errors {
     }
 
     /// Notes what `method` answers to a question whose answer is `root`.
-    fn note(&mut self, method: &Method, case: &Case, root: Option<Root>, is_kept: bool) {
+    fn note(&mut self, method: &Method, case: &Case, root: Option<ExactRoot>, is_kept: bool) {
         let answer = case.put_to(method, 0.0, f64::INFINITY);
         self.cases += 1;
         self.hits += usize::from(root.is_some());
@@ -205,7 +205,7 @@ fn errors_of<'a>(
 
 /// Returns how far `t` is from the root, in units of the last place that a number of the precision
 /// near the root has.
-pub fn ulps_off(root: Root, precision: Precision, t: f64) -> f64 {
+pub fn ulps_off(root: ExactRoot, precision: Precision, t: f64) -> f64 {
     root.error_in_ulps(t) / (precision.epsilon() / f64::EPSILON)
 }
 

@@ -43,7 +43,7 @@ pub struct ExactCase {
 /// Compared with NaN, nothing is true. It also compares, as exactly, with a root
 /// of another sphere on the same ray.
 #[derive(Clone, Copy, Debug)]
-pub struct Root<'a> {
+pub struct ExactRoot<'a> {
     of: &'a ExactCase,
     nearer: bool,
 }
@@ -109,12 +109,12 @@ impl ExactCase {
     ///
     /// A tangent has one root, as the nearer and as the farther. There is none
     /// if the line misses or the direction is zero.
-    pub fn nearer_root(&self) -> Option<Root<'_>> {
+    pub fn nearer_root(&self) -> Option<ExactRoot<'_>> {
         self.root(true)
     }
 
     /// Returns the greater of the roots; otherwise as [`ExactCase::nearer_root`].
-    pub fn farther_root(&self) -> Option<Root<'_>> {
+    pub fn farther_root(&self) -> Option<ExactRoot<'_>> {
         self.root(false)
     }
 
@@ -123,20 +123,20 @@ impl ExactCase {
     /// The ends are left out, and may be infinite. It is the root itself that
     /// must lie between them: it may round to an end. If an end is NaN, nothing
     /// lies in the interval.
-    pub fn nearest_root_in(&self, t_min: f64, t_max: f64) -> Option<Root<'_>> {
+    pub fn nearest_root_in(&self, t_min: f64, t_max: f64) -> Option<ExactRoot<'_>> {
         [self.nearer_root(), self.farther_root()]
             .into_iter()
             .flatten()
             .find(|root| *root > t_min && *root < t_max)
     }
 
-    fn root(&self, nearer: bool) -> Option<Root<'_>> {
+    fn root(&self, nearer: bool) -> Option<ExactRoot<'_>> {
         let exists = self.discriminant >= IBig::ZERO && self.a != IBig::ZERO;
-        exists.then_some(Root { of: self, nearer })
+        exists.then_some(ExactRoot { of: self, nearer })
     }
 }
 
-impl Root<'_> {
+impl ExactRoot<'_> {
     /// Returns the `f64` nearest to the root, ties to even.
     ///
     /// A root too small for an `f64` becomes a zero and one too large an
@@ -194,13 +194,13 @@ impl Root<'_> {
     }
 }
 
-impl PartialEq<f64> for Root<'_> {
+impl PartialEq<f64> for ExactRoot<'_> {
     fn eq(&self, t: &f64) -> bool {
         self.partial_cmp(t) == Some(Ordering::Equal)
     }
 }
 
-impl PartialOrd<f64> for Root<'_> {
+impl PartialOrd<f64> for ExactRoot<'_> {
     /// The root against `t`, which may be infinite; `None` if it is NaN.
     fn partial_cmp(&self, t: &f64) -> Option<Ordering> {
         let Some((mantissa, exponent)) = decode(*t) else {
@@ -222,18 +222,18 @@ impl PartialOrd<f64> for Root<'_> {
     }
 }
 
-impl PartialEq<Root<'_>> for Root<'_> {
-    fn eq(&self, other: &Root<'_>) -> bool {
+impl PartialEq<ExactRoot<'_>> for ExactRoot<'_> {
+    fn eq(&self, other: &ExactRoot<'_>) -> bool {
         self.partial_cmp(other) == Some(Ordering::Equal)
     }
 }
 
-impl PartialOrd<Root<'_>> for Root<'_> {
+impl PartialOrd<ExactRoot<'_>> for ExactRoot<'_> {
     /// The root against one on another sphere; always `Some`.
     ///
     /// # Panics
     /// If the two are not on the same ray.
-    fn partial_cmp(&self, other: &Root<'_>) -> Option<Ordering> {
+    fn partial_cmp(&self, other: &ExactRoot<'_>) -> Option<Ordering> {
         let (one, another) = (self.of, other.of);
         assert_eq!(one.a, another.a, "only roots on one ray compare");
         let common = one.exponent.min(another.exponent);
@@ -283,7 +283,7 @@ fn ratio(numerator: &IBig, denominator: &IBig) -> f64 {
     if *denominator == IBig::ZERO {
         return 0.0;
     }
-    // At least 64 digits, so that odd ones round as in `Root::digits`.
+    // At least 64 digits, so that odd ones round as in `ExactRoot::digits`.
     let shift = denominator.bit_len() + 64;
     let digits = odd_if_inexact(&(numerator << shift), denominator, false);
     round(&digits, -shift.cast_signed() - 1)
@@ -304,7 +304,7 @@ const DIGITS: isize = 53;
 
 /// The `f64` nearest to `digits` · 2^`exponent`, ties to even.
 fn round(digits: &IBig, exponent: isize) -> f64 {
-    // What is dropped behind 62 digits makes the last one odd, as in `Root::digits`.
+    // What is dropped behind 62 digits makes the last one odd, as in `ExactRoot::digits`.
     let dropped = digits.bit_len().saturating_sub(62);
     let is_exact = digits.trailing_zeros().is_none_or(|zeros| zeros >= dropped);
     let kept = i64::try_from(digits >> dropped).expect("62 digits and a sign");
@@ -367,7 +367,7 @@ mod tests {
             let (&case, expected) = numbers.split_first_chunk().expect("ten numbers and roots");
             let exact = ExactCase::of(&Case::from_numbers(case));
             let roots = [exact.nearer_root(), exact.farther_root()];
-            let found = roots.iter().flatten().map(Root::rounded);
+            let found = roots.iter().flatten().map(ExactRoot::rounded);
             let bits = |t: f64| t.to_bits();
             let expected: Vec<u64> = expected.iter().copied().map(bits).collect();
             assert_eq!(found.map(bits).collect::<Vec<_>>(), expected, "{line}");

@@ -4,7 +4,7 @@ use common::rtweekend::*;
 use laws::Case;
 use laws::config;
 use laws::list::World;
-use laws::oracle::{ExactCase, Root};
+use laws::oracle::{ExactCase, ExactRoot};
 use proptest::prelude::*;
 use speed_vs_accuracy::{certified_nearest, certified_t, exact};
 
@@ -40,7 +40,10 @@ fn cases(world: &World) -> impl Iterator<Item = Case> {
     })
 }
 
-fn first_root<'a>(exacts: &'a [Option<ExactCase>], world: &World) -> Option<(usize, Root<'a>)> {
+fn first_root<'a>(
+    exacts: &'a [Option<ExactCase>],
+    world: &World,
+) -> Option<(usize, ExactRoot<'a>)> {
     // Between two neighbors there is no number to return.
     if world.t_min.next_up() >= world.t_max {
         return None;

@@ -6,7 +6,7 @@ use clap::Args;
 use common::engine::output;
 use common::rtweekend::*;
 use figures::number::three_digits;
-use laws::oracle::{ExactCase, Root};
+use laws::oracle::{ExactCase, ExactRoot};
 use measure::accuracy::ulps_off;
 use speed_vs_accuracy::{Case, METHODS, Method, Precision, Solve};
 
@@ -87,7 +87,7 @@ pub(crate) fn under_the_microscope(
     format!("In {name}{changed}, {found}.\n{lines}")
 }
 
-fn line(method: &Method, t: Option<f64>, root: Option<Root>) -> String {
+fn line(method: &Method, t: Option<f64>, root: Option<ExactRoot>) -> String {
     let answer = t.map_or("miss".to_owned(), |t| {
         format!("hit  {}", shortest(method, t))
     });
