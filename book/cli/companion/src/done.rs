@@ -6,7 +6,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-use check::names::{self, from_here};
+use check::names::{self, name_from_here};
 use check::sentences::{picture_is_right, step_is_done};
 use clap::Args;
 use clap::builder::NonEmptyStringValueParser;
@@ -38,10 +38,10 @@ pub(crate) fn done(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         "" => list.show()?,
         line => {
             list.add(line)?;
-            format!("{}: {line}\n", from_here(&list.file))
+            format!("{}: {line}\n", name_from_here(&list.file))
         }
     };
-    let mut lines = said.lines().map(names::visible);
+    let mut lines = said.lines().map(names::escape_for_terminal);
     Ok(output::to_stdout(|out| {
         lines.try_for_each(|line| writeln!(out, "{line}"))
     })?)
@@ -131,7 +131,10 @@ impl Done {
     }
 
     fn named(&self, cause: &io::Error) -> io::Error {
-        io::Error::new(cause.kind(), format!("{}: {cause}", from_here(&self.file)))
+        io::Error::new(
+            cause.kind(),
+            format!("{}: {cause}", name_from_here(&self.file)),
+        )
     }
 
     fn show(&self) -> Result<String, Box<dyn Error>> {
@@ -140,7 +143,7 @@ impl Done {
         let mut said = if lines.is_empty() {
             "Nothing is done yet.\n".to_owned()
         } else {
-            let (list, lines) = (from_here(&self.file), lines.join("\n  "));
+            let (list, lines) = (name_from_here(&self.file), lines.join("\n  "));
             format!("Done, in {list}\n  {lines}\n")
         };
         let ahead: String = TYPED

@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::fmt::Write;
 
-use check::names::companion;
+use check::names::companion_command;
 use check::task::Task;
 use clap::Args;
 use common::engine::output;
@@ -26,7 +26,7 @@ pub(crate) fn list(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let name = chapter.name();
     let mut text = format!(
         "Probes for {name}. Change your program as it says, draw, and then:\n  {} check {name} --probe NAME PICTURE\n",
-        companion()
+        companion_command()
     );
     for probe in PROBES {
         if Task::new(chapter, Some(probe)).is_some() {

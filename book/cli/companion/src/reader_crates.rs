@@ -4,7 +4,7 @@ use std::env;
 use std::ffi::OsStr;
 use std::path::{MAIN_SEPARATOR, Path, PathBuf};
 
-use check::names::{self, companion};
+use check::names::{self, companion_command};
 use check::workspace;
 use slips::Chapter;
 
@@ -68,7 +68,7 @@ impl ReaderCrates {
     }
 
     fn command(&self, what: &str, chapter: Chapter, option: &str) -> String {
-        let command = format!("{} {what} {}", companion(), chapter.name());
+        let command = format!("{} {what} {}", companion_command(), chapter.name());
         match &self.chosen {
             Some(folder) => format!("{command} {option} {folder}"),
             None => command,
@@ -88,7 +88,7 @@ fn workspace_around(here: &Path) -> Option<&'static Path> {
 
 /// Writes a word of a command line, in quotation marks where a shell wants them.
 pub(crate) fn shell_word(word: impl AsRef<OsStr>) -> String {
-    let word = names::spelled(word);
+    let word = names::escaped_name(word);
     let is_plain = |c: char| c.is_alphanumeric() || "-_./=".contains(c) || c == MAIN_SEPARATOR;
     if !word.is_empty() && word.chars().all(is_plain) {
         word

@@ -67,7 +67,7 @@ pub(crate) fn beside(picture: &Path) -> Found {
         [first, ..] => Found {
             why_none: Some(format!(
                 "No source was read: {} was changed after the picture was drawn.",
-                names::spelled(first)
+                names::escaped_name(first)
             )),
             ..Found::default()
         },
@@ -107,7 +107,7 @@ fn found(folder: &Path, files: Vec<PathBuf>, words: &[&str]) -> Found {
             let names: Vec<_> = programs
                 .iter()
                 .take(3)
-                .map(|it| names::spelled(it).to_string())
+                .map(|it| names::escaped_name(it).to_string())
                 .collect();
             return Found {
                 why_none: Some(format!(

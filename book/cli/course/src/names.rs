@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 /// Spells out, as `\u{1b}`, the characters of `text` that a terminal obeys instead of showing them,
 /// or that turn the order of the others.
-pub fn visible(text: &str) -> Cow<'_, str> {
+pub fn escape_for_terminal(text: &str) -> Cow<'_, str> {
     let obeyed = |c: char| c.is_control() || TURNS.contains(&c);
     if !text.contains(obeyed) {
         return text.into();
@@ -29,22 +29,22 @@ const TURNS: [char; 14] = [
 ];
 
 /// Returns the name of a file, or another word of a command line, as a message shows it.
-pub fn spelled(name: impl AsRef<OsStr>) -> String {
-    visible(&name.as_ref().to_string_lossy()).into_owned()
+pub fn escaped_name(name: impl AsRef<OsStr>) -> String {
+    escape_for_terminal(&name.as_ref().to_string_lossy()).into_owned()
 }
 
 /// Returns `path` as a message shows it: as seen from the current folder, if it is below that.
-pub fn from_here(path: &Path) -> String {
+pub fn name_from_here(path: &Path) -> String {
     let here = env::current_dir().ok();
     let below = here.and_then(|here| path.strip_prefix(here).ok());
     // Put together anew, it has one kind of slash between folders.
-    spelled(below.unwrap_or(path).components().collect::<PathBuf>())
+    escaped_name(below.unwrap_or(path).components().collect::<PathBuf>())
 }
 
 /// Returns the name by which the companion can be called again: `cargo rtrace` if cargo runs the
 /// program that asks, in this workspace by an alias and elsewhere as a subcommand; else
 /// `rtrace`, which is installed then.
-pub fn companion() -> &'static str {
+pub fn companion_command() -> &'static str {
     // Cargo tells all that it runs where cargo is. A page was woven in the workspace.
     if cfg!(target_family = "wasm") || env::var_os("CARGO").is_some() {
         "cargo rtrace"

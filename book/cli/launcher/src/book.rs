@@ -6,7 +6,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 use common::engine::output;
-use course::names::from_here;
+use course::names::name_from_here;
 
 use crate::cargo::WEAVER;
 use crate::draw;
@@ -39,7 +39,7 @@ pub fn book(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
         return Ok(code.map_or(ExitCode::FAILURE, ExitCode::from));
     }
     let index = folder.join("index.html");
-    let said = format!("The book is in {}\n", from_here(&index));
+    let said = format!("The book is in {}\n", name_from_here(&index));
     output::to_stdout(|out| out.write_all(said.as_bytes()))?;
     if arguments.open {
         open::that_detached(&index).map_err(|cause| {

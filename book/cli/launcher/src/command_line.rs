@@ -2,7 +2,7 @@
 //! the words behind the companion's commands.
 
 use clap::{Args, Parser, Subcommand};
-use course::names::companion;
+use course::names::companion_command;
 
 use crate::{book, show};
 
@@ -11,7 +11,7 @@ use crate::{book, show};
 /// Without a command: draws all of them into target/pictures, as PNG and as
 /// PPM files, and weaves the book into target/book.
 #[derive(Parser)]
-#[command(name = "rtrace", bin_name = companion())]
+#[command(name = "rtrace", bin_name = companion_command())]
 pub struct CommandLine<C: Companion> {
     /// A command, if there is one.
     #[command(subcommand)]

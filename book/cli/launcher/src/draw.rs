@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use common::engine::output;
 use course::chapter::Chapter;
-use course::names::from_here;
+use course::names::name_from_here;
 
 use crate::save::{Format, save};
 
@@ -18,7 +18,7 @@ use crate::save::{Format, save};
 /// If a file can't be written, or there is no workspace.
 pub fn all() -> Result<(), Box<dyn Error>> {
     let folder = folder()?;
-    let mut report = format!("The pictures are in {}\n", from_here(&folder));
+    let mut report = format!("The pictures are in {}\n", name_from_here(&folder));
     for chapter in Chapter::ALL {
         report += &draw(chapter, &folder)?;
     }

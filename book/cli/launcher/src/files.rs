@@ -10,7 +10,7 @@ use std::path::{Component, Path};
 use std::{fs, io};
 
 use common::engine::output;
-use course::names::{companion, from_here, spelled};
+use course::names::{companion_command, escaped_name, name_from_here};
 
 use crate::misuse::misuse;
 use crate::short;
@@ -160,11 +160,12 @@ fn ours(folder: &Path, kind: &str) -> Result<List, Box<dyn Error>> {
     }
     let entries = match fs::read_dir(folder) {
         Err(cause) if cause.kind() == io::ErrorKind::NotFound => return Ok(List::new()),
-        entries => {
-            entries.map_err(|cause| format!("cannot look into {}: {cause}", from_here(folder)))?
-        }
+        entries => entries
+            .map_err(|cause| format!("cannot look into {}: {cause}", name_from_here(folder)))?,
     };
-    let names = entries.flatten().map(|entry| spelled(entry.file_name()));
+    let names = entries
+        .flatten()
+        .map(|entry| escaped_name(entry.file_name()));
     match names.filter(|name| !name.starts_with('.')).min() {
         Some(name) => Err(refused(folder, kind, &name)),
         None => Ok(List::new()),
@@ -175,8 +176,8 @@ fn refused(folder: &Path, kind: &str, name: &str) -> Box<dyn Error> {
     misuse(&format!(
         "{} holds {name}, which {} did not write there as part of a {kind}\n\
          Nothing was changed. Move that elsewhere, or name a new folder, or an empty one.",
-        from_here(folder),
-        companion(),
+        name_from_here(folder),
+        companion_command(),
     ))
 }
 
@@ -196,7 +197,7 @@ fn heading(kind: &str) -> String {
 
 fn create(folder: &Path) -> Result<(), String> {
     fs::create_dir_all(folder).map_err(|cause| {
-        let shown = from_here(folder);
+        let shown = name_from_here(folder);
         format!("cannot create the folder {shown}: {cause}\nName one that you may write to.")
     })
 }

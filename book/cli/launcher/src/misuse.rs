@@ -27,7 +27,7 @@ pub fn command_line<Cli: Parser>() -> Cli {
 pub fn complain(about: &str) {
     for line in about.lines() {
         // If even this can't be written, no more can be done.
-        let _ = writeln!(io::stderr(), "{}", names::visible(line));
+        let _ = writeln!(io::stderr(), "{}", names::escape_for_terminal(line));
     }
 }
 

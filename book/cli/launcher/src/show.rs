@@ -89,7 +89,10 @@ fn save_and_say(
 ) -> Result<(), Box<dyn Error>> {
     save(picture, format, path)?;
     let (width, height) = (picture.width(), picture.height());
-    let said = format!("{width} × {height} pixels in {}\n", names::spelled(path));
+    let said = format!(
+        "{width} × {height} pixels in {}\n",
+        names::escaped_name(path)
+    );
     output::to_stdout(|out| out.write_all(said.as_bytes()))?;
     if open {
         open::that_detached(path).map_err(|cause| {

@@ -476,7 +476,7 @@ pub fn law(report: &Report) -> Vec<Row> {
 pub fn printed(text: &str) -> Vec<Row> {
     let lines = text.lines();
     lines
-        .map(|line| Row::new(RowKind::Printed, names::visible(line)))
+        .map(|line| Row::new(RowKind::Printed, names::escape_for_terminal(line)))
         .collect()
 }
 

@@ -5,7 +5,7 @@ use std::sync::{LazyLock, Mutex, PoisonError};
 
 use common::rtweekend::Picture;
 
-use crate::names::companion;
+use crate::names::companion_command;
 use crate::pixels::{distance, spread};
 use crate::reading::Reading;
 use slips::{Chapter, ChapterProgram, Edition, Probe, ReaderLanguage, Slip, steps, width_line};
@@ -128,7 +128,7 @@ impl Task {
 
     /// The command that checks a picture of it.
     pub fn command(&self) -> String {
-        let (companion, chapter) = (companion(), self.chapter.name());
+        let (companion, chapter) = (companion_command(), self.chapter.name());
         match self.probe {
             Some(probe) => self.probed_command(probe),
             None => format!("{companion} check {chapter} PICTURE"),
@@ -137,7 +137,7 @@ impl Task {
 
     /// The command that checks a picture of it with that probe.
     pub fn probed_command(&self, probe: Probe) -> String {
-        let (companion, chapter) = (companion(), self.chapter.name());
+        let (companion, chapter) = (companion_command(), self.chapter.name());
         format!("{companion} check {chapter} --probe {} PICTURE", probe.name)
     }
 

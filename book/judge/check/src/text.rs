@@ -44,7 +44,7 @@ pub fn headline(headline: &Headline, style: Style, width: usize) -> Vec<String> 
         Grade::OnTheWay => style.bold(&verdict),
         Grade::Wrong | Grade::NoPicture => style.red(&verdict),
     };
-    let [before, rest] = [before, rest].map(|it| names::visible(&it).into_owned());
+    let [before, rest] = [before, rest].map(|it| names::escape_for_terminal(&it).into_owned());
     let said = filled(&format!("{before}{verdict}{rest}"), width, "", "");
     said.lines().map(str::to_owned).collect()
 }
@@ -89,7 +89,12 @@ fn row(row: &Row, style: Style, width: usize) -> Vec<String> {
         RowKind::Printed => vec![row.text.clone()],
         // It is copied as a whole.
         RowKind::ByHand => vec![style.labeled(row.kind.label()) + &row.text],
-        kind => labeled(kind.label(), &names::visible(&row.text), style, width),
+        kind => labeled(
+            kind.label(),
+            &names::escape_for_terminal(&row.text),
+            style,
+            width,
+        ),
     }
 }
 

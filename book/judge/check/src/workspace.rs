@@ -13,11 +13,13 @@ use crate::names;
 pub fn page(slip: &Slip) -> Option<String> {
     let path = workspace()?.join("target/book").join(slip.address());
     let (file, _) = path.to_str()?.rsplit_once('#')?;
-    Path::new(file).is_file().then(|| names::from_here(&path))
+    Path::new(file)
+        .is_file()
+        .then(|| names::name_from_here(&path))
 }
 
 /// The file that has the line right, likewise.
 pub fn source(slip: &Slip) -> Option<String> {
     let path = workspace()?.join(slip.source()?);
-    path.is_file().then(|| names::from_here(&path))
+    path.is_file().then(|| names::name_from_here(&path))
 }

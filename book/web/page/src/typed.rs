@@ -7,7 +7,7 @@
 use check::answer::{Answer, Attempt, Commands, Grade, LawsStatus, Row, RowKind};
 use check::context::Context;
 use check::html::{self, HostPage};
-use check::names::companion;
+use check::names::companion_command;
 use check::reading::Reading;
 use check::sentences;
 use check::sources::Sources;
@@ -191,7 +191,10 @@ impl Text {
             commands: Commands {
                 judge: Box::new(|probe| {
                     let probe = probe.map_or("", |probe| probe.name);
-                    format!("{} watch {name} --probe {probe}, at home", companion())
+                    format!(
+                        "{} watch {name} --probe {probe}, at home",
+                        companion_command()
+                    )
                 }),
                 // A button below the answer leads on.
                 start: None,

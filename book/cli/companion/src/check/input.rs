@@ -57,10 +57,10 @@ impl<'a> Source<'a> {
 impl fmt::Display for Source<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::File(path) => write!(f, "{}", names::spelled(path)),
+            Self::File(path) => write!(f, "{}", names::escaped_name(path)),
             Self::Stdin => write!(f, "standard input"),
             Self::Program(words) => {
-                let words: Vec<String> = words.iter().map(names::spelled).collect();
+                let words: Vec<String> = words.iter().map(names::escaped_name).collect();
                 write!(f, "what {} prints", words.join(" "))
             }
         }
@@ -71,7 +71,7 @@ impl fmt::Display for Source<'_> {
 fn opened(path: &Path) -> io::Result<File> {
     const PATIENCE: Duration = Duration::from_secs(1);
     let (opened, ends) = mpsc::channel::<()>();
-    let name = names::spelled(path);
+    let name = names::escaped_name(path);
     thread::spawn(move || {
         if ends.recv_timeout(PATIENCE) == Err(RecvTimeoutError::Timeout) {
             complain(&format!(

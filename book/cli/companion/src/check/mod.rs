@@ -12,7 +12,7 @@ use check::answer::{Answer, Attempt, Commands, Row, RowKind};
 use check::context::Context;
 use check::guess;
 use check::html::{self, HostPage};
-use check::names::{self, companion};
+use check::names::{self, companion_command};
 use check::reading::{self, Reading};
 use check::report::ReportPage;
 use check::task::Task;
@@ -110,7 +110,7 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
     let page = page.map(|folder| report(folder, chapter, &answer));
     let mut said = laid_out(&answer);
     if let Some(Ok(page)) = &page {
-        said += &format!("\nThe page is {}\n", names::spelled(page));
+        said += &format!("\nThe page is {}\n", names::escaped_name(page));
     }
     output::to_stdout(|out| out.write_all(said.as_bytes()))?;
     // The picture is judged all the same.
@@ -148,7 +148,7 @@ impl Arguments {
             }
             (Some(First::Picture(path)), _) => Err(format!(
                 "{} is no chapter, and there is more than one picture",
-                names::spelled(path)
+                names::escaped_name(path)
             )
             .into()),
             (None, _) => Ok((None, program)),
@@ -197,7 +197,7 @@ impl Arguments {
         let task = Task::new(chapter, self.probe).ok_or_else(|| {
             format!(
                 "this chapter has no place for the spheres of that probe; `{} probes CHAPTER` lists those it has",
-                companion()
+                companion_command()
             )
         })?;
         Ok(match self.edition {

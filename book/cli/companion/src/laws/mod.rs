@@ -68,7 +68,7 @@ fn not_started(program: &[OsString], cause: &str) -> String {
     format!(
         "{} does not start: {cause}\n\
          to do:    is it built, and is its path right? A program in this folder is ./NAME\n",
-        names::spelled(&program[0])
+        names::escaped_name(&program[0])
     )
 }
 
@@ -249,7 +249,7 @@ impl<'a> Asked<'a> {
             format!(
                 "{}\nit says:  {}\n",
                 self.by_hand(&line),
-                names::visible(said)
+                names::escape_for_terminal(said)
             )
         });
         format!(
@@ -312,7 +312,7 @@ impl<'a> Asked<'a> {
             Chapter::HittableList => "t, and perhaps the normal and front or back; or miss",
             _ => "t, as a number, or miss",
         };
-        let shown = |said: &str| format!("`{}`", names::visible(said));
+        let shown = |said: &str| format!("`{}`", names::escape_for_terminal(said));
         match failure {
             Failure::Tardy => (
                 format!("did not answer within {limit:?}, but later"),

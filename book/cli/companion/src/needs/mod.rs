@@ -121,7 +121,7 @@ fn progress() -> impl Fn(usize, usize) + Sync {
 /// # Errors
 /// If it can't be read; or its first mistake, with line and column.
 fn read(path: &Path) -> Result<Scene, Box<dyn Error>> {
-    let shown = names::spelled(path);
+    let shown = names::escaped_name(path);
     let text = short::text(path).map_err(|cause| {
         misuse(&format!(
             "cannot read {shown}: {cause}\nA scene is a TOML file; --help shows an example."

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use check::names::{self, companion};
+use check::names::{self, companion_command};
 use common::rtweekend::*;
 use figures::number::three_digits;
 use measure::machine;
@@ -22,7 +22,7 @@ pub(super) fn text(scene: &Scene, found: &[Found], with_acne: usize) -> String {
         count => format!("{count} spheres"),
     };
     let sun = scene.sun.map_or("", |_| " and a sun");
-    let name = names::visible(&scene.name);
+    let name = names::escape_for_terminal(&scene.name);
     let mut text = paragraph(&advice(scene, found, with_acne));
     text += &format!("\n{name}: {spheres}{sun}, {width} × {height} pixels\n");
     text += &assumed(scene);
@@ -264,7 +264,7 @@ fn again(culprit: &Culprit) -> String {
     };
     format!(
         "  {} hit --origin={} --direction={} --center={} --radius={:?}{range}\n",
-        companion(),
+        companion_command(),
         vector(case.ray.origin),
         vector(case.ray.direction),
         vector(case.center),

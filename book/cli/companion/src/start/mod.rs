@@ -10,7 +10,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use carry::Written;
-use check::names::from_here;
+use check::names::name_from_here;
 use check::workspace::workspace;
 use clap::Args;
 use common::engine::output;
@@ -45,7 +45,7 @@ pub(crate) fn start(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let failed = |cause: io::Error| {
         format!(
             "cannot write {}: {cause}\nName a folder that you may write to: {} --into FOLDER",
-            from_here(&folder),
+            name_from_here(&folder),
             ReaderCrates::find(None).start_command(chapter),
         )
     };
@@ -54,7 +54,7 @@ pub(crate) fn start(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         return Err(misuse(&format!(
             "{} is there already, and nothing is written over it\n\
              Go on with {}, or rename that folder to begin once more.",
-            from_here(&folder),
+            name_from_here(&folder),
             crates.watch_command(chapter),
         )));
     }
@@ -176,7 +176,7 @@ impl New {
 
     fn as_text(&self, crates: &ReaderCrates) -> String {
         let file = crates.folder_of(self.chapter).join("src/lib.rs");
-        let mut said = format!("{} is yours.\n{}", from_here(&file), self.carried);
+        let mut said = format!("{} is yours.\n{}", name_from_here(&file), self.carried);
         let is_to_type = |(_, text): &&(_, String)| text.contains("todo!()");
         let to_type = self.files.iter().filter(is_to_type).map(|&(name, _)| name);
         if let [before @ .., last] = &to_type.collect::<Vec<_>>()[..]

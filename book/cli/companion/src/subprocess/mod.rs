@@ -41,7 +41,7 @@ pub(crate) fn printed(
     end: io::Result<End>,
     limit: Duration,
 ) -> Result<Vec<u8>, Cause> {
-    let name = names::spelled(&words[0]);
+    let name = names::escaped_name(&words[0]);
     let (problem, fix) = match end {
         Ok(End::Itself(status, bytes)) if status.success() => return Ok(bytes),
         Ok(End::Full(bytes)) => return Ok(bytes),

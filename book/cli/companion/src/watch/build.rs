@@ -155,7 +155,10 @@ fn problem(messages: &[Value], said: &str) -> Problem {
     };
     let errors: Vec<&Value> = messages.filter(is_error).collect();
     // The compiler takes out of its messages what a terminal would obey; a script doesn't.
-    let said = said.lines().map(names::visible).collect::<Vec<_>>();
+    let said = said
+        .lines()
+        .map(names::escape_for_terminal)
+        .collect::<Vec<_>>();
     let said = said.join("\n");
     let first = errors.first().and_then(|it| it["rendered"].as_str());
     Problem {

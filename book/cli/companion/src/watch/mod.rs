@@ -16,7 +16,7 @@ use std::time::{Duration, Instant};
 
 use check::answer::{Answer, Attempt, Commands, LawsStatus, Row, RowKind};
 use check::context::Context;
-use check::names::{companion, from_here};
+use check::names::{companion_command, name_from_here};
 use check::reading::{Cause, read};
 use check::sentences::{self, printed, step_is_done};
 use check::task::Task;
@@ -103,7 +103,9 @@ pub(crate) fn watch(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
         let mut has_ended =
             || screen::is_closed() || laws.has_ended() && subject.misses_laws.take();
         if !changes.wait(&mut has_ended) {
-            return Err(format!("{} is not there any more", from_here(&subject.folder)).into());
+            return Err(
+                format!("{} is not there any more", name_from_here(&subject.folder)).into(),
+            );
         }
         if screen::is_closed() {
             return Ok(ExitCode::SUCCESS);
@@ -146,8 +148,8 @@ impl Subject {
             };
             return Err(misuse(&format!(
                 "there is no {} yet\n{make} your program: {} watch {} -- PROGRAM",
-                from_here(&folder),
-                companion(),
+                name_from_here(&folder),
+                companion_command(),
                 chapter.name(),
             )));
         }
@@ -284,7 +286,7 @@ impl Subject {
         };
         let mut answer = attempt.answer(judge_file(&self.task, bytes, 0, &context));
         if answer.is_right() && !is_crate && ASKED.contains(&chapter) {
-            let (companion, name) = (companion(), chapter.name());
+            let (companion, name) = (companion_command(), chapter.name());
             let asks = format!(
                 "{companion} laws {name} asks your function what no picture shows; lines on the page Check your picture"
             );
@@ -317,7 +319,7 @@ impl Subject {
 
     fn watch_program(&self, chapter: Chapter, option: &str) -> String {
         let program: Vec<String> = self.program.iter().map(shell_word).collect();
-        let (companion, name) = (companion(), chapter.name());
+        let (companion, name) = (companion_command(), chapter.name());
         format!("{companion} watch {name}{option} -- {}", program.join(" "))
     }
 }
