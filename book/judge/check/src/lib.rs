@@ -34,5 +34,6 @@ pub mod workspace;
 
 pub use candidate::{Conversion, Unexplained};
 pub use course::names;
+pub use judge::{judge, judge_file, judge_guessed};
 pub use search::{FileEdit, edits_everywhere};
 pub use sentences::names_of;

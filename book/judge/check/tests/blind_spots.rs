@@ -3,9 +3,10 @@
 
 use check::blind_spots;
 use check::context::Context;
+use check::judge_file;
 use check::png;
 use check::task::Task;
-use check::verdict::{Verdict, judge_file};
+use check::verdict::Verdict;
 use slips::Chapter;
 use slips::{self, PROBES, Probe, Slip, Unseen};
 

@@ -3,10 +3,10 @@
 
 use check::answer::{Row, RowKind};
 use check::context::Context;
+use check::judge;
 use check::reading::Reading;
 use check::sources::Sources;
 use check::task::Task;
-use check::verdict::judge;
 use slips::{Chapter, ChapterProgram, Edit, ReaderLanguage};
 
 const GRADIENT: Chapter = Chapter::Gradient;

@@ -2,10 +2,11 @@
 
 use check::answer::{Row, RowKind};
 use check::context::Context;
+use check::judge_file;
 use check::png;
 use check::sources::Sources;
 use check::task::Task;
-use check::verdict::{Verdict, judge_file};
+use check::verdict::Verdict;
 use common::rtweekend::*;
 use slips::{Chapter, ChapterProgram, Edit, Edition, ReaderLanguage};
 

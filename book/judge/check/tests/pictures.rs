@@ -8,8 +8,8 @@ use check::names_of;
 use check::reading::Reading;
 use check::task::Task;
 use check::text::{MOST_LINES, Style, lines};
-use check::verdict::{Verdict, judge, judge_file, judge_guessed};
-use check::{guess, png};
+use check::verdict::Verdict;
+use check::{guess, judge, judge_file, judge_guessed, png};
 use common::rtweekend::*;
 use slips::{Chapter, ChapterProgram, Edit, Edition, Slip};
 

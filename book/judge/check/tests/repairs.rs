@@ -6,10 +6,11 @@ use std::thread;
 
 use check::answer::{Row, RowKind};
 use check::context::Context;
+use check::judge;
 use check::reading::Reading;
 use check::sources::Sources;
 use check::task::Task;
-use check::verdict::{Verdict, judge};
+use check::verdict::Verdict;
 use slips::{Chapter, ChapterProgram, ReaderLanguage, steps};
 
 /// Chapters, whether in their own text or in another form, and what stands there wrong for what

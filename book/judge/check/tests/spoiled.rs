@@ -4,11 +4,12 @@
 
 use check::answer::{Attempt, Commands};
 use check::context::Context;
+use check::judge_file;
 use check::png;
 use check::reading::{MOST_PIXELS, read};
 use check::task::Task;
 use check::text::{MOST_LINES, Style, lines};
-use check::verdict::{Verdict, judge_file};
+use check::verdict::Verdict;
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
 use proptest::{collection, option};

@@ -2,8 +2,8 @@
 
 use check::answer::{Answer, Attempt, Commands, LawsStatus};
 use check::context::Context;
+use check::judge_file;
 use check::task::Task;
-use check::verdict::judge_file;
 use slips::{Chapter, steps};
 
 fn answer(text: &str, laws: &LawsStatus) -> Answer {

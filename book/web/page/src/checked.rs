@@ -7,13 +7,13 @@ use std::iter;
 
 use check::answer::{Answer, Attempt, Commands, Pictures};
 use check::context::Context;
-use check::guess;
 use check::html::{HostPage, below, escaped, headline};
 use check::reading::{self, Cause, MOST_PIXELS, Reading};
 use check::report::difference_picture;
 use check::sentences;
 use check::task::Task;
-use check::verdict::{self, Verdict};
+use check::verdict::Verdict;
+use check::{guess, judge, judge_guessed};
 use slips::{Chapter, Edition, PROBES, Probe, Slip};
 
 use crate::rgba;
@@ -129,9 +129,9 @@ fn judged(question: Question, reading: Reading, foreign: Option<Cause>) -> Answe
     let wanted = question.task(Some(&reading));
     let is_guessed = question.chapter.is_none();
     let (task, verdict) = if is_guessed {
-        verdict::judge_guessed(&wanted, &reading, 0, &context)
+        judge_guessed(&wanted, &reading, 0, &context)
     } else {
-        (wanted, verdict::judge(&wanted, &reading, 0, &context))
+        (wanted, judge(&wanted, &reading, 0, &context))
     };
     let loses_levels = |it: &Cause| {
         ["JPEG", "WebP"]

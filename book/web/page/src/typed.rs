@@ -7,12 +7,12 @@
 use check::answer::{Answer, Attempt, Commands, Grade, LawsStatus, Row, RowKind};
 use check::context::Context;
 use check::html::{self, HostPage};
+use check::judge;
 use check::names::companion_command;
 use check::reading::Reading;
 use check::sentences;
 use check::sources::Sources;
 use check::task::Task;
-use check::verdict;
 use common::rtweekend::*;
 use interpreter::{Fault, FaultKind};
 use laws::answers::Answers;
@@ -202,7 +202,7 @@ impl Text {
             },
         };
         let reading = Reading::of(picture);
-        attempt.answer(verdict::judge(&task, &reading, 0, &context))
+        attempt.answer(judge(&task, &reading, 0, &context))
     }
 
     /// Returns what the compiler would refuse and was seen only when the laws asked.

@@ -10,13 +10,13 @@ use std::time::Duration;
 
 use check::answer::{Answer, Attempt, Commands, Row, RowKind};
 use check::context::Context;
-use check::guess;
 use check::html::{self, HostPage};
 use check::names::{self, companion_command};
 use check::reading::{self, Reading};
 use check::report::ReportPage;
 use check::task::Task;
-use check::verdict::{self, Verdict};
+use check::verdict::Verdict;
+use check::{guess, judge, judge_guessed};
 use clap::Args;
 use clap::builder::TypedValueParser;
 use common::engine::output;
@@ -166,13 +166,12 @@ impl Arguments {
         let bytes = source.read(self.timeout);
         let (task, verdict, encoding) = match (bytes.and_then(|it| reading::read(&it)), task) {
             (Ok(reading), Some(task)) => {
-                let verdict = verdict::judge(&task, &reading, tolerance, context);
+                let verdict = judge(&task, &reading, tolerance, context);
                 (task, verdict, reading.encoding)
             }
             (Ok(reading), None) => {
                 let guessed = self.guessed(&reading)?;
-                let (task, verdict) =
-                    verdict::judge_guessed(&guessed, &reading, tolerance, context);
+                let (task, verdict) = judge_guessed(&guessed, &reading, tolerance, context);
                 (task, verdict, reading.encoding)
             }
             (Err(cause), task) => {

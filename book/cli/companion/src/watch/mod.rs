@@ -16,11 +16,11 @@ use std::time::{Duration, Instant};
 
 use check::answer::{Answer, Attempt, Commands, LawsStatus, Row, RowKind};
 use check::context::Context;
+use check::judge_file;
 use check::names::{companion_command, name_from_here};
 use check::reading::{Cause, read};
 use check::sentences::{self, printed, step_is_done};
 use check::task::Task;
-use check::verdict::judge_file;
 use clap::Args;
 use common::engine::output;
 use common::rtweekend::Picture;

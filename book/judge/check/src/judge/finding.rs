@@ -1,0 +1,171 @@
+//! The making of a [`Finding`]: what explains a picture, weighed beside the repair of the reader's
+//! own lines.
+
+use slips::{Edition, Slip};
+
+use super::explain::{Explanation, Fit, explain};
+use crate::candidate::Candidate;
+use crate::comparison::Comparison;
+use crate::context::{Context, Evidence};
+use crate::reading::Reading;
+use crate::search::{Drawn, Repair};
+use crate::task::Task;
+use crate::verdict::{AlmostRight, Finding, Mistakes};
+use crate::{candidates, seen, telling};
+
+impl Finding {
+    /// Finds what explains the picture.
+    ///
+    /// # Errors
+    /// The other tasks whose right picture this is, if it is one.
+    pub(super) fn of(
+        task: &Task,
+        reading: &Reading,
+        context: &Context,
+    ) -> Result<Box<Self>, Vec<Task>> {
+        let evidence = Evidence::new(task, reading, context);
+        let finding = match explain(&evidence) {
+            Explanation::Another(tasks) => return Err(tasks),
+            // The width that a probe is about was forgotten.
+            Explanation::AlmostRight(fit)
+                if fit.unexplained.is_nothing() && evidence.task.probe != task.probe =>
+            {
+                return Err(vec![evidence.task]);
+            }
+            Explanation::AlmostRight(fit) => {
+                let almost_right = AlmostRight {
+                    task: fit.candidates[0].task,
+                    unexplained: fit.unexplained,
+                };
+                Self {
+                    almost_right: Some(almost_right),
+                    editions: fit.editions(reading),
+                    ..Self::beside(&evidence, &fit.candidates[0])
+                }
+            }
+            Explanation::Mistakes(fit) => Self {
+                editions: fit.editions(reading),
+                mistakes: Some(Mistakes::of(&fit)),
+                ..Self::beside(&evidence, &fit.candidates[0])
+            },
+            Explanation::Nothing(right) => Self::unknown(&evidence, &right),
+        };
+        Ok(Box::new(finding.repaired(&evidence)))
+    }
+
+    /// Adds what makes the reader's program right, and keeps of the mistakes that draw its picture
+    /// only the one that goes with it.
+    fn repaired(mut self, evidence: &Evidence) -> Self {
+        let (sources, context) = (&evidence.context.sources, evidence.context);
+        let is_exact = |it: &Self| it.almost_right.as_ref().is_some_and(AlmostRight::is_exact);
+        let step = evidence.repair().and_then(|it| it.step);
+        if self.task.step() != step
+            && (sources.is_written() || !is_exact(&self))
+            && evidence.repair().is_some_and(Repair::is_of_lines)
+        {
+            // A line is wrong in what is written: in all of the chapter, or as far as a step.
+            let rights = candidates::rights(evidence);
+            let right = rights.iter().find(|it| it.task.step() == step);
+            self = Self::beside(evidence, right.unwrap_or(&rights[0]));
+        }
+        if self.task.step() != step || is_exact(&self) && self.is_answered {
+            return self;
+        }
+        // A slip's line in another language is said in that.
+        let is_found = |slip: &&Slip| context.line_of(slip, &self.task).is_some();
+        if sources.in_rust().is_empty() && self.single().iter().any(is_found) {
+            return self;
+        }
+        let Some(repair) = evidence.repair().cloned() else {
+            return self;
+        };
+        self.almost_right = None;
+        if let Some(mistakes) = &mut self.mistakes {
+            let task = mistakes.task;
+            let is_mended = |slip: &&'static Slip| context.is_mended(slip, &task, &repair);
+            mistakes.all.retain(|slips| slips.iter().all(is_mended));
+        }
+        self.mistakes = self.mistakes.filter(|it| it.all.len() == 1);
+        self.repair = Some(repair);
+        self
+    }
+
+    /// Returns a finding with what every explanation shares.
+    fn beside(evidence: &Evidence, by: &Candidate) -> Self {
+        let (reading, task) = (evidence.reading, by.task);
+        let right = task.right(reading.width, reading.height);
+        let yours = reading.picture();
+        let difference = match Comparison::of(&right, &yours) {
+            Comparison::Pixels(difference) => Some(difference),
+            _ => None,
+        };
+        let program = by.task.unchanged().program(&by.slips);
+        Self {
+            task,
+            editions: vec![task.edition],
+            right,
+            yours,
+            difference,
+            almost_right: None,
+            mistakes: None,
+            drawn: Drawn::default(),
+            sights: Vec::new(),
+            first: Vec::new(),
+            repair: None,
+            is_answered: evidence.context.is_answered_by(&program),
+        }
+    }
+
+    /// Returns what can be seen, where no program that is known draws it.
+    fn unknown(evidence: &Evidence, right: &Candidate) -> Self {
+        let finding = Self::beside(evidence, right);
+        let (sights, first) = seen::seen(&finding.task, evidence.reading, &finding.right);
+        Self {
+            sights,
+            first,
+            drawn: match evidence.repair() {
+                Some(_) => Drawn::default(),
+                None => evidence.drawn(&right.task).clone(),
+            },
+            ..finding
+        }
+    }
+}
+
+impl Fit {
+    /// The editions in which the same leaves the same.
+    fn editions(&self, reading: &Reading) -> Vec<Edition> {
+        let it = &self.candidates[0];
+        let own = it.task.edition;
+        if own == Edition::V4 {
+            return vec![own];
+        }
+        let tasks = it.task.by_editions(reading.width, reading.height);
+        let is_same = |task: &Task| {
+            let candidate = Candidate {
+                task: *task,
+                ..it.clone()
+            };
+            candidate.unexplained(reading, self.unexplained.off) == Some(self.unexplained)
+        };
+        let same = tasks.filter(is_same).map(|task| task.edition);
+        let others = same.filter(|edition| *edition != own);
+        [own].into_iter().chain(others).collect()
+    }
+}
+
+impl Mistakes {
+    fn of(fit: &Fit) -> Self {
+        let first = &fit.candidates[0];
+        let all: Vec<Vec<&'static Slip>> =
+            fit.candidates.iter().map(|it| it.slips.clone()).collect();
+        Self {
+            task: first.task,
+            telling: telling::apart(&first.task, &all),
+            all,
+            conversion: first.conversion,
+            is_in_text: fit.is_in_text,
+            unexplained: fit.unexplained,
+        }
+    }
+}
