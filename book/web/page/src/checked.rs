@@ -246,7 +246,7 @@ impl Answered {
                 it.task
                     .program(slips)
                     .run(it.reading.width)
-                    .traced(at as u32)
+                    .trace(at as u32)
             });
         let lines = slips::side_by_side(&traced.collect::<Vec<_>>());
         format!("{lines}\nyours\t{r} {g} {b}")

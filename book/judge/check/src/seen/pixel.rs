@@ -14,10 +14,10 @@ impl View<'_> {
         let (i, j) = (n % self.reading.width, n / self.reading.width);
         let (should, is) = (self.expected(n), self.found(n));
         let first = format!("column {i}, row {j}: should be {should:?}, yours {is:?}");
-        let numbers = self.output().traced(n).into_iter();
-        let numbers = numbers.filter(|(label, _)| TELLING.contains(&&**label));
+        let numbers = self.output().trace(n).into_iter();
+        let numbers = numbers.filter(|it| TELLING.contains(&&*it.label));
         let numbers: Vec<_> = numbers
-            .map(|(label, it)| format!("{label} = {it}"))
+            .map(|it| format!("{} = {}", it.label, it.value))
             .collect();
         let said = format!("as they should be there: {}", numbers.join("; "));
         let numbers = (!numbers.is_empty()).then(|| Row::new(RowKind::Numbers, said));

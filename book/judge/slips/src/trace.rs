@@ -1,0 +1,86 @@
+//! Tracing: the numbers of one pixel on their way from the viewport to the levels.
+
+use common::rtweekend::*;
+use interpreter::{Note, number};
+
+use crate::program::Output;
+
+/// A line of a [trace](Output::trace): a number's name and its value.
+pub struct TraceRow {
+    /// The name in the chapter, as `oc`; `oc, again` and `oc, again 2` where it is computed anew.
+    pub label: String,
+    /// The value as it is shown: a number, or a vector as `(x, y, z)`.
+    pub value: String,
+}
+
+impl TraceRow {
+    fn new(label: impl Into<String>, value: String) -> Self {
+        let label = label.into();
+        Self { label, value }
+    }
+}
+
+impl Output {
+    /// Traces the `n`th printed pixel: its point on the viewport and its ray, then what each `let`
+    /// of the program is given, then the color and the levels.
+    ///
+    /// The rows of what the program does not reach are left out.
+    pub fn trace(&self, n: u32) -> Vec<TraceRow> {
+        let mut rows = Vec::new();
+        if let Some(ray) = self.ray(n) {
+            rows.push(TraceRow::new("point on the viewport", vector(ray.at(1.0))));
+            rows.push(TraceRow::new("origin", vector(ray.origin)));
+            rows.push(TraceRow::new("direction", vector(ray.direction)));
+        }
+        rows.extend(labeled(self.notes(n)));
+        rows.extend(self.color(n).map(|it| TraceRow::new("color", vector(it))));
+        let [r, g, b] = self.pixel(n);
+        rows.push(TraceRow::new("levels", format!("{r} {g} {b}")));
+        rows
+    }
+}
+
+/// Labels the values of a trace by their names. A name that comes again, as with the second
+/// sphere, is numbered.
+fn labeled(notes: Vec<Note>) -> Vec<TraceRow> {
+    let mut rows: Vec<TraceRow> = Vec::new();
+    for (function, name, value) in notes {
+        let is_of_the_way = ["Camera::new", "Camera::with_size"].contains(&function.as_str());
+        if is_of_the_way || name == "return" {
+            continue;
+        }
+        let again = format!("{name}, again");
+        let is_same = |row: &&TraceRow| row.label == name || row.label.starts_with(&again);
+        let label = match rows.iter().filter(is_same).count() {
+            0 => name,
+            1 => again,
+            n => format!("{again} {n}"),
+        };
+        rows.push(TraceRow { label, value });
+    }
+    rows
+}
+
+/// Lays traces out as a table with tabs: a line for each label, then the value of each trace, or
+/// `none`. The labels of the first trace come first; no trace gives an empty text.
+pub fn side_by_side(traces: &[Vec<TraceRow>]) -> String {
+    let mut labels: Vec<&str> = Vec::new();
+    for row in traces.iter().flatten() {
+        if !labels.contains(&&*row.label) {
+            labels.push(&row.label);
+        }
+    }
+    let line = |label: &str| {
+        let values = traces.iter().map(|rows| {
+            let row = rows.iter().find(|row| row.label == label);
+            row.map_or("none", |row| &row.value)
+        });
+        format!("{label}\t{}", values.collect::<Vec<_>>().join("\t"))
+    };
+    labels.into_iter().map(line).collect::<Vec<_>>().join("\n")
+}
+
+fn vector(of: Vec3) -> String {
+    let [x, y, z] = of.to_array().map(number);
+    format!("({x}, {y}, {z})")
+}
