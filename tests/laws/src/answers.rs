@@ -18,11 +18,37 @@ use crate::verdict::{BrokenLaw, Complaint, Outcome, Report};
 /// The environment variable that names the file.
 pub const ANSWERS: &str = "LAWS_ANSWERS";
 
-/// Questions that functions were asked, with their answers.
+/// A question that a function was asked, with its answer.
+#[derive(Clone, Debug)]
+pub struct Answered {
+    /// The question.
+    pub question: Question,
+    /// The answer as numbers, as [`Question::put_to`] lists them: empty for a miss.
+    pub answer: Vec<f64>,
+}
+
+impl Answered {
+    /// Returns true if the program answers this question equally, but for roundings.
+    fn is_given_by(&self, program: &dyn Functions) -> bool {
+        let Self { question, answer } = self;
+        question.same(answer, &question.put_to(program))
+    }
+}
+
+/// Counts of answers that are compared with those of a program.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Mismatch {
+    /// The number of questions that were asked.
+    pub asked: usize,
+    /// The number of those among them that the program answers otherwise, as far as it was counted.
+    pub differing: usize,
+}
+
+/// All answers of a program's functions, in the order in which they were asked.
 #[derive(Clone, Debug, Default)]
 pub struct Answers {
-    /// Each question with its answer, in the order in which they were asked.
-    pub given: Vec<(Question, Vec<f64>)>,
+    /// The questions with their answers: empty if nothing was asked.
+    pub given: Vec<Answered>,
 }
 
 impl Answers {
@@ -31,25 +57,27 @@ impl Answers {
         let questions = questions.into_iter();
         let answered = questions.map(|question| {
             let answer = question.put_to(program);
-            (question, answer)
+            Answered { question, answer }
         });
         Self {
             given: answered.collect(),
         }
     }
 
-    /// Returns true if the program gives the last answer, too.
-    pub fn ends_as(&self, program: &dyn Functions) -> bool {
+    /// Returns true if `program` gives the last of these answers, too, or if there is none.
+    pub fn last_is_given_by(&self, program: &dyn Functions) -> bool {
         let last = self.given.last();
-        last.is_none_or(|(question, answer)| question.same(answer, &question.put_to(program)))
+        last.is_none_or(|it| it.is_given_by(program))
     }
 
-    /// Counts all answers, and those that the program does not give, up to `most`.
-    pub fn unlike(&self, program: &dyn Functions, most: usize) -> (usize, usize) {
-        let given = self.given.iter();
-        let unlike =
-            given.filter(|(question, answer)| !question.same(answer, &question.put_to(program)));
-        (self.given.len(), unlike.take(most).count())
+    /// Counts all answers, and those that `program` does not give: these at most up to `most`,
+    /// where counting ends.
+    pub fn mismatch_with(&self, program: &dyn Functions, most: usize) -> Mismatch {
+        let differing = self.given.iter().filter(|it| !it.is_given_by(program));
+        Mismatch {
+            asked: self.given.len(),
+            differing: differing.take(most).count(),
+        }
     }
 }
 
@@ -148,14 +176,15 @@ fn text_of(line: &Fields, name: &str) -> Option<String> {
     line.get(name)?.get::<String>().cloned()
 }
 
-fn answer(line: &Fields) -> Option<(Question, Vec<f64>)> {
+fn answer(line: &Fields) -> Option<Answered> {
     let numbers = |name: &str| -> Option<Vec<f64>> {
         let numbers: &Vec<JsonValue> = line.get(name)?.get()?;
         let number = |it: &JsonValue| it.get::<String>()?.parse().ok();
         numbers.iter().map(number).collect()
     };
     let question = Question::read(&text_of(line, "kind")?, &numbers("question")?)?;
-    Some((question, numbers("answer")?))
+    let answer = numbers("answer")?;
+    Some(Answered { question, answer })
 }
 
 /// Reads a verdict. What was answered before it is what it rests on.

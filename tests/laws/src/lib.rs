@@ -45,6 +45,7 @@ pub mod strategies;
 pub mod trial;
 pub mod verdict;
 
+pub use answers::Mismatch;
 pub use common::rtweekend::{Color, Point3, Ray};
 pub use question::{Functions, IntervalCase, Question};
 pub use ray_color::ChapterScene;

@@ -14,7 +14,7 @@ use proptest::prelude::*;
 use proptest::test_runner::{Config, TestError, TestRunner};
 use speed_vs_accuracy::Case;
 
-use crate::answers::{ANSWERS, Answers, Line};
+use crate::answers::{ANSWERS, Answered, Answers, Line};
 use crate::camera::{CameraPixel, the_ray_of_a_pixel_goes_through_its_center};
 use crate::face::{SetFaceNormal, the_normal_is_turned_against_the_ray};
 use crate::list::{ListSolver, World, the_nearest_of_all_members_is_returned};
@@ -147,7 +147,8 @@ impl Trial {
             let asked = telling(&strategies::ordinary_asked()).into_iter();
             let own = asked.map(|asked| {
                 let answer = of_hit(&asked, record(&asked));
-                (Question::Record(asked), answer)
+                let question = Question::Record(asked);
+                Answered { question, answer }
             });
             report.answers.given.splice(0..0, own);
         }
@@ -259,7 +260,7 @@ impl Trial {
 
     fn keep_answer(&self, answers: &mut Answers, question: Question, answer: Vec<f64>) {
         self.keep(&Line::Answer(&question, &answer));
-        answers.given.push((question, answer));
+        answers.given.push(Answered { question, answer });
     }
 
     fn keep(&self, line: &Line) {

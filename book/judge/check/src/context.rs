@@ -2,6 +2,7 @@
 
 use std::cell::OnceCell;
 
+use laws::Mismatch;
 use slips::{ChapterProgram, Edition, ReaderLanguage, Slip, SlipText};
 
 use crate::blind_spots;
@@ -12,8 +13,8 @@ pub(crate) use crate::sources::Said;
 use crate::sources::{Found, Sources};
 use crate::task::Task;
 
-/// How many answers were given, and how many of them a program would not give.
-pub type CompareAnswers<'a> = dyn Fn(&ChapterProgram) -> (usize, usize) + 'a;
+/// Compares the answers of the reader's functions with those of a chapter's program.
+pub type CompareAnswers<'a> = dyn Fn(&ChapterProgram) -> Mismatch + 'a;
 
 /// What is known besides the picture.
 #[derive(Default)]
@@ -83,7 +84,8 @@ impl Context<'_> {
 
     /// Returns true if the reader's functions answer as the program would.
     pub(crate) fn is_answered_by(&self, program: &ChapterProgram) -> bool {
-        self.answers.is_none_or(|unlike| unlike(program).1 == 0)
+        self.answers
+            .is_none_or(|compare| compare(program).differing == 0)
     }
 }
 
@@ -169,17 +171,18 @@ impl<'a> Evidence<'a> {
         let is_right = it.slips.is_empty() && it.task.step().is_none();
         is_further
             || !is_right
-                && context.answers.is_some_and(|unlike| {
-                    let (asked, unlike) = unlike(&it.task.unchanged().program(&it.slips));
-                    unlike * REFUTING > asked
+                && context.answers.is_some_and(|compare| {
+                    let mismatch = compare(&it.task.unchanged().program(&it.slips));
+                    mismatch.differing * REFUTING > mismatch.asked
                 })
     }
 
     /// Returns true if the reader's functions answer more like the whole chapter's than like those
     /// of this step: the reader is past it.
     pub(crate) fn is_past(&self, step: &Task) -> bool {
-        self.context.answers.is_some_and(|unlike| {
-            let [whole, step] = [self.task, *step].map(|it| unlike(&it.unchanged().program(&[])).1);
+        self.context.answers.is_some_and(|compare| {
+            let [whole, step] =
+                [self.task, *step].map(|it| compare(&it.unchanged().program(&[])).differing);
             whole < step
         })
     }

@@ -504,7 +504,8 @@ impl Attempt<'_> {
         let chapter = self.task.chapter;
         let may_be = |slip: &Slip| {
             self.context.can_be_made(slip, &self.task)
-                && (self.context.answers).is_none_or(|unlike| unlike(&slip.program(chapter)).1 == 0)
+                && (self.context.answers)
+                    .is_none_or(|compare| compare(&slip.program(chapter)).differing == 0)
         };
         let NextPicture { task, width, .. } = &blind_spots::next(&right.task, right.width, may_be)?;
         // A program may have its height as a number.

@@ -17,7 +17,8 @@ use laws::list::World;
 use laws::prelude::Prelude;
 use laws::record::RecordedHit;
 use laws::{
-    Case, ChapterScene, Complaint, Functions, IntervalCase, Outcome, Question, Report, Trial,
+    Case, ChapterScene, Complaint, Functions, IntervalCase, Mismatch, Outcome, Question, Report,
+    Trial,
 };
 
 use crate::chapter::Chapter;
@@ -37,8 +38,9 @@ pub fn mistakes_with_answers(
     chapter: Chapter,
     language: ReaderLanguage,
 ) -> Vec<&'static Slip> {
-    let gives_all =
-        |program: &ChapterProgram| answers.ends_as(program) && answers.unlike(program, 1).1 == 0;
+    let gives_all = |program: &ChapterProgram| {
+        answers.last_is_given_by(program) && answers.mismatch_with(program, 1).differing == 0
+    };
     if gives_all(&ChapterProgram::right(chapter)) {
         return Vec::new();
     }
@@ -83,17 +85,17 @@ pub fn explained(mut outcome: Outcome, chapter: Chapter, language: ReaderLanguag
     outcome
 }
 
-/// Counts the answers to a chapter's functions, and those of them that the program does not give,
-/// up to `most`. A program of another chapter has other functions: of none.
-pub fn unlike(
+/// Counts the answers to a chapter's functions, and those that `program` does not give: these at
+/// most up to `most`. Counts none for a program of another chapter, which has other functions.
+pub fn mismatch_with(
     answers: &Answers,
     chapter: Chapter,
     program: &ChapterProgram,
     most: usize,
-) -> (usize, usize) {
+) -> Mismatch {
     match program.chapter == chapter {
-        true => answers.unlike(program, most),
-        false => (0, 0),
+        true => answers.mismatch_with(program, most),
+        false => Mismatch::default(),
     }
 }
 

@@ -167,8 +167,9 @@ impl Text {
         let asked = self.in_place_of_ours(program);
         let laws = laws_of(&asked);
         let answers = Answers::of(&asked, lawful::questions(self.chapter));
-        let unlike =
-            |program: &ChapterProgram| lawful::unlike(&answers, self.chapter, program, MOST_UNLIKE);
+        let compare = |program: &ChapterProgram| {
+            lawful::mismatch_with(&answers, self.chapter, program, MOST_UNLIKE)
+        };
         let can_be_made = |slip: &Slip| {
             slip.is_possible_in_language(ReaderLanguage::Rust) && slip.is_typed_in(self.chapter)
         };
@@ -176,7 +177,7 @@ impl Text {
             language: Some(ReaderLanguage::Rust),
             can_be_made: Some(&can_be_made),
             sources: Sources::of_chapter(self.files.clone(), self.chapter),
-            answers: laws.is_some().then_some(&unlike),
+            answers: laws.is_some().then_some(&compare),
             warnings: Vec::new(),
             steps: vec![false; steps::of_chapter(self.chapter).len()],
         };

@@ -221,7 +221,7 @@ impl<'a> Asked<'a> {
             report
                 .answers
                 .given
-                .retain(|(question, _)| !self.may_be_both(question));
+                .retain(|it| !self.may_be_both(&it.question));
             lawful::explain(&mut report, self.arguments.chapter, self.reader_language());
         }
         let mut rows = report.rows();

@@ -251,15 +251,15 @@ impl Subject {
         let asks = is_crate && !self.is_before_the_laws(bytes);
         let asked = asks.then(ask).transpose()?.flatten();
         let answers = asked.as_ref().map(|it| &it.answers);
-        let unlike = answers.map(|answers| {
-            |program: &ChapterProgram| lawful::unlike(answers, chapter, program, MOST_UNLIKE)
+        let compare = answers.map(|answers| {
+            |program: &ChapterProgram| lawful::mismatch_with(answers, chapter, program, MOST_UNLIKE)
         });
         let is_done = |step| self.done.has(&step_is_done(chapter, step));
         let context = Context {
             language,
             can_be_made: Some(&can_be_made),
             sources,
-            answers: unlike.as_ref().map(|unlike| unlike as _),
+            answers: compare.as_ref().map(|compare| compare as _),
             warnings,
             steps: match self.task.probe {
                 Some(_) => Vec::new(),

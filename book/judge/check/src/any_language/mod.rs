@@ -155,12 +155,10 @@ pub fn tried(trial: &Trial, function: FunctionKind, ask: &Ask) -> FunctionVerdic
     last.borrow_mut().clear();
     if let Err(Complaint::Broken(report)) = &outcome {
         // Asked once more, it breaks the law again.
-        let _ = match report.answers.given.last() {
-            Some((Question::Decision(case), _)) => {
-                obeys_every_law(&nearer_root::decision(decide), case)
-            }
-            Some((Question::Root(case), _)) => obeys_every_law(&solve, case),
-            Some((Question::Record(asked), _)) => record::obeys_every_law(&meant, asked),
+        let _ = match report.answers.given.last().map(|it| &it.question) {
+            Some(Question::Decision(case)) => obeys_every_law(&nearer_root::decision(decide), case),
+            Some(Question::Root(case)) => obeys_every_law(&solve, case),
+            Some(Question::Record(asked)) => record::obeys_every_law(&meant, asked),
             _ => Ok(()),
         };
     }

@@ -218,7 +218,7 @@ impl Mutant {
     fn does_as(&self, other: &Self) -> bool {
         let both = self.does.as_ref().zip(other.does.as_ref());
         both.is_some_and(|(one, other)| {
-            one.small == other.small && one.answers.unlike(&other.program, 1).1 == 0
+            one.small == other.small && one.answers.mismatch_with(&other.program, 1).differing == 0
         })
     }
 }

@@ -105,7 +105,7 @@ impl Goal {
     /// Returns true if the program answers all questions as the chapter does.
     pub(super) fn is_answered_by(&self, program: &Program) -> bool {
         let program = slips::ChapterProgram::typed(self.chapter, program.clone());
-        self.answers.unlike(&program, 1).1 == 0
+        self.answers.mismatch_with(&program, 1).differing == 0
     }
 
     /// Returns true if the program is right, by its answers and by what it draws.
