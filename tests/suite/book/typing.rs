@@ -2,7 +2,7 @@
 //! companion, and the page itself in `tests/browser`.
 
 use page::next::next;
-use page::typed::{Said, Text};
+use page::typed::{Draft, Feedback};
 use page::typing::Caret;
 use slips::Chapter;
 
@@ -10,9 +10,9 @@ use slips::Chapter;
 #[test]
 fn the_next_lines_lead_from_empty_functions_to_the_chapter() {
     for chapter in Chapter::OF_THE_BOOK {
-        let mut text = Text::skeleton(chapter);
-        while let Some(next) = next(&text, 0) {
-            let (name, file) = &mut text.files[next.file];
+        let mut draft = Draft::skeleton(chapter);
+        while let Some(next) = next(&draft, 0) {
+            let (name, file) = &mut draft.files[next.file];
             let mut lines: Vec<&str> = file.lines().collect();
             if next.is_last {
                 lines[next.above] = next.text;
@@ -22,7 +22,7 @@ fn the_next_lines_lead_from_empty_functions_to_the_chapter() {
             assert!(lines.len() < 200, "{name} never ends:\n{file}");
             *file = lines.join("\n");
         }
-        for ((name, typed), (_, full)) in text.files.iter().zip(Text::full(chapter).files) {
+        for ((name, typed), (_, full)) in draft.files.iter().zip(Draft::full(chapter).files) {
             assert_eq!(code(typed), code(&full), "{name} of {}", chapter.name());
         }
     }
@@ -32,9 +32,9 @@ fn the_next_lines_lead_from_empty_functions_to_the_chapter() {
 #[test]
 fn a_right_text_is_called_unfinished_and_never_wrong_while_it_is_typed() {
     for chapter in Chapter::OF_THE_BOOK {
-        let mut text = Text::skeleton(chapter);
-        while let Some(next) = next(&text, 0) {
-            let (_, file) = &text.files[next.file];
+        let mut draft = Draft::skeleton(chapter);
+        while let Some(next) = next(&draft, 0) {
+            let (_, file) = &draft.files[next.file];
             let mut lines: Vec<String> = file.lines().map(str::to_owned).collect();
             let is_instead = lines
                 .get(next.above)
@@ -42,7 +42,7 @@ fn a_right_text_is_called_unfinished_and_never_wrong_while_it_is_typed() {
             if !is_instead {
                 lines.insert(next.above, String::new());
             }
-            text.caret = Some(Caret {
+            draft.caret = Some(Caret {
                 file: next.file,
                 line: next.above + 1,
             });
@@ -52,10 +52,10 @@ fn a_right_text_is_called_unfinished_and_never_wrong_while_it_is_typed() {
                 .chain([next.text.len()])
             {
                 lines[next.above] = next.text[..end].to_owned();
-                text.files[next.file].1 = lines.join("\n") + "\n";
-                let Err(said) = drawn(&text) else { continue };
+                draft.files[next.file].1 = lines.join("\n") + "\n";
+                let Err(said) = drawn(&draft) else { continue };
                 let is_calm = said.headline.contains("is-calm") && said.places.is_empty();
-                assert!(is_calm, "{:?}\n{}", said, text.files[next.file].1);
+                assert!(is_calm, "{:?}\n{}", said, draft.files[next.file].1);
             }
         }
     }
@@ -66,23 +66,23 @@ const LETTERS: usize = 3;
 
 #[test]
 fn a_line_of_the_chapter_that_is_typed_in_part_is_unfinished_though_it_draws() {
-    let mut text = Text::full(Chapter::Gradient);
-    let line = |text: &Text| {
-        text.files[0]
+    let mut draft = Draft::full(Chapter::Gradient);
+    let line = |draft: &Draft| {
+        draft.files[0]
             .1
             .lines()
             .position(|it| it.contains("* white"))
     };
-    text.files[0].1 = text.files[0].1.replace(" + a * blue", "");
+    draft.files[0].1 = draft.files[0].1.replace(" + a * blue", "");
     let at_end = Caret {
         file: 0,
-        line: line(&text).expect("it is there") + 1,
+        line: line(&draft).expect("it is there") + 1,
     };
     for (caret, expected) in [(Some(at_end), "is being typed"), (None, "Wrong<")] {
-        text.caret = caret;
-        let program = text.read().expect("it is Rust");
-        let picture = text.draw(&program, 400).expect("it draws");
-        let said = text.judged(program, &picture).headline;
+        draft.caret = caret;
+        let program = draft.read().expect("it is Rust");
+        let picture = draft.draw(&program, 400).expect("it draws");
+        let said = draft.judged(program, &picture).headline;
         assert!(said.contains(expected), "{said}");
     }
 }
@@ -142,16 +142,16 @@ fn a_habit_from_another_language_is_answered_by_what_rust_writes() {
         ("sky(ray)", "Sky(ray)", "there is `sky`"),
     ];
     for (right, typed, expected) in rows {
-        let mut text = Text::full(Chapter::Normals);
-        let (_, file) = &mut text.files[0];
+        let mut draft = Draft::full(Chapter::Normals);
+        let (_, file) = &mut draft.files[0];
         *file = file.replacen(right, typed, 1);
-        let said = drawn(&text).expect_err(typed);
+        let said = drawn(&draft).expect_err(typed);
         assert!(said.rest.contains(expected), "{typed}: {}", said.rest);
     }
 }
 
-fn drawn(text: &Text) -> Result<(), Said> {
-    text.read().and_then(|it| text.draw(&it, 16)).map(drop)
+fn drawn(draft: &Draft) -> Result<(), Feedback> {
+    draft.read().and_then(|it| draft.draw(&it, 16)).map(drop)
 }
 
 fn code(text: &str) -> Vec<&str> {

@@ -5,7 +5,7 @@ use std::fs;
 use std::process::Command;
 
 use insta::assert_snapshot;
-use page::typed::Text;
+use page::typed::Draft;
 use slips::Chapter;
 use suite::command::text;
 use suite::desk::Desk;
@@ -145,7 +145,7 @@ fn assert_right(desk: &Desk, spelling: &Typing, command: &str) {
 fn right_programs_in_rust_get_no_remark() {
     for spelling in typings(include_str!("programs/spellings.rs.txt")) {
         let chapter = Chapter::find(&spelling.title).expect("a chapter");
-        let mut typed = Text::full(chapter);
+        let mut typed = Draft::full(chapter);
         for Change { old, new } in &spelling.changes {
             let mut files = typed.files.iter_mut();
             let found = files.find(|(_, text)| text.contains(old));

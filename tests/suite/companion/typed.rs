@@ -7,7 +7,7 @@ use std::process::Command;
 
 use check::answer::{Row, RowKind};
 use page::home::archive;
-use page::typed::Text;
+use page::typed::Draft;
 use slips::Chapter;
 use suite::command::files;
 use suite::left_out::left_out;
@@ -18,19 +18,19 @@ use suite::mine::Mine;
 fn the_page_says_what_watch_says_of_the_same_text() {
     let mine = Mine::empty();
     for (chapter, old, new) in TYPED {
-        let mut text = Text::full(chapter);
-        let found = text.files.iter_mut().find(|(_, text)| text.contains(old));
+        let mut draft = Draft::full(chapter);
+        let found = draft.files.iter_mut().find(|(_, text)| text.contains(old));
         let (_, file) = found.expect("the chapter has the line");
         *file = file.replace(old, new);
         let folder = mine.path().join(chapter.name());
         if !folder.exists() {
             mine.make(chapter.name(), &[]);
         }
-        for (name, text) in &text.files {
+        for (name, text) in &draft.files {
             fs::write(folder.join(name), text).expect("it is typed");
         }
         let watch = squeezed(&mine.watch_once(chapter.name()));
-        for line in said(&text) {
+        for line in said(&draft) {
             assert!(
                 watch.contains(&line),
                 "{new}: watch says\n{watch}\nand not\n{line}"
@@ -52,12 +52,12 @@ const TYPED: [(Chapter, &str, &str); 7] = [
 ];
 
 /// The headline and the rows, but for what to do next, which names commands.
-fn said(text: &Text) -> Vec<String> {
-    let program = text.read().expect("it is a program");
-    let picture = text
-        .draw(&program, text.chapter.book_width())
+fn said(draft: &Draft) -> Vec<String> {
+    let program = draft.read().expect("it is a program");
+    let picture = draft
+        .draw(&program, draft.chapter.book_width())
         .expect("it draws");
-    let answer = text.answer(&program, &picture);
+    let answer = draft.answer(&program, &picture);
     let row = |row: &Row| match row.kind {
         RowKind::Probe(_) => None,
         kind => Some(squeezed(&format!("{} {}", kind.label(), row.text))),
@@ -79,7 +79,7 @@ fn what_is_taken_home_from_a_page_is_the_crate_that_start_makes() {
         let mine = Mine::empty();
         let name = chapter.name();
         mine.desk
-            .write("home.tar", archive(&Text::skeleton(*chapter), 7));
+            .write("home.tar", archive(&Draft::skeleton(*chapter), 7));
         mine.desk.write("home/", "");
         let mut tar = Command::new("tar");
         tar.args(["-x", "-f", "home.tar", "-C", "home"]);

@@ -7,7 +7,7 @@ use check::{FileEdit, edits_everywhere};
 use interpreter::FaultKind;
 use slips::{Chapter, ReaderLanguage};
 
-use crate::typed::Text;
+use crate::typed::Draft;
 use crate::words::words;
 
 /// So many edits are offered for a word.
@@ -19,7 +19,7 @@ const WIDTH: u32 = 24;
 
 /// The text of a chapter, and the edits that can be made in it.
 pub struct Breakable {
-    text: Text,
+    draft: Draft,
     choices: Vec<Choice>,
 }
 
@@ -53,13 +53,13 @@ impl Breakable {
     /// # Panics
     /// If the chapter's own text can't be read.
     pub fn new(chapter: Chapter) -> Self {
-        let text = Text::full(chapter);
-        let program = text.read().unwrap_or_else(|said| panic!("{}", said.rest));
-        let known = known(chapter, &text);
-        let typed = edits_everywhere(&program, &text.files).into_iter();
+        let draft = Draft::full(chapter);
+        let program = draft.read().unwrap_or_else(|said| panic!("{}", said.rest));
+        let known = known(chapter, &draft);
+        let typed = edits_everywhere(&program, &draft.files).into_iter();
         let all = known.into_iter().chain(typed.map(|it| (it, None)));
         let mut choices: Vec<Choice> = all
-            .filter_map(|(edit, slip)| Choice::new(&text, edit, slip))
+            .filter_map(|(edit, slip)| Choice::new(&draft, edit, slip))
             .collect();
         choices.sort_by_key(|it| it.rank);
         let mut seen = Vec::new();
@@ -69,17 +69,17 @@ impl Breakable {
             seen.push(made);
             is_new
         });
-        Self { text, choices }
+        Self { draft, choices }
     }
 
     /// Returns the chapter's own text.
-    pub fn text(&self) -> &Text {
-        &self.text
+    pub fn draft(&self) -> &Draft {
+        &self.draft
     }
 
     /// Lists the words for which there are edits.
     pub fn words(&self) -> Vec<Word> {
-        let files = self.text.files.iter().enumerate();
+        let files = self.draft.files.iter().enumerate();
         let all = files.flat_map(|(file, (_, text))| {
             words(text).into_iter().map(move |(at, word)| Word {
                 file,
@@ -87,7 +87,7 @@ impl Breakable {
             })
         });
         let is_word = |it: &Word| {
-            let (_, text) = &self.text.files[it.file];
+            let (_, text) = &self.draft.files[it.file];
             !GLUE.contains(&&text[it.at.clone()])
         };
         all.filter(|it| is_word(it) && self.choices.iter().any(|choice| choice.changes(it)))
@@ -102,11 +102,11 @@ impl Breakable {
     }
 
     /// Returns the text with the edit.
-    pub fn broken(&self, choice: &Choice) -> Text {
-        let mut text = self.text.clone();
-        let (_, file) = &mut text.files[choice.file];
+    pub fn broken(&self, choice: &Choice) -> Draft {
+        let mut draft = self.draft.clone();
+        let (_, file) = &mut draft.files[choice.file];
         file.replace_range(choice.at.clone(), &choice.new);
-        text
+        draft
     }
 
     fn is_drawn(&self, choice: &Choice) -> bool {
@@ -120,7 +120,7 @@ impl Breakable {
 
     /// Returns what the edit replaces, and with what, as a reader sees it.
     pub fn label(&self, word: &Word, choice: &Choice) -> String {
-        let (_, text) = &self.text.files[choice.file];
+        let (_, text) = &self.draft.files[choice.file];
         let squeezed = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
         let (old, new) = (squeezed(&text[choice.at.clone()]), squeezed(&choice.new));
         let made = match (old.as_str(), new.as_str()) {
@@ -137,8 +137,8 @@ impl Breakable {
 
 impl Choice {
     /// Makes one of an edit in one line, or of a known slip.
-    fn new(text: &Text, edit: FileEdit, slip: Option<&'static str>) -> Option<Self> {
-        let (_, file) = &text.files[edit.file];
+    fn new(draft: &Draft, edit: FileEdit, slip: Option<&'static str>) -> Option<Self> {
+        let (_, file) = &draft.files[edit.file];
         let old = &file[edit.at.clone()];
         if slip.is_none() && old.contains('\n') {
             return None;
@@ -164,13 +164,13 @@ impl Choice {
 }
 
 /// Lists the known slips that are one edit of one place of the chapter's text.
-fn known(chapter: Chapter, text: &Text) -> Vec<(FileEdit, Option<&'static str>)> {
+fn known(chapter: Chapter, draft: &Draft) -> Vec<(FileEdit, Option<&'static str>)> {
     let is_typed = |slip: &&slips::Slip| {
         slip.is_typed_in(chapter) && slip.is_possible_in_language(ReaderLanguage::Rust)
     };
     let edits = slips::all().filter(is_typed).filter_map(|slip| {
         let edit = slip.only_edit(chapter)?;
-        let files = text.files.iter().enumerate();
+        let files = draft.files.iter().enumerate();
         let mut made = files.filter_map(|(n, (_, text))| Some((n, text, edit.applied_to(text)?)));
         let (file, text, new) = made.next().filter(|_| made.next().is_none())?;
         let whole = FileEdit {

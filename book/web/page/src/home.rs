@@ -2,12 +2,12 @@
 //! `tar` in which each file follows a block that tells its name and its length, so that it
 //! needs no library here, and no program there.
 
-use crate::typed::Text;
+use crate::typed::Draft;
 
 /// An archive to be unpacked in the workspace: the reader's crate of the chapter in `mine`,
 /// with a number that no other crate has.
-pub fn archive(text: &Text, number: u64) -> Vec<u8> {
-    let chapter = text.chapter;
+pub fn archive(draft: &Draft, number: u64) -> Vec<u8> {
+    let chapter = draft.chapter;
     let manifest = skeletons::manifest(chapter, false, "../..", number);
     let config = "[build]\ntarget-dir = \"../../target/mine\"\n".to_owned();
     let given = [
@@ -17,7 +17,7 @@ pub fn archive(text: &Text, number: u64) -> Vec<u8> {
         (".cargo/config.toml", config),
         (".vscode/settings.json", skeletons::EDITOR.to_owned()),
     ];
-    let typed = text.files.iter().cloned();
+    let typed = draft.files.iter().cloned();
     let files = typed.chain(given.map(|(name, text)| (name.to_owned(), text)));
     let mut archive: Vec<u8> = files
         .filter(|(_, text)| !text.is_empty())

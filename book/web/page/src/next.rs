@@ -1,6 +1,6 @@
 //! Line diff: the first line of a chapter that is not in what a reader has typed so far.
 
-use crate::typed::Text;
+use crate::typed::Draft;
 
 /// A line of the chapter that is still to be typed.
 #[derive(Debug, PartialEq, Eq)]
@@ -16,7 +16,7 @@ pub struct Next {
 }
 
 /// The next line to type, in the file in that place, and then in the others in their order.
-pub fn next(yours: &Text, first: usize) -> Option<Next> {
+pub fn next(yours: &Draft, first: usize) -> Option<Next> {
     let files = yours.files.iter().enumerate();
     let mut files = files.clone().skip(first).chain(files);
     files.find_map(|(file, (name, text))| {

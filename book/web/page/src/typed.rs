@@ -24,7 +24,7 @@ use crate::typing::Caret;
 
 /// What a reader has typed, by the names of the files.
 #[derive(Clone, Debug)]
-pub struct Text {
+pub struct Draft {
     /// The chapter that it is to be.
     pub chapter: Chapter,
     /// Names and texts.
@@ -35,7 +35,7 @@ pub struct Text {
 
 /// What is said of a text.
 #[derive(Debug)]
-pub struct Said {
+pub struct Feedback {
     /// The places that it is about: file and line, and from which to which column.
     pub places: Vec<[usize; 4]>,
     /// A line of HTML, to be announced.
@@ -44,7 +44,7 @@ pub struct Said {
     pub rest: String,
 }
 
-impl Said {
+impl Feedback {
     fn new(answer: &Answer, places: Vec<[usize; 4]>) -> Self {
         Self {
             places,
@@ -57,8 +57,8 @@ impl Said {
 /// Returns what an editor begins with: of each file of the chapter its name, with nothing in its
 /// functions, and in full. After them the steps.
 pub fn beginning(chapter: Chapter) -> Vec<String> {
-    let files = Text::skeleton(chapter).files.into_iter();
-    let files = files.zip(Text::full(chapter).files);
+    let files = Draft::skeleton(chapter).files.into_iter();
+    let files = files.zip(Draft::full(chapter).files);
     let files = files.flat_map(|((name, empty), (_, full))| [name, empty, full]);
     let steps: Vec<&str> = steps::of_chapter(chapter)
         .iter()
@@ -67,7 +67,7 @@ pub fn beginning(chapter: Chapter) -> Vec<String> {
     files.chain([steps.join("\n")]).collect()
 }
 
-impl Text {
+impl Draft {
     /// The text of a chapter with nothing in its functions.
     pub fn skeleton(chapter: Chapter) -> Self {
         let files = skeletons::plain(chapter).into_iter();
@@ -97,7 +97,7 @@ impl Text {
     ///
     /// # Errors
     /// What a compiler would complain of.
-    pub fn read(&self) -> Result<interpreter::Program, Said> {
+    pub fn read(&self) -> Result<interpreter::Program, Feedback> {
         let program = interpreter::read(&self.in_reading_order());
         program.map_err(|faults| self.not_compiled(&faults))
     }
@@ -114,7 +114,7 @@ impl Text {
     ///
     /// # Errors
     /// What stops the program.
-    pub fn draw(&self, program: &interpreter::Program, width: u32) -> Result<Picture, Said> {
+    pub fn draw(&self, program: &interpreter::Program, width: u32) -> Result<Picture, Feedback> {
         program.draw(width).map_err(|fault| match fault.kind {
             FaultKind::Stopped => self.stopped(&fault),
             _ => self.not_compiled(&[fault]),
@@ -122,7 +122,7 @@ impl Text {
     }
 
     /// Judges it by its picture.
-    pub fn judged(&self, program: interpreter::Program, picture: &Picture) -> Said {
+    pub fn judged(&self, program: interpreter::Program, picture: &Picture) -> Feedback {
         let mut answer = self.answer(&program, picture);
         // A line that the picture never runs is run by the laws.
         if let Some(refused) = self.refused(&program) {
@@ -134,7 +134,7 @@ impl Text {
         } else if let Some(line) = self.begun_line() {
             answer = being_typed(line);
         }
-        Said::new(&answer, Vec::new())
+        Feedback::new(&answer, Vec::new())
     }
 
     /// The lines that neither the picture nor the laws have run.
@@ -207,19 +207,19 @@ impl Text {
     }
 
     /// Returns what the compiler would refuse and was seen only when the laws asked.
-    fn refused(&self, program: &interpreter::Program) -> Option<Said> {
+    fn refused(&self, program: &interpreter::Program) -> Option<Feedback> {
         let fault = program.refused()?;
         Some(self.not_compiled(std::slice::from_ref(fault)))
     }
 
-    fn not_compiled(&self, faults: &[Fault]) -> Said {
+    fn not_compiled(&self, faults: &[Fault]) -> Feedback {
         if let Some(line) = self.unfinished_line(faults) {
             let so_far = faults
                 .iter()
                 .take(1)
                 .map(|it| format!("So far: {}", self.in_words(it)));
             let rows = so_far.map(|words| Row::new(RowKind::Printed, words));
-            return Said::new(&being_typed(line).with(rows), Vec::new());
+            return Feedback::new(&being_typed(line).with(rows), Vec::new());
         }
         let line = |fault: &Fault| {
             let place = self.place(fault).map_or(String::new(), |it| it + "  ");
@@ -230,16 +230,16 @@ impl Text {
                 let number = fault.place.as_ref().map_or(0, |it| it.line);
                 let said = format!("This page cannot read line {number}; cargo may.");
                 let answer = Answer::sentence(Grade::OnTheWay, said).with([line(fault)]);
-                Said::new(&answer, Vec::new())
+                Feedback::new(&answer, Vec::new())
             }
             [fault, ..] if fault.kind == FaultKind::Unfinished => {
                 let said = format!("Not finished: {}.", fault.help);
-                Said::new(&Answer::sentence(Grade::OnTheWay, said), Vec::new())
+                Feedback::new(&Answer::sentence(Grade::OnTheWay, said), Vec::new())
             }
             _ => {
                 let first = faults.iter().take(MOST_FAULTS).map(line).collect();
                 let places = faults.iter().filter_map(|it| self.columns(it)).collect();
-                Said::new(&sentences::not_compiled(faults.len(), first), places)
+                Feedback::new(&sentences::not_compiled(faults.len(), first), places)
             }
         }
     }
@@ -267,17 +267,17 @@ impl Text {
         Some(format!("Rust writes {rust}"))
     }
 
-    fn stopped(&self, fault: &Fault) -> Said {
+    fn stopped(&self, fault: &Fault) -> Feedback {
         match self.place(fault) {
             Some(place) if fault.message.starts_with(NOT_WRITTEN) => {
                 let answer = sentences::not_written(self.chapter, &place, &[]);
-                Said::new(&answer, Vec::new())
+                Feedback::new(&answer, Vec::new())
             }
             place => {
                 let place = place.map_or(String::new(), |place| format!(" at {place}"));
                 let said = format!("The program stopped{place}: {}.", fault.message);
                 let answer = Answer::sentence(Grade::Wrong, said).then(&fault.help);
-                Said::new(&answer, self.columns(fault).into_iter().collect())
+                Feedback::new(&answer, self.columns(fault).into_iter().collect())
             }
         }
     }

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use interpreter::{Fault, FaultKind};
 
-use crate::typed::Text;
+use crate::typed::Draft;
 
 /// The end of a line, where a reader types.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,7 +19,7 @@ pub struct Caret {
 /// So wide a picture shows what the compiler would refuse.
 const WIDTH: u32 = 16;
 
-impl Text {
+impl Draft {
     /// Returns the line that is being typed, if these faults may come only from what is missing
     /// at its end: a bracket; or they are all in its statement, or without that there are none.
     pub(crate) fn unfinished_line(&self, faults: &[Fault]) -> Option<usize> {

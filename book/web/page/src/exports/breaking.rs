@@ -3,9 +3,9 @@
 use std::cell::RefCell;
 use std::ops::Range;
 
-use super::{keep, typed::text};
+use super::{keep, typed::draft};
 use crate::breaking::{Breakable, Word};
-use crate::typed::Text;
+use crate::typed::Draft;
 
 thread_local! {
     static BREAKABLE: RefCell<Option<(Breakable, Vec<Word>)>> = const { RefCell::new(None) };
@@ -15,11 +15,11 @@ thread_local! {
 /// where it begins and ends.
 #[unsafe(no_mangle)]
 extern "C" fn breakable_words() -> usize {
-    let breakable = Breakable::new(text().chapter);
+    let breakable = Breakable::new(draft().chapter);
     let words = breakable.words();
     let lines: Vec<String> = words
         .iter()
-        .map(|it| place(breakable.text(), it.file, &it.at))
+        .map(|it| place(breakable.draft(), it.file, &it.at))
         .collect();
     BREAKABLE.set(Some((breakable, words)));
     keep(lines.join("\n"))
@@ -33,7 +33,7 @@ extern "C" fn alternatives(word: usize) -> usize {
         let (breakable, words) = it.as_ref().expect("the words were asked for");
         let word = &words[word];
         let lines = breakable.choices(word).into_iter().map(|it| {
-            let place = place(breakable.text(), it.file, &it.at);
+            let place = place(breakable.draft(), it.file, &it.at);
             let label = breakable.label(word, it);
             format!("{label}\0{place}\0{}", it.new)
         });
@@ -43,8 +43,8 @@ extern "C" fn alternatives(word: usize) -> usize {
 }
 
 /// A part of a file as a script counts it: in halves of long letters.
-fn place(text: &Text, file: usize, at: &Range<usize>) -> String {
-    let (_, text) = &text.files[file];
+fn place(draft: &Draft, file: usize, at: &Range<usize>) -> String {
+    let (_, text) = &draft.files[file];
     let count = |at: usize| text[..at].encode_utf16().count();
     format!("{file} {} {}", count(at.start), count(at.end))
 }

@@ -11,7 +11,7 @@ use slips::Chapter;
 
 use super::{given::given, keep};
 use crate::rgba;
-use crate::typed::{Said, Text};
+use crate::typed::{Draft, Feedback};
 use crate::typing::Caret;
 use crate::{home, next, typed};
 
@@ -19,11 +19,11 @@ use crate::{home, next, typed};
 /// functions, and in full. After them the steps.
 #[unsafe(no_mangle)]
 extern "C" fn begin() -> usize {
-    keep(typed::beginning(text().chapter).join("\0"))
+    keep(typed::beginning(draft().chapter).join("\0"))
 }
 
 thread_local! {
-    static DRAWN: RefCell<Option<(Text, Program, Picture)>> = const { RefCell::new(None) };
+    static DRAWN: RefCell<Option<(Draft, Program, Picture)>> = const { RefCell::new(None) };
 }
 
 /// Draws the text: the height of the picture, whose pixels are the answer; or 0, and the answer
@@ -31,23 +31,23 @@ thread_local! {
 /// this line of this file; at none, if the line is 0.
 #[unsafe(no_mangle)]
 extern "C" fn draw(width: u32, file: usize, line: usize) -> u32 {
-    let text = Text {
+    let draft = Draft {
         caret: (line > 0).then_some(Caret { file, line }),
-        ..text()
+        ..draft()
     };
-    let drawn = text.read().and_then(|program| {
-        let picture = text.draw(&program, width)?;
+    let drawn = draft.read().and_then(|program| {
+        let picture = draft.draw(&program, width)?;
         Ok((program, picture))
     });
     match drawn {
         Ok((program, picture)) => {
             keep(rgba(&picture));
             let height = picture.height();
-            DRAWN.set(Some((text, program, picture)));
+            DRAWN.set(Some((draft, program, picture)));
             height
         }
-        Err(said) => {
-            keep(lines(&said));
+        Err(feedback) => {
+            keep(lines(&feedback));
             0
         }
     }
@@ -62,15 +62,15 @@ extern "C" fn length() -> usize {
 /// Judges what was drawn last, once.
 #[unsafe(no_mangle)]
 extern "C" fn judge() -> usize {
-    let (text, program, picture) = DRAWN.take().expect("it was drawn");
-    keep(lines(&text.judged(program, &picture)))
+    let (draft, program, picture) = DRAWN.take().expect("it was drawn");
+    keep(lines(&draft.judged(program, &picture)))
 }
 
 /// The next line to type, from that file on: its file, what it goes above, whether it takes that
 /// place, and the line itself. Nothing if all is there.
 #[unsafe(no_mangle)]
 extern "C" fn next_line(first: usize) -> usize {
-    let next = next::next(&text(), first);
+    let next = next::next(&draft(), first);
     let next = next.map(|it| {
         let is_last = u8::from(it.is_last);
         format!("{}\t{}\t{is_last}\t{}", it.file, it.above, it.text)
@@ -81,16 +81,16 @@ extern "C" fn next_line(first: usize) -> usize {
 /// The archive of the crate, with a number that no other has.
 #[unsafe(no_mangle)]
 extern "C" fn take_home(number: f64) -> usize {
-    keep(home::archive(&text(), number as u64))
+    keep(home::archive(&draft(), number as u64))
 }
 
-pub(super) fn text() -> Text {
+pub(super) fn draft() -> Draft {
     let given = given();
     let given = String::from_utf8_lossy(&given);
     let fields: Vec<String> = given.split('\0').map(str::to_owned).collect();
     let (files, _) = fields[1..].as_chunks();
     let pair = |[name, text]: &[String; 2]| (name.clone(), text.clone());
-    Text {
+    Draft {
         chapter: Chapter::find(&fields[0]).expect("a page names its chapter"),
         files: files.iter().map(pair).collect(),
         caret: None,
@@ -98,8 +98,13 @@ pub(super) fn text() -> Text {
 }
 
 /// The places on a line, the headline on one, and then the rest.
-fn lines(said: &Said) -> String {
+fn lines(feedback: &Feedback) -> String {
     let place = |place: &[usize; 4]| place.map(|it| it.to_string()).join(" ");
-    let places: Vec<String> = said.places.iter().map(place).collect();
-    format!("{}\n{}\n{}", places.join("\t"), said.headline, said.rest)
+    let places: Vec<String> = feedback.places.iter().map(place).collect();
+    format!(
+        "{}\n{}\n{}",
+        places.join("\t"),
+        feedback.headline,
+        feedback.rest
+    )
 }
