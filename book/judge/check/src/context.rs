@@ -8,9 +8,9 @@ use slips::{ChapterProgram, Edition, ReaderLanguage, Slip, SlipText};
 use crate::blind_spots;
 use crate::candidate::Candidate;
 use crate::reading::Reading;
-use crate::search::{self, Drawn, Repair};
-pub(crate) use crate::sources::Said;
-use crate::sources::{Found, Sources};
+use crate::search::{self, DrawingMutants, Repair};
+pub(crate) use crate::sources::LineStatus;
+use crate::sources::{CorrectedLine, Sources};
 use crate::task::Task;
 
 /// Compares the answers of the reader's functions with those of a chapter's program.
@@ -62,23 +62,25 @@ impl Context<'_> {
 
     /// Returns true if the reader can have made the slip, as far as it is known.
     pub fn can_be_made(&self, slip: &Slip, task: &Task) -> bool {
-        self.can_be_made.is_none_or(|can_be| can_be(slip)) && self.said(slip, task) != Said::Right
+        self.can_be_made.is_none_or(|can_be| can_be(slip))
+            && self.said(slip, task) != LineStatus::Right
     }
 
     /// Returns true if the slip's line is right in the reader's files once they are repaired.
     pub(crate) fn is_mended(&self, slip: &Slip, task: &Task, repair: &Repair) -> bool {
         let repaired = Sources::new(repair.files.clone(), Vec::new());
-        self.sources.say(slip, task).0 == Said::Wrong && repaired.say(slip, task).0 == Said::Right
+        self.sources.say(slip, task).0 == LineStatus::Wrong
+            && repaired.say(slip, task).0 == LineStatus::Right
     }
 
     /// Returns what the reader's files say of the slip. A line that an older edition has is wrong
     /// in a mixture only, which no single line tells.
-    pub(crate) fn said(&self, slip: &Slip, task: &Task) -> Said {
+    pub(crate) fn said(&self, slip: &Slip, task: &Task) -> LineStatus {
         self.sources.say(slip, task).0
     }
 
     /// The reader's line that makes the slip, if it is found.
-    pub(crate) fn line_of(&self, slip: &Slip, task: &Task) -> Option<Found> {
+    pub(crate) fn line_of(&self, slip: &Slip, task: &Task) -> Option<CorrectedLine> {
         self.sources.say(slip, task).1
     }
 
@@ -101,7 +103,7 @@ pub(crate) struct Evidence<'a> {
     /// What is known besides.
     pub(crate) context: &'a Context<'a>,
     repair: OnceCell<Option<Repair>>,
-    drawn: OnceCell<Drawn>,
+    drawn: OnceCell<DrawingMutants>,
     passed: OnceCell<Vec<&'static Slip>>,
 }
 
@@ -133,7 +135,7 @@ impl<'a> Evidence<'a> {
     }
 
     /// The single edits that draw the picture, of the text of the scene that comes nearest.
-    pub(crate) fn drawn(&self, right: &Task) -> &Drawn {
+    pub(crate) fn drawn(&self, right: &Task) -> &DrawingMutants {
         let drawn = || search::drawn(right, self.reading, &self.context.sources);
         self.drawn.get_or_init(drawn)
     }
@@ -163,7 +165,7 @@ impl<'a> Evidence<'a> {
     /// none.
     pub(crate) fn is_refuted(&self, it: &Candidate) -> bool {
         let context = self.context;
-        let is_right = |slip: &&'static Slip| context.said(slip, &it.task) == Said::Right;
+        let is_right = |slip: &&'static Slip| context.said(slip, &it.task) == LineStatus::Right;
         if it.slips.iter().any(is_right) {
             return true;
         }
@@ -189,7 +191,7 @@ impl<'a> Evidence<'a> {
 
     /// Returns true if the wrong line of each of its slips stands in the reader's files.
     pub(crate) fn is_found(&self, it: &Candidate) -> bool {
-        let is_found = |slip: &&Slip| self.context.said(slip, &it.task) == Said::Wrong;
+        let is_found = |slip: &&Slip| self.context.said(slip, &it.task) == LineStatus::Wrong;
         it.slips.iter().all(is_found)
     }
 }

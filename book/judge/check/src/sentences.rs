@@ -14,8 +14,8 @@ use crate::causes;
 use crate::context::Context;
 use crate::names;
 use crate::reading::Cause;
-use crate::search::{Change, Drawn, Mutant, Repair, Right as Mended};
-use crate::sources::Found;
+use crate::search::{Change, Correction, DrawingMutants, Mutant, Repair};
+use crate::sources::CorrectedLine;
 use crate::task::Task;
 use crate::verdict::{Finding, Mistakes, RightPicture, Verdict};
 
@@ -357,7 +357,7 @@ impl Mistakes {
     }
 }
 
-impl Drawn {
+impl DrawingMutants {
     /// The likeliest edits, each in the reader's language.
     fn rows(&self, context: &Context, task: &Task) -> Vec<Row> {
         let language = context
@@ -407,7 +407,7 @@ impl Repair {
             1 => "with it",
             _ => "with all of this",
         };
-        let is_spelled = |it: &Change| matches!(it.right, Mended::Spelled(_));
+        let is_spelled = |it: &Change| matches!(it.right, Correction::InOwnLanguage(_));
         let tried = if self.changes.iter().all(is_spelled) {
             "the chapter with your line in its place draws your picture".to_owned()
         } else if self.is_hidden {
@@ -423,18 +423,18 @@ impl Repair {
 impl Change {
     fn rows(&self) -> Vec<Row> {
         let right = match &self.right {
-            Mended::More(line) => {
+            Correction::Above(line) => {
                 let above = format!("above {}:{}  {line}", self.yours.file, self.yours.number);
                 return vec![Row::new(RowKind::Missing, above)];
             }
-            Mended::Line(line) | Mended::Spelled(line) => line,
-            Mended::Nothing => "left out",
+            Correction::Instead(line) | Correction::InOwnLanguage(line) => line,
+            Correction::LeaveOut => "left out",
         };
         line_and_right(RowKind::Yours, &self.yours.to_string(), right)
     }
 }
 
-impl Found {
+impl CorrectedLine {
     fn rows(&self) -> Vec<Row> {
         line_and_right(RowKind::Yours, &self.line.to_string(), &self.right)
     }

@@ -10,7 +10,7 @@ use crate::answer::Row;
 use crate::candidate::{Conversion, Unexplained};
 use crate::comparison::Difference;
 use crate::reading::Cause;
-use crate::search::{Drawn, Repair};
+use crate::search::{DrawingMutants, Repair};
 use crate::task::Task;
 
 /// The verdict on a picture.
@@ -88,7 +88,7 @@ pub struct Finding {
     pub mistakes: Option<Mistakes>,
     /// The single edits of the chapter's text that draw the picture; empty if a known mistake
     /// does.
-    pub drawn: Drawn,
+    pub drawn: DrawingMutants,
     /// Observations about the picture, a sentence each; empty if a known mistake draws it.
     pub sights: Vec<String>,
     /// Two rows about the first pixel that differs: its color, and the numbers of its ray as they

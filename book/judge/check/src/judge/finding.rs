@@ -8,7 +8,7 @@ use crate::candidate::Candidate;
 use crate::comparison::Comparison;
 use crate::context::{Context, Evidence};
 use crate::reading::Reading;
-use crate::search::{Drawn, Repair};
+use crate::search::{DrawingMutants, Repair};
 use crate::task::Task;
 use crate::verdict::{AlmostRight, Finding, Mistakes};
 use crate::{candidates, seen, telling};
@@ -108,7 +108,7 @@ impl Finding {
             difference,
             almost_right: None,
             mistakes: None,
-            drawn: Drawn::default(),
+            drawn: DrawingMutants::default(),
             sights: Vec::new(),
             first: Vec::new(),
             repair: None,
@@ -124,7 +124,7 @@ impl Finding {
             sights,
             first,
             drawn: match evidence.repair() {
-                Some(_) => Drawn::default(),
+                Some(_) => DrawingMutants::default(),
                 None => evidence.drawn(&right.task).clone(),
             },
             ..finding

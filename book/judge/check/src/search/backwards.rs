@@ -4,10 +4,10 @@
 use std::cell::Cell;
 use std::collections::HashSet;
 
-use super::edit::{Edit, words};
+use super::edit::{RankedEdit, words};
 use interpreter::Program;
 
-use super::functions::Function;
+use super::functions::ParsedFunction;
 use super::goal::Goal;
 use super::{mutation, nearer};
 
@@ -18,12 +18,12 @@ const READABLE: u32 = 16;
 
 /// A function of the reader's with the text that makes the program right.
 pub(super) struct Fix<'a> {
-    pub(super) yours: &'a Function,
+    pub(super) yours: &'a ParsedFunction,
     pub(super) text: String,
 }
 
 impl<'a> Fix<'a> {
-    fn edit((yours, edit): &(&'a Function, Edit)) -> Self {
+    fn edit((yours, edit): &(&'a ParsedFunction, RankedEdit)) -> Self {
         Self {
             yours,
             text: edit.applied_to(&yours.text),
@@ -32,33 +32,33 @@ impl<'a> Fix<'a> {
 }
 
 /// A reader's program and what it is compared with.
-pub(super) struct Search<'a> {
+pub(super) struct RepairSearch<'a> {
     pub(super) program: &'a Program,
-    pub(super) yours: &'a [Function],
-    pub(super) chapter: &'a [Function],
+    pub(super) yours: &'a [ParsedFunction],
+    pub(super) chapter: &'a [ParsedFunction],
     pub(super) goal: &'a Goal,
     /// How many bytes of functions have been read.
     pub(super) read: Cell<usize>,
 }
 
 /// A function of the reader's, and those of the same name that are right.
-type Common<'a> = (&'a Function, Vec<&'a Function>);
+type Common<'a> = (&'a ParsedFunction, Vec<&'a ParsedFunction>);
 
 /// Undoes what is often mistyped.
-fn generic(function: &Function) -> Vec<Edit> {
+fn generic(function: &ParsedFunction) -> Vec<RankedEdit> {
     let all = mutation::mutations(function).into_iter();
     all.map(|it| it.edit(&function.text)).collect()
 }
 
 /// Functions with other texts.
-type Changes<'a> = Vec<(&'a Function, String)>;
+type Patches<'a> = Vec<(&'a ParsedFunction, String)>;
 
-impl<'a> Search<'a> {
+impl<'a> RepairSearch<'a> {
     /// Finds what makes the program right, if something does.
     pub(super) fn find(&self) -> Option<Vec<Fix<'a>>> {
         let common = self.common();
         let swapped = |(yours, right): &Common<'a>| {
-            let is_right = |it: &&Function| self.is_right(&vec![(*yours, it.text.clone())]);
+            let is_right = |it: &&ParsedFunction| self.is_right(&vec![(*yours, it.text.clone())]);
             let at = right.iter().position(is_right)?;
             let mut right = right.clone();
             right.swap(0, at);
@@ -86,7 +86,7 @@ impl<'a> Search<'a> {
     }
 
     /// Returns true if the program is right with these texts, as long as one more may be tried.
-    fn is_right(&self, changes: &Changes) -> bool {
+    fn is_right(&self, changes: &Patches) -> bool {
         let bytes: usize = changes.iter().map(|(_, text)| text.len()).sum();
         self.read.set(self.read.get() + bytes);
         self.may_try() && self.meets_the_goal(changes)
@@ -96,7 +96,7 @@ impl<'a> Search<'a> {
         self.read.get() <= READ
     }
 
-    fn meets_the_goal(&self, changes: &Changes) -> bool {
+    fn meets_the_goal(&self, changes: &Patches) -> bool {
         let mut changes = changes.iter();
         let first = changes
             .next()
@@ -109,12 +109,16 @@ impl<'a> Search<'a> {
     }
 
     /// Finds the likeliest edit that makes the program right, in this function or in what it calls.
-    fn repair(&self, common: &Common<'a>, others: &Changes<'a>) -> Option<(&'a Function, Edit)> {
+    fn repair(
+        &self,
+        common: &Common<'a>,
+        others: &Patches<'a>,
+    ) -> Option<(&'a ParsedFunction, RankedEdit)> {
         self.first(self.edits(common), others)
     }
 
     /// Makes the edits of a function and of the helpers that it calls.
-    fn edits(&self, (yours, right): &Common<'a>) -> Vec<(&'a Function, Edit)> {
+    fn edits(&self, (yours, right): &Common<'a>) -> Vec<(&'a ParsedFunction, RankedEdit)> {
         let mutations = generic(yours);
         let own = self.of_chapter(yours, right).into_iter().chain(mutations);
         let mut edits: Vec<_> = own.map(|edit| (*yours, edit)).collect();
@@ -133,7 +137,7 @@ impl<'a> Search<'a> {
     }
 
     /// Drops those that write a call of a helper out: that would hide a mistake of the helper.
-    fn keeping_calls(&self, yours: &Function, mut edits: Vec<Edit>) -> Vec<Edit> {
+    fn keeping_calls(&self, yours: &ParsedFunction, mut edits: Vec<RankedEdit>) -> Vec<RankedEdit> {
         for helper in self.helpers(yours) {
             edits.retain(|it| !it.writes_out(helper.short_name(), &yours.text));
         }
@@ -142,9 +146,9 @@ impl<'a> Search<'a> {
 
     /// The edits by which a function comes nearer to the chapter's, and to what that calls and the
     /// reader does not have.
-    fn of_chapter(&self, yours: &Function, right: &[&Function]) -> Vec<Edit> {
-        let is_missing = |it: &&Function| self.yours.iter().all(|own| own.name != it.name);
-        let is_called = |it: &&Function| {
+    fn of_chapter(&self, yours: &ParsedFunction, right: &[&ParsedFunction]) -> Vec<RankedEdit> {
+        let is_missing = |it: &&ParsedFunction| self.yours.iter().all(|own| own.name != it.name);
+        let is_called = |it: &&ParsedFunction| {
             let mut callers = right.iter();
             callers.any(|right| words(&right.text).contains(&it.name.as_str()))
         };
@@ -155,14 +159,14 @@ impl<'a> Search<'a> {
     }
 
     /// Finds the chapter's function that is most like this one.
-    fn likest(&self, own: &Function) -> Option<&'a Function> {
-        let like = |it: &&Function| it.body.likeness(&own.body);
+    fn likest(&self, own: &ParsedFunction) -> Option<&'a ParsedFunction> {
+        let like = |it: &&ParsedFunction| it.body.likeness(&own.body);
         let all = self.chapter.iter();
         all.max_by(|one, other| like(one).total_cmp(&like(other)))
     }
 
     /// The edits of a function that the chapter does not have, by what is most like it there.
-    fn of_likest(&self, own: &Function) -> Vec<Edit> {
+    fn of_likest(&self, own: &ParsedFunction) -> Vec<RankedEdit> {
         let right = self.likest(own);
         let theirs = right.map_or(Vec::new(), |right| nearer::edits(own, right));
         let theirs = self.keeping_calls(own, theirs);
@@ -170,9 +174,9 @@ impl<'a> Search<'a> {
     }
 
     /// The reader's own functions that this one calls, and those that they call.
-    fn helpers(&self, caller: &Function) -> Vec<&'a Function> {
-        let is_own = |it: &&Function| self.chapter.iter().all(|other| other.name != it.name);
-        let mut called: Vec<&Function> = Vec::new();
+    fn helpers(&self, caller: &ParsedFunction) -> Vec<&'a ParsedFunction> {
+        let is_own = |it: &&ParsedFunction| self.chapter.iter().all(|other| other.name != it.name);
+        let mut called: Vec<&ParsedFunction> = Vec::new();
         let mut texts = vec![caller.text.as_str()];
         while let Some(text) = texts.pop() {
             let words = words(text);
@@ -190,9 +194,9 @@ impl<'a> Search<'a> {
     /// Finds the likeliest of the edits that make the program right.
     fn first(
         &self,
-        mut edits: Vec<(&'a Function, Edit)>,
-        others: &Changes<'a>,
-    ) -> Option<(&'a Function, Edit)> {
+        mut edits: Vec<(&'a ParsedFunction, RankedEdit)>,
+        others: &Patches<'a>,
+    ) -> Option<(&'a ParsedFunction, RankedEdit)> {
         edits.sort_by_key(|(_, edit)| edit.rank);
         let mut seen = HashSet::new();
         edits.into_iter().find(|(function, edit)| {
@@ -231,7 +235,7 @@ impl<'a> Search<'a> {
     /// Finds a mistake in what the chapter does not have, or where its functions don't fit.
     fn in_any(&self, common: &[Common<'a>]) -> Option<Vec<Fix<'a>>> {
         let of_common = common.iter().flat_map(|it| self.edits(it));
-        let is_own = |it: &&Function| common.iter().all(|(other, _)| other.name != it.name);
+        let is_own = |it: &&ParsedFunction| common.iter().all(|(other, _)| other.name != it.name);
         let of_own = self.yours.iter().filter(is_own).flat_map(|own| {
             let edits = self.of_likest(own).into_iter();
             edits.map(move |edit| (own, edit))

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 /// A change of a function's text.
 #[derive(Clone, Debug)]
-pub(super) struct Edit {
+pub(super) struct RankedEdit {
     /// What is replaced; an empty place takes what is left out there.
     pub(super) at: Range<usize>,
     pub(super) new: String,
@@ -16,7 +16,7 @@ pub(super) struct Edit {
 /// its length.
 const MOST: u32 = 3;
 
-impl Edit {
+impl RankedEdit {
     /// Makes an edit that is so much less likely than its words say.
     pub(super) fn new(text: &str, at: Range<usize>, new: String, penalty: u32) -> Self {
         let rank = penalty + 2 * words_apart(&text[at.clone()], &new);

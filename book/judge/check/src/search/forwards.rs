@@ -7,14 +7,14 @@ use std::rc::Rc;
 use laws::answers::Answers;
 use slips::{ChapterProgram, Output};
 
-use super::edit::Edit;
-use super::functions::Function;
+use super::edit::RankedEdit;
+use super::functions::ParsedFunction;
 use super::goal::answers;
 use super::mutation;
 use super::tree::squeezed;
 use crate::pixels::{distance, spread};
 use crate::reading::Reading;
-use crate::sources::{Difference, Found, Lines, Said, Transplant};
+use crate::sources::{CorrectedLine, LineComparison, LineStatus, StatementDiff, Transplant};
 
 /// So many wrong and right pixels are looked at first, and then so many of all.
 const FIRST: u32 = 24;
@@ -28,7 +28,7 @@ const ELSEWHERE: u32 = 4;
 
 /// The edits that draw a picture.
 #[derive(Clone, Debug, Default)]
-pub struct Drawn {
+pub struct DrawingMutants {
     /// The likeliest, in their order.
     pub all: Vec<Mutant>,
     /// How many were found, of those that change the same value in the same way only one.
@@ -43,13 +43,13 @@ pub struct Mutant {
     /// This line with the edit; nothing if it is left out.
     pub wrong: String,
     /// The reader's line that has it, and what should be there.
-    pub(crate) yours: Option<Found>,
-    does: Option<Does>,
+    pub(crate) yours: Option<CorrectedLine>,
+    does: Option<Behavior>,
 }
 
 /// What a program does, seen from outside.
 #[derive(Clone, Debug)]
-struct Does {
+struct Behavior {
     program: ChapterProgram,
     answers: Answers,
     /// The pixels of small pictures.
@@ -60,21 +60,21 @@ struct Does {
 const SMALL: [u32; 2] = [24, 33];
 
 /// A picture and the right program of its scene, beside what a reader typed.
-pub(super) struct Forwards<'a> {
+pub(super) struct PictureSearch<'a> {
     right: &'a ChapterProgram,
     reading: &'a Reading,
-    functions: &'a [Function],
-    lines: &'a Lines<'a>,
+    functions: &'a [ParsedFunction],
+    lines: &'a LineComparison<'a>,
     /// The pixels that are looked at, those first that tell most.
     places: Vec<u32>,
 }
 
-impl<'a> Forwards<'a> {
+impl<'a> PictureSearch<'a> {
     pub(super) fn new(
         right: &'a ChapterProgram,
-        functions: &'a [Function],
+        functions: &'a [ParsedFunction],
         reading: &'a Reading,
-        lines: &'a Lines<'a>,
+        lines: &'a LineComparison<'a>,
     ) -> Self {
         Self {
             right,
@@ -87,7 +87,7 @@ impl<'a> Forwards<'a> {
 
     /// Finds the reader's line with which the chapter draws the picture. Where several do, as with
     /// one that shows only sky, it is one that stands for what the chapter's stands for.
-    pub(super) fn transplanted(&self) -> Option<Found> {
+    pub(super) fn transplanted(&self) -> Option<CorrectedLine> {
         let all = self.lines.transplants().into_iter();
         let found: Vec<_> = all.filter(|it| self.is_drawn_with(it)).collect();
         let is_one = |all: &[Transplant]| all.iter().all(|it| it.yours.line == all[0].yours.line);
@@ -103,8 +103,8 @@ impl<'a> Forwards<'a> {
 
     /// Finds the single edits that draw the picture, as far as the reader's lines can have them.
     /// Where no lines are known and too many do, not all are looked for.
-    pub(super) fn mutants(&self) -> Drawn {
-        let mut drawn = Drawn::default();
+    pub(super) fn mutants(&self) -> DrawingMutants {
+        let mut drawn = DrawingMutants::default();
         let mut seen = HashSet::new();
         for (program, number, function, edit) in self.mutated() {
             let mutant = program.code().with_mutant(number);
@@ -115,18 +115,19 @@ impl<'a> Forwards<'a> {
             if !seen.insert((&function.name, text.clone())) {
                 continue;
             }
-            let change = Difference::of([(&*function.name, &*function.text, &*text)].into_iter());
+            let change =
+                StatementDiff::of([(&*function.name, &*function.text, &*text)].into_iter());
             let said = self.lines.say(&change);
-            if said == Said::Right {
+            if said == LineStatus::Right {
                 continue;
             }
-            let yours = (said == Said::Wrong).then(|| self.lines.found(&change));
+            let yours = (said == LineStatus::Wrong).then(|| self.lines.found(&change));
             let Some(program) = self.right.with_function(&function.name, &text) else {
                 continue;
             };
             drawn.add(Mutant {
                 yours: yours.flatten(),
-                does: Some(Does::of(program)),
+                does: Some(Behavior::of(program)),
                 ..Mutant::new(function, &edit)
             });
             if self.lines.is_empty() && drawn.all.len() > MOST {
@@ -137,7 +138,7 @@ impl<'a> Forwards<'a> {
     }
 
     /// Writes all mutations of each function into it, each with its number, the likeliest first.
-    fn mutated(&self) -> Vec<(Rc<ChapterProgram>, u32, &'a Function, Edit)> {
+    fn mutated(&self) -> Vec<(Rc<ChapterProgram>, u32, &'a ParsedFunction, RankedEdit)> {
         let mut all = Vec::new();
         for function in self.functions {
             let mutations = mutation::mutations(function);
@@ -153,7 +154,7 @@ impl<'a> Forwards<'a> {
         }
         // What stands in the chapter itself was typed last.
         let files = self.right.chapter.files();
-        let is_own = |it: &Function| files.iter().any(|(_, text)| text.contains(&it.text));
+        let is_own = |it: &ParsedFunction| files.iter().any(|(_, text)| text.contains(&it.text));
         all.sort_by_cached_key(|(_, _, function, edit)| {
             let elsewhere = if is_own(function) { 0 } else { ELSEWHERE };
             edit.rank + edit.brackets(&function.text) + elsewhere
@@ -170,7 +171,7 @@ impl<'a> Forwards<'a> {
     }
 }
 
-impl Drawn {
+impl DrawingMutants {
     /// Returns true if they are so few that the picture tells something of the mistake.
     pub(crate) fn is_told(&self) -> bool {
         (1..=MOST).contains(&self.count)
@@ -204,7 +205,7 @@ impl Drawn {
 }
 
 impl Mutant {
-    fn new(function: &Function, edit: &Edit) -> Self {
+    fn new(function: &ParsedFunction, edit: &RankedEdit) -> Self {
         let wrong = edit.applied_to(&function.text);
         let after = function.text.len() - edit.at.end;
         Self {
@@ -223,7 +224,7 @@ impl Mutant {
     }
 }
 
-impl Does {
+impl Behavior {
     fn of(program: ChapterProgram) -> Self {
         Self {
             answers: answers(&program),

@@ -3,22 +3,22 @@
 use interpreter::Program;
 
 use super::parsed::Reader;
-use super::tree::Tree;
+use super::tree::RustTree;
 
 /// The names and texts of a program's files, the root first.
 pub(super) type Files = Vec<(String, String)>;
 
 /// A function with a body.
 #[derive(Clone, Debug)]
-pub(super) struct Function {
+pub(super) struct ParsedFunction {
     /// Its name; a method's with the type that it belongs to.
     pub(super) name: String,
     pub(super) text: String,
     pub(super) parameters: Vec<String>,
-    pub(super) body: Tree,
+    pub(super) body: RustTree,
 }
 
-impl Function {
+impl ParsedFunction {
     /// Reads a function, from `fn` to its last brace.
     pub(super) fn read(name: &str, text: &str) -> Option<Self> {
         let item: syn::ImplItemFn = syn::parse_str(text).ok()?;
@@ -50,14 +50,14 @@ impl Function {
 }
 
 /// Returns all functions of a program.
-pub(super) fn functions(program: &Program) -> Vec<Function> {
+pub(super) fn functions(program: &Program) -> Vec<ParsedFunction> {
     let all = program.functions();
-    all.filter_map(|(name, text)| Function::read(name, text))
+    all.filter_map(|(name, text)| ParsedFunction::read(name, text))
         .collect()
 }
 
 /// Returns the files with other texts for some functions.
-pub(super) fn with(files: &Files, changes: &[(&Function, &str)]) -> Files {
+pub(super) fn with(files: &Files, changes: &[(&ParsedFunction, &str)]) -> Files {
     let mut changed = files.clone();
     for (function, text) in changes {
         if let Some((file, _)) = function.place(files) {

@@ -10,10 +10,10 @@ mod everywhere;
 mod forwards;
 mod functions;
 mod goal;
-mod letters;
 mod mutation;
 mod nearer;
 mod parsed;
+mod renaming;
 mod repair;
 mod roots;
 mod tree;
@@ -23,22 +23,22 @@ use std::cmp::Reverse;
 use slips::Edition;
 
 use crate::reading::Reading;
-use crate::sources::{Lines, Sources};
+use crate::sources::{LineComparison, Sources};
 use crate::task::Task;
 pub use everywhere::{FileEdit, edits_everywhere};
-use forwards::Forwards;
-pub(crate) use forwards::{Drawn, Mutant};
+use forwards::PictureSearch;
+pub(crate) use forwards::{DrawingMutants, Mutant};
 use functions::functions;
-pub(crate) use repair::{Change, Repair, Right};
+pub(crate) use repair::{Change, Correction, Repair};
 
 /// Of a larger picture not every pixel is drawn for each edit.
 const LARGEST: usize = 500_000;
 
 /// Finds the single edits of the chapter that draw the picture, as far as the reader's files can
 /// have them.
-pub(crate) fn drawn(task: &Task, reading: &Reading, sources: &Sources) -> Drawn {
+pub(crate) fn drawn(task: &Task, reading: &Reading, sources: &Sources) -> DrawingMutants {
     if task.probe.is_some() || reading.pixels.len() > LARGEST {
-        return Drawn::default();
+        return DrawingMutants::default();
     }
     searched(task, reading, sources, |it| Some(it.mutants())).unwrap_or_default()
 }
@@ -48,7 +48,7 @@ fn searched<T>(
     task: &Task,
     reading: &Reading,
     sources: &Sources,
-    search: impl Fn(&Forwards) -> Option<T>,
+    search: impl Fn(&PictureSearch) -> Option<T>,
 ) -> Option<T> {
     let programs = match sources.typed().is_empty() {
         true => vec![task.program(&[])],
@@ -59,8 +59,8 @@ fn searched<T>(
     let functions: Vec<_> = programs.iter().map(|it| functions(it.code())).collect();
     let lines = programs
         .iter()
-        .map(|it| Lines::new(it.functions(), sources.typed()));
+        .map(|it| LineComparison::new(it.functions(), sources.typed()));
     let all = programs.iter().zip(&functions).zip(lines);
     let ((right, functions), lines) = all.min_by_key(|(_, lines)| Reverse(lines.count()))?;
-    search(&Forwards::new(right, functions, reading, &lines))
+    search(&PictureSearch::new(right, functions, reading, &lines))
 }

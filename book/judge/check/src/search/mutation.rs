@@ -4,11 +4,11 @@
 use std::cmp::Reverse;
 use std::collections::HashSet;
 
-use super::edit::Edit;
-use super::functions::Function;
-use super::letters::locals;
+use super::edit::RankedEdit;
+use super::functions::ParsedFunction;
+use super::renaming::locals;
 use super::roots::roots;
-use super::tree::{Op, Tree};
+use super::tree::{RustOp, RustTree};
 
 /// Words and signs, each of which is mistaken for the others of its group, and how unlikely that
 /// is.
@@ -33,19 +33,19 @@ const SWAPPED: usize = 8;
 
 /// A tree that may stand in the place of another, and what makes it unlikely: more than an edit
 /// that brings one text nearer to another.
-type Other = (Tree, u32);
+type Alternative = (RustTree, u32);
 
 /// A node of a function and what may stand in its place.
 pub(super) struct Mutation<'t> {
-    old: &'t Tree,
+    old: &'t RustTree,
     /// How firm the place wants it.
     least: u8,
-    new: Tree,
+    new: RustTree,
     penalty: u32,
 }
 
 /// Makes all mutations of a function. Those of one node follow one another.
-pub(super) fn mutations(function: &Function) -> Vec<Mutation<'_>> {
+pub(super) fn mutations(function: &ParsedFunction) -> Vec<Mutation<'_>> {
     let mut names: Vec<String> = function.parameters.clone();
     names.extend(locals(&function.body).iter().map(|it| it.name.to_owned()));
     names.retain(|it| it != "self");
@@ -70,24 +70,24 @@ pub(super) fn mutations(function: &Function) -> Vec<Mutation<'_>> {
 
 impl Mutation<'_> {
     /// Makes the edit of its function's text.
-    pub(super) fn edit(&self, text: &str) -> Edit {
+    pub(super) fn edit(&self, text: &str) -> RankedEdit {
         let new = self.new.within(self.least);
-        Edit::new(text, self.old.at.clone(), new, self.penalty)
+        RankedEdit::new(text, self.old.at.clone(), new, self.penalty)
     }
 }
 
 /// Writes a function with all of its mutations in it, counted from a number on: so they are read
 /// at once, and each is run by its number (mutant schemata: Untch, Offutt and Harrold, 1993).
-pub(super) fn schemata(function: &Function, mutations: &[Mutation], first: u32) -> String {
+pub(super) fn schemata(function: &ParsedFunction, mutations: &[Mutation], first: u32) -> String {
     let head = &function.text[..function.body.at.start];
     format!("{head}{}", written(&function.body, 0, mutations, first))
 }
 
-fn written(tree: &Tree, least: u8, mutations: &[Mutation], first: u32) -> String {
+fn written(tree: &RustTree, least: u8, mutations: &[Mutation], first: u32) -> String {
     let text = tree.text_of(&|part, least| {
         let text = written(part, least, mutations, first);
         let is_last = std::ptr::eq(part, &tree.parts[tree.parts.len() - 1]);
-        let is_statement = tree.op == Op::Block
+        let is_statement = tree.op == RustOp::Block
             && !is_last
             && text.starts_with("mutants!")
             && !text.ends_with(';');
@@ -107,22 +107,25 @@ fn written(tree: &Tree, least: u8, mutations: &[Mutation], first: u32) -> String
         text => format!(", {text}"),
     });
     let (others, number) = (others.collect::<String>(), first + n as u32);
-    match text.strip_suffix(';').filter(|_| tree.op == Op::Statement) {
+    match text
+        .strip_suffix(';')
+        .filter(|_| tree.op == RustOp::Statement)
+    {
         Some(text) => format!("mutants!({number}, {text}{others});"),
         None => format!("mutants!({number}, {text}{others})"),
     }
 }
 
-fn of_tree<'t>(tree: &'t Tree, least: u8, names: &[String]) -> Vec<Mutation<'t>> {
-    let mutation = |(new, penalty): Other| Mutation {
+fn of_tree<'t>(tree: &'t RustTree, least: u8, names: &[String]) -> Vec<Mutation<'t>> {
+    let mutation = |(new, penalty): Alternative| Mutation {
         old: tree,
         least,
         new,
         penalty,
     };
     // What is given a name as a condition has it in what stands beside.
-    let is_named = |it: &Tree| matches!(it.op, Op::Let(_, false));
-    let is_bound = tree.op != Op::If && tree.parts.iter().any(is_named);
+    let is_named = |it: &RustTree| matches!(it.op, RustOp::Let(_, false));
+    let is_bound = tree.op != RustOp::If && tree.parts.iter().any(is_named);
     let own = others(tree, names).into_iter().filter(|_| !is_bound);
     let mut all: Vec<Mutation> = own.map(mutation).collect();
     for (n, part) in tree.parts.iter().enumerate().skip(fixed(tree)) {
@@ -135,23 +138,23 @@ fn of_tree<'t>(tree: &'t Tree, least: u8, names: &[String]) -> Vec<Mutation<'t>>
 }
 
 /// Counts the first parts of a tree that are no values: a function's name, and what is changed.
-fn fixed(tree: &Tree) -> usize {
+fn fixed(tree: &RustTree) -> usize {
     let is_fixed = match &tree.op {
-        Op::Call => true,
-        Op::Sign(sign) => sign.ends_with('=') && !["<=", ">=", "==", "!="].contains(&&**sign),
-        Op::Method(_) if tree.parts.len() > 1 => {
+        RustOp::Call => true,
+        RustOp::Sign(sign) => sign.ends_with('=') && !["<=", ">=", "==", "!="].contains(&&**sign),
+        RustOp::Method(_) if tree.parts.len() > 1 => {
             let object = &tree.parts[0];
             let is_own = object.parts.iter().any(|it| it.name() == Some("self"));
             object.name().is_some() || is_own
         }
-        Op::Other(texts) => texts[0].starts_with("&mut"),
+        RustOp::Other(texts) => texts[0].starts_with("&mut"),
         _ => false,
     };
     usize::from(is_fixed)
 }
 
 /// Makes the same edit in all three components.
-fn in_all(tree: &Tree, three: [&Tree; 3], names: &[String]) -> Vec<Other> {
+fn in_all(tree: &RustTree, three: [&RustTree; 3], names: &[String]) -> Vec<Alternative> {
     let first = of_tree(three[0], 0, names).into_iter();
     let all = first.map(|it| {
         let first = three[0].with(&it.old.at, &it.new);
@@ -165,10 +168,10 @@ fn in_all(tree: &Tree, three: [&Tree; 3], names: &[String]) -> Vec<Other> {
 }
 
 /// Finds the three parts of a tree that are the same but for x, y and z.
-fn components(tree: &Tree) -> Option<[&Tree; 3]> {
-    let three: [&Tree; 3] = match (&tree.op, &tree.parts[..]) {
-        (Op::Call, [_, x, y, z]) | (Op::Other(_), [x, y, z]) => [x, y, z],
-        (Op::Sign(_), [sum, z]) if sum.op == tree.op => [&sum.parts[0], &sum.parts[1], z],
+fn components(tree: &RustTree) -> Option<[&RustTree; 3]> {
+    let three: [&RustTree; 3] = match (&tree.op, &tree.parts[..]) {
+        (RustOp::Call, [_, x, y, z]) | (RustOp::Other(_), [x, y, z]) => [x, y, z],
+        (RustOp::Sign(_), [sum, z]) if sum.op == tree.op => [&sum.parts[0], &sum.parts[1], z],
         _ => return None,
     };
     let is_like = |n: usize| on_axis(three[0], n).is_same(three[n]);
@@ -176,16 +179,16 @@ fn components(tree: &Tree) -> Option<[&Tree; 3]> {
 }
 
 /// Returns the tree with the letter of another axis for each x.
-fn on_axis(tree: &Tree, axis: usize) -> Tree {
+fn on_axis(tree: &RustTree, axis: usize) -> RustTree {
     let letter = ["x", "y", "z"][axis].to_owned();
     tree.mapped(&|it| {
         let op = match &it.op {
-            Op::Field(x) if x == "x" => Op::Field(letter.clone()),
-            Op::Member(x) if x == "x" => Op::Member(letter.clone()),
+            RustOp::Field(x) if x == "x" => RustOp::Field(letter.clone()),
+            RustOp::Member(x) if x == "x" => RustOp::Member(letter.clone()),
             _ => return None,
         };
         let parts = it.parts.iter().map(|part| on_axis(part, axis)).collect();
-        Some(Tree {
+        Some(RustTree {
             op,
             parts,
             ..it.clone()
@@ -194,32 +197,32 @@ fn on_axis(tree: &Tree, axis: usize) -> Tree {
 }
 
 /// Returns what may stand in the place of a node.
-fn others(tree: &Tree, names: &[String]) -> Vec<Other> {
+fn others(tree: &RustTree, names: &[String]) -> Vec<Alternative> {
     let mut all = mistaken(tree);
     let first = tree.parts.first();
     match &tree.op {
-        Op::Sign(sign) if "+-*/&&||".contains(&**sign) => all.extend(of_sign(tree, sign)),
-        Op::Leaf(text) => all.extend(of_leaf(tree, text, names)),
-        Op::Sign(sign) if ["<", ">", "<=", ">="].contains(&&**sign) => {
-            all.push((Tree::leaf("true"), 8));
+        RustOp::Sign(sign) if "+-*/&&||".contains(&**sign) => all.extend(of_sign(tree, sign)),
+        RustOp::Leaf(text) => all.extend(of_leaf(tree, text, names)),
+        RustOp::Sign(sign) if ["<", ">", "<=", ">="].contains(&&**sign) => {
+            all.push((RustTree::leaf("true"), 8));
         }
-        Op::Prefix(sign) if sign != "&" => all.extend(first.map(|it| (it.clone(), 7))),
-        Op::Field(name) => {
+        RustOp::Prefix(sign) if sign != "&" => all.extend(first.map(|it| (it.clone(), 7))),
+        RustOp::Field(name) => {
             all.push((negated(tree), 8));
             if name == "direction" {
-                let unit = Op::Method("normalize".to_owned());
-                all.push((Tree::new(unit, vec![tree.clone()]), 9));
+                let unit = RustOp::Method("normalize".to_owned());
+                all.push((RustTree::new(unit, vec![tree.clone()]), 9));
             }
         }
-        Op::Method(name) if tree.parts.len() == 1 || name == "max" || name == "min" => {
+        RustOp::Method(name) if tree.parts.len() == 1 || name == "max" || name == "min" => {
             all.extend([(tree.parts[0].clone(), 8), (negated(tree), 8)]);
         }
-        Op::Call if first.is_some_and(|it| it.name() == Some("Some")) => {
-            all.push((Tree::leaf("None"), 9));
+        RustOp::Call if first.is_some_and(|it| it.name() == Some("Some")) => {
+            all.push((RustTree::leaf("None"), 9));
         }
-        Op::Call if tree.parts.len() == 2 => all.push((tree.parts[1].clone(), 8)),
-        Op::If => all.extend(of_choice(tree)),
-        Op::Statement => all.push((Tree::leaf(""), 11)),
+        RustOp::Call if tree.parts.len() == 2 => all.push((tree.parts[1].clone(), 8)),
+        RustOp::If => all.extend(of_choice(tree)),
+        RustOp::Statement => all.push((RustTree::leaf(""), 11)),
         _ => {}
     }
     all.extend(of_list(tree));
@@ -227,8 +230,8 @@ fn others(tree: &Tree, names: &[String]) -> Vec<Other> {
 }
 
 /// Puts one word or sign in the place of another of its group.
-fn mistaken(tree: &Tree) -> Vec<Other> {
-    let (Op::Sign(name) | Op::Method(name) | Op::Field(name)) = &tree.op else {
+fn mistaken(tree: &RustTree) -> Vec<Alternative> {
+    let (RustOp::Sign(name) | RustOp::Method(name) | RustOp::Field(name)) = &tree.op else {
         return Vec::new();
     };
     let groups = MISTAKEN
@@ -239,27 +242,27 @@ fn mistaken(tree: &Tree) -> Vec<Other> {
         .filter(|(it, _)| *it != name)
         .map(|(other, penalty)| {
             let op = match &tree.op {
-                Op::Sign(_) => Op::Sign((*other).to_owned()),
-                Op::Method(_) => Op::Method((*other).to_owned()),
-                _ => Op::Field((*other).to_owned()),
+                RustOp::Sign(_) => RustOp::Sign((*other).to_owned()),
+                RustOp::Method(_) => RustOp::Method((*other).to_owned()),
+                _ => RustOp::Field((*other).to_owned()),
             };
-            (Tree { op, ..tree.clone() }, penalty)
+            (RustTree { op, ..tree.clone() }, penalty)
         });
     others.collect()
 }
 
 /// Leaves one side of a sign out, swaps the sides, and moves brackets or loses them.
-fn of_sign(tree: &Tree, sign: &str) -> Vec<Other> {
+fn of_sign(tree: &RustTree, sign: &str) -> Vec<Alternative> {
     let (one, other) = (&tree.parts[0], &tree.parts[1]);
     let mut all = vec![(one.clone(), 8), (other.clone(), 8)];
     let inner = [one, other].into_iter().filter(|it| it.op.sign().is_some());
     all.extend(inner.flat_map(|it| it.parts.iter().map(|part| (part.clone(), 9))));
-    if let (Op::Sign(inner), [first, last]) = (&one.op, &one.parts[..]) {
-        let new = Tree::binary(inner, first, &Tree::binary(sign, last, other));
+    if let (RustOp::Sign(inner), [first, last]) = (&one.op, &one.parts[..]) {
+        let new = RustTree::binary(inner, first, &RustTree::binary(sign, last, other));
         all.push((new, 7));
     }
-    if let (Op::Sign(inner), [first, last]) = (&other.op, &other.parts[..]) {
-        let new = Tree::binary(inner, &Tree::binary(sign, one, first), last);
+    if let (RustOp::Sign(inner), [first, last]) = (&other.op, &other.parts[..]) {
+        let new = RustTree::binary(inner, &RustTree::binary(sign, one, first), last);
         all.push((new, 7));
     }
     if let ([a, x], [b, y]) = (&one.parts[..], &other.parts[..])
@@ -267,11 +270,11 @@ fn of_sign(tree: &Tree, sign: &str) -> Vec<Other> {
         && "+-".contains(sign)
     {
         let [first, last] = [(a, y), (b, x)]
-            .map(|(it, with)| Tree::new(one.op.clone(), vec![it.clone(), with.clone()]));
-        all.push((Tree::binary(sign, &first, &last), 7));
+            .map(|(it, with)| RustTree::new(one.op.clone(), vec![it.clone(), with.clone()]));
+        all.push((RustTree::binary(sign, &first, &last), 7));
     }
     if "-/".contains(sign) {
-        all.push((Tree::binary(sign, other, one), 7));
+        all.push((RustTree::binary(sign, other, one), 7));
     }
     if !sign.contains(['&', '|']) {
         all.push((negated(tree), 9));
@@ -280,7 +283,7 @@ fn of_sign(tree: &Tree, sign: &str) -> Vec<Other> {
 }
 
 /// Puts another number there, or another name, or a factor that belongs elsewhere.
-fn of_leaf(tree: &Tree, text: &str, names: &[String]) -> Vec<Other> {
+fn of_leaf(tree: &RustTree, text: &str, names: &[String]) -> Vec<Alternative> {
     if text.contains('.')
         && let Ok(number) = text.parse::<f64>()
     {
@@ -294,43 +297,43 @@ fn of_leaf(tree: &Tree, text: &str, names: &[String]) -> Vec<Other> {
         };
         let all = all.into_iter().filter(|it| *it != number);
         return all
-            .map(|it| (Tree::leaf(&format!("{:?}", it + 0.0)), 9))
+            .map(|it| (RustTree::leaf(&format!("{:?}", it + 0.0)), 9))
             .collect();
     }
     if !names.iter().any(|it| it == text) {
         return Vec::new();
     }
     let others = names.iter().filter(|it| *it != text);
-    let mut all: Vec<Other> = others.map(|it| (Tree::leaf(it), 8)).collect();
+    let mut all: Vec<Alternative> = others.map(|it| (RustTree::leaf(it), 8)).collect();
     all.push((negated(tree), 8));
-    let factors = ["2.0", "0.5"].map(Tree::leaf);
-    all.extend(factors.map(|it| (Tree::binary("*", &it, tree), 10)));
+    let factors = ["2.0", "0.5"].map(RustTree::leaf);
+    all.extend(factors.map(|it| (RustTree::binary("*", &it, tree), 10)));
     all
 }
 
 /// Turns a condition round, or leaves it out.
-fn of_choice(tree: &Tree) -> Vec<Other> {
+fn of_choice(tree: &RustTree) -> Vec<Alternative> {
     let (condition, branches) = (&tree.parts[0], &tree.parts[1..]);
-    if matches!(condition.op, Op::Let(..)) {
+    if matches!(condition.op, RustOp::Let(..)) {
         return Vec::new();
     }
-    let mut all: Vec<Other> = branches.iter().map(|it| (it.clone(), 11)).collect();
+    let mut all: Vec<Alternative> = branches.iter().map(|it| (it.clone(), 11)).collect();
     match branches {
         [then, other] => {
-            let parts = [condition, other, then].map(Tree::clone);
-            all.push((Tree::new(Op::If, parts.to_vec()), 8));
+            let parts = [condition, other, then].map(RustTree::clone);
+            all.push((RustTree::new(RustOp::If, parts.to_vec()), 8));
         }
-        _ => all.push((Tree::leaf(""), 11)),
+        _ => all.push((RustTree::leaf(""), 11)),
     }
     all
 }
 
 /// Swaps two of what a function is given, or of a list, or puts one of them there twice.
-fn of_list(tree: &Tree) -> Vec<Other> {
+fn of_list(tree: &RustTree) -> Vec<Alternative> {
     let first = match &tree.op {
-        Op::Method(name) if name == "dot" => 0,
-        Op::Call | Op::Method(_) => 1,
-        Op::Other(texts) if texts[0] == "[" || texts[0] == "(" => 0,
+        RustOp::Method(name) if name == "dot" => 0,
+        RustOp::Call | RustOp::Method(_) => 1,
+        RustOp::Other(texts) if texts[0] == "[" || texts[0] == "(" => 0,
         _ => return Vec::new(),
     };
     let places = first..tree.parts.len();
@@ -350,16 +353,18 @@ fn of_list(tree: &Tree) -> Vec<Other> {
 }
 
 /// Swaps two names, wherever they stand in an expression.
-fn exchanged_names<'t>(root: &'t Tree, names: &[String]) -> Vec<Mutation<'t>> {
+fn exchanged_names<'t>(root: &'t RustTree, names: &[String]) -> Vec<Mutation<'t>> {
     let nodes = root.nodes();
-    let is_bound = nodes.iter().any(|it| matches!(it.op, Op::Let(_, false)));
+    let is_bound = nodes
+        .iter()
+        .any(|it| matches!(it.op, RustOp::Let(_, false)));
     let stands = |name: &&String| nodes.iter().any(|it| it.name() == Some(name));
     let here: Vec<&String> = names.iter().filter(stands).take(SWAPPED).collect();
     let pairs = (0..here.len()).flat_map(|n| (0..n).map(move |m| (n, m)));
     let pairs = pairs.filter(|_| !is_bound).map(|(n, m)| {
         let new = root.mapped(&|it| match it.name()? {
-            name if name == here[n] => Some(Tree::leaf(here[m])),
-            name if name == here[m] => Some(Tree::leaf(here[n])),
+            name if name == here[n] => Some(RustTree::leaf(here[m])),
+            name if name == here[m] => Some(RustTree::leaf(here[n])),
             _ => None,
         });
         Mutation {
@@ -373,6 +378,6 @@ fn exchanged_names<'t>(root: &'t Tree, names: &[String]) -> Vec<Mutation<'t>> {
 }
 
 /// Adds a sign.
-fn negated(tree: &Tree) -> Tree {
-    Tree::new(Op::Prefix("-".to_owned()), vec![tree.clone()])
+fn negated(tree: &RustTree) -> RustTree {
+    RustTree::new(RustOp::Prefix("-".to_owned()), vec![tree.clone()])
 }

@@ -3,11 +3,11 @@
 
 use std::ops::Range;
 
-use super::edit::{Edit, words};
-use super::functions::Function;
-use super::letters::{Local, in_common_letters, locals};
-use super::roots::{Role, roots};
-use super::tree::{Op, Tree};
+use super::edit::{RankedEdit, words};
+use super::functions::ParsedFunction;
+use super::renaming::{LocalName, in_common_names, locals};
+use super::roots::{RootRole, roots};
+use super::tree::{RustOp, RustTree};
 
 /// A reader's expression is compared with so many of the chapter's.
 const COMPARED: usize = 3;
@@ -24,8 +24,8 @@ const PARTIAL: u32 = 4;
 const DEEPEST: u8 = 12;
 
 /// Makes the edits by which a function comes nearer to the chapter's.
-pub(super) fn edits(yours: &Function, right: &Function) -> Vec<Edit> {
-    let (own, theirs) = in_common_letters(yours, right);
+pub(super) fn edits(yours: &ParsedFunction, right: &ParsedFunction) -> Vec<RankedEdit> {
+    let (own, theirs) = in_common_names(yours, right);
     let name = |at: &Range<usize>, new: &str| with_names_of(yours, &own, at, new);
     let mut edits = expressions(&yours.text, &own, &roots(&theirs), false, &name);
     edits.extend(statements(&yours.text, &own, &theirs));
@@ -34,32 +34,39 @@ pub(super) fn edits(yours: &Function, right: &Function) -> Vec<Edit> {
 
 /// Makes the edits by which a helper comes nearer to what the chapter's function has where the
 /// reader's calls it: its expressions, in the names of the helper's parameters.
-pub(super) fn edits_of_helper(helper: &Function, caller: &Function, right: &Function) -> Vec<Edit> {
-    let (own, theirs) = in_common_letters(caller, right);
+pub(super) fn edits_of_helper(
+    helper: &ParsedFunction,
+    caller: &ParsedFunction,
+    right: &ParsedFunction,
+) -> Vec<RankedEdit> {
+    let (own, theirs) = in_common_names(caller, right);
     let calls = own.nodes().into_iter().filter_map(|it| given(it, helper));
     let edits = calls.flat_map(|given| {
-        let right = Function {
+        let right = ParsedFunction {
             parameters: helper.parameters.clone(),
             body: replaced(&theirs, &given),
             ..right.clone()
         };
-        let (own, theirs) = in_common_letters(helper, &right);
+        let (own, theirs) = in_common_names(helper, &right);
         let mut all = roots(&theirs);
         let nodes = theirs.nodes().into_iter();
-        let inner = nodes.filter(|it| it.parts.len() > 1 && it.op != Op::Block);
-        all.extend(inner.map(|it| (Role::Part, it)));
+        let inner = nodes.filter(|it| it.parts.len() > 1 && it.op != RustOp::Block);
+        all.extend(inner.map(|it| (RootRole::Part, it)));
         expressions(&helper.text, &own, &all, true, &|_, new| new.to_owned())
     });
     edits.collect()
 }
 
 /// Finds what the helper is given in a call of it, with the name of its parameter.
-fn given<'a>(call: &'a Tree, helper: &'a Function) -> Option<Vec<(&'a Tree, &'a str)>> {
+fn given<'a>(
+    call: &'a RustTree,
+    helper: &'a ParsedFunction,
+) -> Option<Vec<(&'a RustTree, &'a str)>> {
     let arguments = match &call.op {
-        Op::Call if call.parts[0].name()?.rsplit(':').next()? == helper.short_name() => {
+        RustOp::Call if call.parts[0].name()?.rsplit(':').next()? == helper.short_name() => {
             &call.parts[1..]
         }
-        Op::Method(name) if name == helper.short_name() => &call.parts[..],
+        RustOp::Method(name) if name == helper.short_name() => &call.parts[..],
         _ => return None,
     };
     let names = helper.parameters.iter().map(String::as_str);
@@ -67,12 +74,12 @@ fn given<'a>(call: &'a Tree, helper: &'a Function) -> Option<Vec<(&'a Tree, &'a 
 }
 
 /// Returns the tree with names for what has one.
-fn replaced(tree: &Tree, names: &[(&Tree, &str)]) -> Tree {
+fn replaced(tree: &RustTree, names: &[(&RustTree, &str)]) -> RustTree {
     tree.mapped(&|it| {
         if let Some((_, name)) = names.iter().find(|(given, _)| given.is_same(it)) {
-            return Some(Tree {
+            return Some(RustTree {
                 at: it.at.clone(),
-                ..Tree::leaf(name)
+                ..RustTree::leaf(name)
             });
         }
         // A parameter is given no other value, so that no name is left for what it would be.
@@ -83,10 +90,10 @@ fn replaced(tree: &Tree, names: &[(&Tree, &str)]) -> Tree {
 }
 
 /// Writes a text with the names that only the reader has, where they stand already.
-fn with_names_of(yours: &Function, own: &Tree, at: &Range<usize>, new: &str) -> String {
+fn with_names_of(yours: &ParsedFunction, own: &RustTree, at: &Range<usize>, new: &str) -> String {
     let old = yours.text.get(at.clone()).unwrap_or_default();
     let kept = locals(own);
-    let is_used = |local: &Local| {
+    let is_used = |local: &LocalName| {
         let is_written_out = kept.iter().all(|it| it.name != local.name);
         is_written_out && words(old).contains(&local.name)
     };
@@ -100,15 +107,15 @@ fn with_names_of(yours: &Function, own: &Tree, at: &Range<usize>, new: &str) -> 
 /// may be a part of what is.
 fn expressions(
     text: &str,
-    own: &Tree,
-    theirs: &[(Role, &Tree)],
+    own: &RustTree,
+    theirs: &[(RootRole, &RustTree)],
     are_parts: bool,
     name: &dyn Fn(&Range<usize>, &str) -> String,
-) -> Vec<Edit> {
+) -> Vec<RankedEdit> {
     let mut edits = Vec::new();
     for (role, yours) in roots(own) {
-        let is_let = matches!(role, Role::Let(_));
-        let score = |(other, right): &(Role, &Tree)| {
+        let is_let = matches!(role, RootRole::Let(_));
+        let score = |(other, right): &(RootRole, &RustTree)| {
             let same_role = if is_let { SAME_NAME } else { SAME_ROLE };
             yours.likeness(right)
                 + if are_parts || *other == role {
@@ -138,9 +145,9 @@ fn expressions(
             edits.extend(found.into_iter().map(|(at, new, right_part)| {
                 let new = name(&at, &new);
                 if yours.with(&at, right_part).is_same(right) && !new.contains("if ") {
-                    Edit::whole(text, at, new, unlike)
+                    RankedEdit::whole(text, at, new, unlike)
                 } else {
-                    Edit::new(text, at, new, unlike + PARTIAL)
+                    RankedEdit::new(text, at, new, unlike + PARTIAL)
                 }
             }));
         }
@@ -151,16 +158,16 @@ fn expressions(
 /// The places where two expressions differ, from the whole to the smallest, and what the other
 /// has there.
 fn differences<'a>(
-    yours: &Tree,
-    right: &'a Tree,
+    yours: &RustTree,
+    right: &'a RustTree,
     depth: u8,
     least: u8,
-    found: &mut Vec<(Range<usize>, String, &'a Tree)>,
+    found: &mut Vec<(Range<usize>, String, &'a RustTree)>,
 ) {
     if yours.is_same(right) {
         return;
     }
-    if !yours.at.is_empty() && !matches!(yours.op, Op::Block | Op::If) {
+    if !yours.at.is_empty() && !matches!(yours.op, RustOp::Block | RustOp::If) {
         found.push((yours.at.clone(), right.within(least), right));
     }
     if depth > DEEPEST {
@@ -190,43 +197,43 @@ fn differences<'a>(
 
 /// Puts statements that only the chapter has at every place, and leaves out those that only the
 /// reader has.
-fn statements(text: &str, own: &Tree, theirs: &Tree) -> Vec<Edit> {
+fn statements(text: &str, own: &RustTree, theirs: &RustTree) -> Vec<RankedEdit> {
     let (own, theirs) = (all_statements(own), all_statements(theirs));
-    let has = |all: &[&Tree], it: &Tree| all.iter().any(|other| other.is_same(it));
-    let is_one = |it: &&&Tree| matches!(it.op, Op::Statement | Op::If);
+    let has = |all: &[&RustTree], it: &RustTree| all.iter().any(|other| other.is_same(it));
+    let is_one = |it: &&&RustTree| matches!(it.op, RustOp::Statement | RustOp::If);
     let extra = own.iter().filter(is_one).filter(|it| !has(&theirs, it));
-    let extra: Vec<&&Tree> = extra.collect();
+    let extra: Vec<&&RustTree> = extra.collect();
     let mut edits = Vec::new();
     // What the reader asks too is not missing, and nothing stands behind what is returned.
-    let asks = |it: &Tree| {
+    let asks = |it: &RustTree| {
         let mut own = own.iter().filter(|own| own.op == it.op);
         own.any(|own| own.parts[0].is_same(&it.parts[0]))
     };
-    let is_missing = |it: &&&Tree| {
-        let is_asked = it.op == Op::If && asks(it);
-        !has(&own, it) && !is_asked && it.parts[0].op != Op::Return
+    let is_missing = |it: &&&RustTree| {
+        let is_asked = it.op == RustOp::If && asks(it);
+        !has(&own, it) && !is_asked && it.parts[0].op != RustOp::Return
     };
     for missing in theirs.iter().filter(is_one).filter(is_missing) {
         let new = missing.text();
-        let mut put = |at, new, penalty| edits.push(Edit::whole(text, at, new, penalty));
+        let mut put = |at, new, penalty| edits.push(RankedEdit::whole(text, at, new, penalty));
         for place in &own {
             let (start, end) = (place.at.start, place.at.end);
             put(start..start, format!("{new}\n"), 3);
-            if place.op == Op::Statement {
+            if place.op == RustOp::Statement {
                 put(end..end, format!("\n{new}"), 3);
             }
         }
-        for it in extra.iter().filter(|it| it.op == Op::Statement) {
+        for it in extra.iter().filter(|it| it.op == RustOp::Statement) {
             put(it.at.clone(), new.clone(), 1);
         }
     }
     let left_out = extra.iter().map(|it| it.at.clone());
-    edits.extend(left_out.map(|at| Edit::new(text, at, String::new(), 1)));
+    edits.extend(left_out.map(|at| RankedEdit::new(text, at, String::new(), 1)));
     edits
 }
 
 /// Lists the statements of all blocks.
-fn all_statements(body: &Tree) -> Vec<&Tree> {
-    let blocks = body.nodes().into_iter().filter(|it| it.op == Op::Block);
+fn all_statements(body: &RustTree) -> Vec<&RustTree> {
+    let blocks = body.nodes().into_iter().filter(|it| it.op == RustOp::Block);
     blocks.flat_map(|it| &it.parts).collect()
 }

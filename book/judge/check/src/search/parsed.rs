@@ -4,7 +4,7 @@ use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 use syn::{Block, Expr, FieldValue, Pat, Stmt, Type};
 
-use super::tree::{Op, Pattern, Tree, squeezed};
+use super::tree::{BoundName, RustOp, RustTree, squeezed};
 
 /// Reads the trees of a function.
 pub(super) struct Reader<'a> {
@@ -12,62 +12,64 @@ pub(super) struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    pub(super) fn block(&self, block: &Block) -> Tree {
+    pub(super) fn block(&self, block: &Block) -> RustTree {
         let statements = block.stmts.iter().map(|it| self.statement(it));
-        node(block, Op::Block, statements.collect())
+        node(block, RustOp::Block, statements.collect())
     }
 
-    fn statement(&self, statement: &Stmt) -> Tree {
+    fn statement(&self, statement: &Stmt) -> RustTree {
         match statement {
             Stmt::Local(local) => match &local.init {
                 Some(init) if init.diverge.is_none() => {
-                    let op = Op::Let(self.pattern(&local.pat), true);
+                    let op = RustOp::Let(self.pattern(&local.pat), true);
                     node(statement, op, vec![self.expression(&init.expr)])
                 }
                 _ => self.other(statement, Vec::new()),
             },
-            Stmt::Expr(it, Some(_)) => node(statement, Op::Statement, vec![self.expression(it)]),
+            Stmt::Expr(it, Some(_)) => {
+                node(statement, RustOp::Statement, vec![self.expression(it)])
+            }
             Stmt::Expr(it, None) => self.expression(it),
             _ => self.other(statement, Vec::new()),
         }
     }
 
-    pub(super) fn expression(&self, it: &Expr) -> Tree {
+    pub(super) fn expression(&self, it: &Expr) -> RustTree {
         let text = |it: &dyn Spanned| squeezed(&self.text[it.span().byte_range()]);
         let op = match it {
             Expr::Paren(inner) => {
-                return Tree {
+                return RustTree {
                     at: it.span().byte_range(),
                     ..self.expression(&inner.expr)
                 };
             }
             Expr::Block(it) => return self.block(&it.block),
-            Expr::Binary(it) => Op::Sign(text(&it.op)),
-            Expr::Assign(_) => Op::Sign("=".to_owned()),
+            Expr::Binary(it) => RustOp::Sign(text(&it.op)),
+            Expr::Assign(_) => RustOp::Sign("=".to_owned()),
             Expr::Range(range) if range.start.is_some() && range.end.is_some() => {
-                Op::Sign(text(&range.limits))
+                RustOp::Sign(text(&range.limits))
             }
-            Expr::Unary(it) => Op::Prefix(text(&it.op)),
-            Expr::Reference(it) if it.mutability.is_none() => Op::Prefix("&".to_owned()),
-            Expr::MethodCall(it) if it.turbofish.is_none() => Op::Method(it.method.to_string()),
-            Expr::Field(it) => Op::Field(text(&it.member)),
-            Expr::Call(_) => Op::Call,
-            Expr::Let(it) => Op::Let(self.pattern(&it.pat), false),
-            Expr::ForLoop(it) => Op::For(self.pattern(&it.pat)),
-            Expr::If(_) => Op::If,
-            Expr::While(_) => Op::While,
-            Expr::Return(it) if it.expr.is_some() => Op::Return,
+            Expr::Unary(it) => RustOp::Prefix(text(&it.op)),
+            Expr::Reference(it) if it.mutability.is_none() => RustOp::Prefix("&".to_owned()),
+            Expr::MethodCall(it) if it.turbofish.is_none() => RustOp::Method(it.method.to_string()),
+            Expr::Field(it) => RustOp::Field(text(&it.member)),
+            Expr::Call(_) => RustOp::Call,
+            Expr::Let(it) => RustOp::Let(self.pattern(&it.pat), false),
+            Expr::ForLoop(it) => RustOp::For(self.pattern(&it.pat)),
+            Expr::If(_) => RustOp::If,
+            Expr::While(_) => RustOp::While,
+            Expr::Return(it) if it.expr.is_some() => RustOp::Return,
             _ => return self.other(it, self.parts(it)),
         };
         node(it, op, self.parts(it))
     }
 
-    fn pattern(&self, it: &Pat) -> Pattern {
-        Pattern::of(&squeezed(&self.text[it.span().byte_range()]))
+    fn pattern(&self, it: &Pat) -> BoundName {
+        BoundName::of(&squeezed(&self.text[it.span().byte_range()]))
     }
 
     /// Reads the parts of an expression in their order, each with its own.
-    fn parts(&self, it: &Expr) -> Vec<Tree> {
+    fn parts(&self, it: &Expr) -> Vec<RustTree> {
         let mut parts = Parts {
             reader: self,
             found: Vec::new(),
@@ -77,7 +79,7 @@ impl Reader<'_> {
     }
 
     /// Makes a node whose parts stand in this order in its text.
-    fn other(&self, it: &impl Spanned, parts: Vec<Tree>) -> Tree {
+    fn other(&self, it: &impl Spanned, parts: Vec<RustTree>) -> RustTree {
         const PART: char = '\0';
         let at = it.span().byte_range();
         let mut text = String::new();
@@ -90,23 +92,23 @@ impl Reader<'_> {
         text += &self.text[before..at.end.max(before)];
         let text = squeezed(&text);
         let op = if parts.is_empty() {
-            Op::Leaf(text)
+            RustOp::Leaf(text)
         } else {
-            Op::Other(text.split(PART).map(str::to_owned).collect())
+            RustOp::Other(text.split(PART).map(str::to_owned).collect())
         };
-        Tree { op, parts, at }
+        RustTree { op, parts, at }
     }
 }
 
-fn node(it: &impl Spanned, op: Op, parts: Vec<Tree>) -> Tree {
+fn node(it: &impl Spanned, op: RustOp, parts: Vec<RustTree>) -> RustTree {
     let at = it.span().byte_range();
-    Tree { op, parts, at }
+    RustTree { op, parts, at }
 }
 
 /// The parts of an expression.
 struct Parts<'a> {
     reader: &'a Reader<'a>,
-    found: Vec<Tree>,
+    found: Vec<RustTree>,
 }
 
 impl<'a> Visit<'a> for Parts<'_> {
@@ -122,7 +124,7 @@ impl<'a> Visit<'a> for Parts<'_> {
     fn visit_field_value(&mut self, it: &'a FieldValue) {
         let member = self.reader.text[it.member.span().byte_range()].to_owned();
         let value = vec![self.reader.expression(&it.expr)];
-        self.found.push(node(it, Op::Member(member), value));
+        self.found.push(node(it, RustOp::Member(member), value));
     }
 
     fn visit_pat(&mut self, it: &'a Pat) {

@@ -7,13 +7,13 @@ use std::cell::Cell;
 
 use interpreter::Program;
 
-use super::backwards::{Fix, Search};
-use super::functions::{Files, Function, functions, with};
+use super::backwards::{Fix, RepairSearch};
+use super::functions::{Files, ParsedFunction, functions, with};
 use super::goal::{self, Goal, program};
 use super::searched;
 use super::tree::squeezed;
 use crate::reading::Reading;
-use crate::sources::{Line, Sources};
+use crate::sources::{SourceLine, Sources};
 use crate::task::Task;
 
 /// What makes a program right, tried.
@@ -33,35 +33,35 @@ pub struct Repair {
 #[derive(Clone, Debug)]
 pub struct Change {
     /// The reader's line.
-    pub yours: Line,
+    pub yours: SourceLine,
     /// What should be there.
-    pub right: Right,
+    pub right: Correction,
 }
 
 /// What is right in a place.
 #[derive(Clone, Debug)]
-pub enum Right {
+pub enum Correction {
     /// This instead.
-    Line(String),
+    Instead(String),
     /// This above it.
-    More(String),
+    Above(String),
     /// Nothing.
-    Nothing,
+    LeaveOut,
     /// This instead, in the reader's own language: the chapter was tried with the reader's line.
-    Spelled(String),
+    InOwnLanguage(String),
 }
 
 impl Repair {
     /// Returns true if each change is a line in the place of another.
     pub(crate) fn is_of_lines(&self) -> bool {
         let mut changes = self.changes.iter();
-        changes.all(|it| matches!(it.right, Right::Line(_)))
+        changes.all(|it| matches!(it.right, Correction::Instead(_)))
     }
 
     /// Finds the line in another language with which the chapter draws the picture.
     fn transplanted(task: &Task, reading: &Reading, sources: &Sources) -> Option<Self> {
         let found = searched(task, reading, sources, |it| it.transplanted())?;
-        let (yours, right) = (found.line, Right::Spelled(found.right));
+        let (yours, right) = (found.line, Correction::InOwnLanguage(found.right));
         Some(Self {
             changes: vec![Change { yours, right }],
             files: Files::new(),
@@ -112,7 +112,7 @@ impl Repair {
         if is_hidden && goal.is_answered_by(&yours) {
             return None;
         }
-        let search = Search {
+        let search = RepairSearch {
             program: &yours,
             yours: &own,
             chapter: &theirs,
@@ -149,8 +149,8 @@ fn drawing(files: &Files, reading: &Reading) -> Option<(Program, bool)> {
 /// to the chapter, it shows what its step does.
 fn with_one_of_the_chapter<'a>(
     program: &'a Program,
-    yours: &'a [Function],
-    right: &'a [Function],
+    yours: &'a [ParsedFunction],
+    right: &'a [ParsedFunction],
 ) -> impl Iterator<Item = Program> + 'a {
     let pairs = yours
         .iter()
@@ -162,17 +162,17 @@ fn with_one_of_the_chapter<'a>(
 impl Fix<'_> {
     /// Finds the lines that are changed.
     fn changes(&self, files: &Files) -> Vec<Change> {
-        let line = |files: &Files, function: &Function, n: usize| {
+        let line = |files: &Files, function: &ParsedFunction, n: usize| {
             let (file, start) = function.place(files).unwrap_or_default();
             let (name, text) = &files[file];
             let before = text[..start].matches('\n').count();
-            Line {
+            SourceLine {
                 file: name.clone(),
                 number: before + n + 1,
                 text: squeezed(text.lines().nth(before + n).unwrap_or_default()),
             }
         };
-        let change = |n: usize, right: Right| Change {
+        let change = |n: usize, right: Correction| Change {
             yours: line(files, self.yours, n),
             right,
         };
@@ -183,23 +183,23 @@ impl Fix<'_> {
         let back = old[first..].iter().rev().zip(new[first..].iter().rev());
         let last = back.take_while(is_same).count();
         let [old, new] = [&old, &new].map(|it| &it[first..it.len() - last]);
-        let right = |text: String| {
+        let correction = |text: String| {
             if text.is_empty() {
-                Right::Nothing
+                Correction::LeaveOut
             } else {
-                Right::Line(text)
+                Correction::Instead(text)
             }
         };
         if old.is_empty() {
-            return vec![change(first, Right::More(new.join(" ")))];
+            return vec![change(first, Correction::Above(new.join(" ")))];
         }
         if old.len() == new.len() {
             let pairs = old.iter().zip(new).enumerate();
             let changed = pairs.filter(|(_, pair)| !is_same(pair));
-            let changes = changed.map(|(n, (_, new))| change(first + n, right(new.clone())));
+            let changes = changed.map(|(n, (_, new))| change(first + n, correction(new.clone())));
             return changes.collect();
         }
-        let mut change = change(first, right(new.join(" ")));
+        let mut change = change(first, correction(new.join(" ")));
         change.yours.text = old.join(" ");
         vec![change]
     }

@@ -7,7 +7,7 @@ use std::ops::Range;
 
 /// What a node does with its parts.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Op {
+pub(super) enum RustOp {
     /// Statements in braces.
     Block,
     /// A name, a number, or what else has no parts.
@@ -25,9 +25,9 @@ pub(super) enum Op {
     /// A field of a new struct and its value.
     Member(String),
     /// A name for its part; whether it is a statement, and not a condition.
-    Let(Pattern, bool),
+    Let(BoundName, bool),
     /// A name for each of the first part, and what is done with it.
-    For(Pattern),
+    For(BoundName),
     /// A condition, what follows from it, and what else.
     If,
     While,
@@ -40,7 +40,7 @@ pub(super) enum Op {
 
 /// A name that is given, and what stands around it.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Pattern {
+pub(super) struct BoundName {
     /// `mut ` or `Some(`; or the whole, if it has no such name.
     pub(super) before: String,
     pub(super) name: String,
@@ -49,14 +49,14 @@ pub(super) struct Pattern {
 
 /// A part of a function.
 #[derive(Clone, Debug)]
-pub(super) struct Tree {
-    pub(super) op: Op,
-    pub(super) parts: Vec<Tree>,
+pub(super) struct RustTree {
+    pub(super) op: RustOp,
+    pub(super) parts: Vec<RustTree>,
     /// Where it stands in the text of its function.
     pub(super) at: Range<usize>,
 }
 
-impl Op {
+impl RustOp {
     /// Returns the sign, if it stands between two parts.
     pub(super) fn sign(&self) -> Option<&str> {
         match self {
@@ -66,7 +66,7 @@ impl Op {
     }
 
     /// Returns the name that it gives.
-    pub(super) fn pattern(&self) -> Option<&Pattern> {
+    pub(super) fn pattern(&self) -> Option<&BoundName> {
         match self {
             Self::Let(pattern, _) | Self::For(pattern) => Some(pattern),
             _ => None,
@@ -105,9 +105,9 @@ impl Op {
     }
 }
 
-impl Tree {
+impl RustTree {
     /// Makes a tree that stands nowhere yet.
-    pub(super) fn new(op: Op, parts: Vec<Self>) -> Self {
+    pub(super) fn new(op: RustOp, parts: Vec<Self>) -> Self {
         Self {
             op,
             parts,
@@ -117,18 +117,21 @@ impl Tree {
 
     /// Makes a name or a number that stands nowhere yet.
     pub(super) fn leaf(text: &str) -> Self {
-        Self::new(Op::Leaf(text.to_owned()), Vec::new())
+        Self::new(RustOp::Leaf(text.to_owned()), Vec::new())
     }
 
     /// A sign between two parts.
     pub(super) fn binary(sign: &str, one: &Self, other: &Self) -> Self {
-        Self::new(Op::Sign(sign.to_owned()), vec![one.clone(), other.clone()])
+        Self::new(
+            RustOp::Sign(sign.to_owned()),
+            vec![one.clone(), other.clone()],
+        )
     }
 
     /// Its text, if it has no parts.
     pub(super) fn name(&self) -> Option<&str> {
         match &self.op {
-            Op::Leaf(name) => Some(name),
+            RustOp::Leaf(name) => Some(name),
             _ => None,
         }
     }
@@ -149,7 +152,7 @@ impl Tree {
     /// Measures how much two trees have in common, from 0 to 1.
     pub(super) fn likeness(&self, other: &Self) -> f64 {
         let ops =
-            |tree: &Self| -> Vec<Op> { tree.nodes().iter().map(|it| it.op.clone()).collect() };
+            |tree: &Self| -> Vec<RustOp> { tree.nodes().iter().map(|it| it.op.clone()).collect() };
         likeness(&ops(self), &ops(other))
     }
 
@@ -197,26 +200,26 @@ impl Tree {
         let parts: Vec<String> = parts.map(|(n, it)| part(it, self.least(n))).collect();
         let given = || parts[1..].join(", ");
         match &self.op {
-            Op::Block => format!("{{ {} }}", parts.join(" ")),
-            Op::Leaf(text) => text.clone(),
-            Op::Sign(sign) if sign.starts_with("..") => parts.join(sign),
-            Op::Sign(sign) => parts.join(&format!(" {sign} ")),
-            Op::Prefix(sign) => format!("{sign}{}", parts[0]),
-            Op::Call => format!("{}({})", parts[0], given()),
-            Op::Method(name) => format!("{}.{name}({})", parts[0], given()),
-            Op::Field(name) => format!("{}.{name}", parts[0]),
-            Op::Member(name) => format!("{name}: {}", parts[0]),
-            Op::Let(pattern, true) => format!("let {} = {};", pattern.text(), parts[0]),
-            Op::Let(pattern, false) => format!("let {} = {}", pattern.text(), parts[0]),
-            Op::For(pattern) => format!("for {} in {}", pattern.text(), parts.join(" ")),
-            Op::If => match &parts[..] {
+            RustOp::Block => format!("{{ {} }}", parts.join(" ")),
+            RustOp::Leaf(text) => text.clone(),
+            RustOp::Sign(sign) if sign.starts_with("..") => parts.join(sign),
+            RustOp::Sign(sign) => parts.join(&format!(" {sign} ")),
+            RustOp::Prefix(sign) => format!("{sign}{}", parts[0]),
+            RustOp::Call => format!("{}({})", parts[0], given()),
+            RustOp::Method(name) => format!("{}.{name}({})", parts[0], given()),
+            RustOp::Field(name) => format!("{}.{name}", parts[0]),
+            RustOp::Member(name) => format!("{name}: {}", parts[0]),
+            RustOp::Let(pattern, true) => format!("let {} = {};", pattern.text(), parts[0]),
+            RustOp::Let(pattern, false) => format!("let {} = {}", pattern.text(), parts[0]),
+            RustOp::For(pattern) => format!("for {} in {}", pattern.text(), parts.join(" ")),
+            RustOp::If => match &parts[..] {
                 [condition, then, other] => format!("if {condition} {then} else {other}"),
                 _ => format!("if {}", parts.join(" ")),
             },
-            Op::While => format!("while {}", parts.join(" ")),
-            Op::Return => format!("return {}", parts[0]),
-            Op::Statement => format!("{};", parts[0]),
-            Op::Other(texts) => {
+            RustOp::While => format!("while {}", parts.join(" ")),
+            RustOp::Return => format!("return {}", parts[0]),
+            RustOp::Statement => format!("{};", parts[0]),
+            RustOp::Other(texts) => {
                 let parts = parts.iter().map(String::as_str).chain([""]);
                 texts
                     .iter()
@@ -228,7 +231,7 @@ impl Tree {
     }
 }
 
-impl Pattern {
+impl BoundName {
     pub(super) fn of(text: &str) -> Self {
         let mark = ["mut ", "Some("]
             .into_iter()

@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use language::{Language, Op, Pattern, Role, Tree, canonical, normal, plain};
 
-use super::{Line, Said, Typed, is_same_name, read};
+use super::{LineStatus, SourceLine, TypedStatement, is_same_name, read};
 
 /// So many lines are tried in one place, if they have this much in common with what is there.
 const TRIED: usize = 3;
@@ -14,14 +14,14 @@ const ALIKE: f64 = 0.4;
 const MISTAKEN: f64 = 0.75;
 
 /// The lines of a reader's beside the functions of a chapter.
-pub(crate) struct Lines<'a> {
-    places: Vec<Place>,
-    typed: &'a [Typed],
+pub(crate) struct LineComparison<'a> {
+    places: Vec<ChapterStatement>,
+    typed: &'a [TypedStatement],
 }
 
 /// A statement of the chapter's.
 #[derive(Clone)]
-struct Place {
+struct ChapterStatement {
     /// The name and the text of its function.
     function: (Rc<str>, Rc<str>),
     role: Role,
@@ -30,9 +30,9 @@ struct Place {
 }
 
 /// What one text of a function has and another has not.
-pub(crate) struct Difference {
-    lost: Vec<Place>,
-    added: Vec<Place>,
+pub(crate) struct StatementDiff {
+    lost: Vec<ChapterStatement>,
+    added: Vec<ChapterStatement>,
 }
 
 /// A line of a reader's in the place of the chapter's.
@@ -40,23 +40,23 @@ pub(crate) struct Transplant {
     /// The function, and its text with the line in Rust.
     pub(crate) function: Rc<str>,
     pub(crate) text: String,
-    pub(crate) yours: Found,
+    pub(crate) yours: CorrectedLine,
     /// True if it is there for what the chapter's is there for.
     pub(crate) has_same_role: bool,
 }
 
 /// A line of a reader's, and what should be there in the reader's spelling.
 #[derive(Clone, Debug)]
-pub(crate) struct Found {
-    pub(crate) line: Line,
+pub(crate) struct CorrectedLine {
+    pub(crate) line: SourceLine,
     pub(crate) right: String,
 }
 
-impl<'a> Lines<'a> {
+impl<'a> LineComparison<'a> {
     /// Compares the functions with what was typed.
     pub(crate) fn new<'f>(
         functions: impl Iterator<Item = (&'f str, &'f str)>,
-        typed: &'a [Typed],
+        typed: &'a [TypedStatement],
     ) -> Self {
         Self {
             places: functions
@@ -78,29 +78,29 @@ impl<'a> Lines<'a> {
 
     /// Tells what the lines say of a change: a line is wrong if it stands there more often than in
     /// the chapter, and right if it stands there as often.
-    pub(crate) fn say(&self, change: &Difference) -> Said {
-        let stands = |it: &Place| {
+    pub(crate) fn say(&self, change: &StatementDiff) -> LineStatus {
+        let stands = |it: &ChapterStatement| {
             self.places
                 .iter()
                 .filter(|own| it.stands_in(&own.role, own.pattern.tree(), self))
                 .count()
         };
-        let is_right = |it: &Place| self.typed(it) > 0 && self.typed(it) >= stands(it);
+        let is_right = |it: &ChapterStatement| self.typed(it) > 0 && self.typed(it) >= stands(it);
         // What is left out has nothing in its place that is like it.
-        let is_mistaken = |it: &Place| {
+        let is_mistaken = |it: &ChapterStatement| {
             change.added.is_empty() && self.likest(it).is_some_and(|like| like > MISTAKEN)
         };
         if change.lost.iter().any(|it| is_right(it) || is_mistaken(it)) {
-            Said::Right
+            LineStatus::Right
         } else if change.added.iter().any(|it| self.typed(it) > stands(it)) {
-            Said::Wrong
+            LineStatus::Wrong
         } else {
-            Said::Neither
+            LineStatus::NotFound
         }
     }
 
     /// Finds the reader's line that has what a change puts there.
-    pub(crate) fn found(&self, change: &Difference) -> Option<Found> {
+    pub(crate) fn found(&self, change: &StatementDiff) -> Option<CorrectedLine> {
         let mut added = change.added.iter();
         added.find_map(|place| {
             let typed = self
@@ -109,15 +109,15 @@ impl<'a> Lines<'a> {
                 .find(|it| place.stands_in(&it.role, &it.normal, self))?;
             let right = change.lost.iter().find(|it| it.role == place.role);
             let right = right.or(change.lost.first());
-            Some(Found {
+            Some(CorrectedLine {
                 line: typed.line.clone(),
                 right: right.map_or(String::new(), |it| it.in_the_spelling_of(place, typed)),
             })
         })
     }
 
-    fn typed(&self, place: &Place) -> usize {
-        let has = |it: &&Typed| {
+    fn typed(&self, place: &ChapterStatement) -> usize {
+        let has = |it: &&TypedStatement| {
             place.stands_in(&it.role, &it.normal, self) && !self.is_computed(place, it)
         };
         self.typed.iter().filter(has).count()
@@ -125,13 +125,13 @@ impl<'a> Lines<'a> {
 
     /// Returns true if what stands there for a name of the chapter's is computed before: then the
     /// line is not all of what the chapter's is.
-    fn is_computed(&self, place: &Place, typed: &Typed) -> bool {
+    fn is_computed(&self, place: &ChapterStatement, typed: &TypedStatement) -> bool {
         let Some(found) = place.pattern.find(&typed.normal) else {
             return false;
         };
         let is_sum = |it: &&Tree| matches!(it.op, Op::Sign(_)) || it.is_call("sqrt");
         let computes = |name: &str| {
-            let is_it = |it: &&Typed| {
+            let is_it = |it: &&TypedStatement| {
                 matches!(&it.role, Role::Given(own) if canonical(own) == name)
                     && it.line.file == typed.line.file
             };
@@ -148,15 +148,15 @@ impl<'a> Lines<'a> {
     }
 
     /// Finds how much like the place that line is which is most like it and no other place's.
-    fn likest(&self, place: &Place) -> Option<f64> {
+    fn likest(&self, place: &ChapterStatement) -> Option<f64> {
         let wrong = self.wrong().into_iter();
         let like = wrong.map(|it| likeness(&it.normal, place.pattern.tree()));
         like.max_by(f64::total_cmp)
     }
 
     /// Lists the reader's lines that the chapter does not have.
-    fn wrong(&self) -> Vec<&'a Typed> {
-        let is_right = |it: &Typed| {
+    fn wrong(&self) -> Vec<&'a TypedStatement> {
+        let is_right = |it: &TypedStatement| {
             self.places
                 .iter()
                 .any(|place| place.stands_in(&it.role, &it.normal, self))
@@ -175,16 +175,17 @@ impl<'a> Lines<'a> {
     }
 }
 
-impl Difference {
+impl StatementDiff {
     /// Compares texts of functions, each with another one of it.
     pub(crate) fn of<'f>(pairs: impl Iterator<Item = (&'f str, &'f str, &'f str)>) -> Self {
         let (mut lost, mut added) = (Vec::new(), Vec::new());
         for (name, right, wrong) in pairs {
             let (right, wrong) = (places(name, right), places(name, wrong));
-            let only = |one: &[Place], other: &[Place]| -> Vec<Place> {
-                let has = |it: &&Place| !other.iter().any(|other| it.is_same(other));
-                one.iter().filter(has).cloned().collect()
-            };
+            let only =
+                |one: &[ChapterStatement], other: &[ChapterStatement]| -> Vec<ChapterStatement> {
+                    let has = |it: &&ChapterStatement| !other.iter().any(|other| it.is_same(other));
+                    one.iter().filter(has).cloned().collect()
+                };
             lost.extend(only(&right, &wrong));
             added.extend(only(&wrong, &right));
         }
@@ -193,7 +194,7 @@ impl Difference {
 
     /// Returns true if these functions have what it puts there.
     pub(crate) fn is_in<'f>(&self, functions: impl Iterator<Item = (&'f str, &'f str)>) -> bool {
-        let all: Vec<Place> = functions
+        let all: Vec<ChapterStatement> = functions
             .flat_map(|(name, text)| places(name, text))
             .collect();
         let mut added = self.added.iter();
@@ -202,7 +203,7 @@ impl Difference {
 }
 
 /// Finds the statements of a function that say something.
-fn places(name: &str, text: &str) -> Vec<Place> {
+fn places(name: &str, text: &str) -> Vec<ChapterStatement> {
     let function: (Rc<str>, Rc<str>) = (name.into(), text.into());
     let all = read(text, Language::Rust);
     let names = all.iter().flat_map(|it| {
@@ -220,7 +221,7 @@ fn places(name: &str, text: &str) -> Vec<Place> {
             [some] if it.value.is_call("Some") => some,
             _ => &it.value,
         };
-        says(&value).then(|| Place {
+        says(&value).then(|| ChapterStatement {
             function: function.clone(),
             role: it.role.clone(),
             pattern: Pattern::new(value, Rc::clone(&known)),
@@ -230,18 +231,17 @@ fn places(name: &str, text: &str) -> Vec<Place> {
     places.collect()
 }
 
-impl Place {
+impl ChapterStatement {
     fn is_same(&self, other: &Self) -> bool {
         self.role == other.role && self.pattern.tree().is_same(other.pattern.tree())
     }
 
     /// Returns true if a statement says it: by another name of its own, or as a part of it.
-    fn stands_in(&self, role: &Role, value: &Tree, lines: &Lines) -> bool {
+    fn stands_in(&self, role: &Role, value: &Tree, lines: &LineComparison) -> bool {
         match (&self.role, role) {
             (Role::Given(name), Role::Given(own)) if !is_same_name(name, own) => {
                 // It is given to something else that the chapter has.
-                let is_it =
-                    |it: &Place| matches!(&it.role, Role::Given(other) if is_same_name(other, own));
+                let is_it = |it: &ChapterStatement| matches!(&it.role, Role::Given(other) if is_same_name(other, own));
                 if self.pattern.is_small() || lines.places.iter().any(is_it) {
                     return self
                         .pattern
@@ -258,7 +258,7 @@ impl Place {
     }
 
     /// Returns true if the statement can stand there: a condition for one, a value for a value.
-    fn takes(&self, typed: &Typed) -> bool {
+    fn takes(&self, typed: &TypedStatement) -> bool {
         let kind = |role: &Role| match role {
             Role::Condition => 0,
             Role::Done => 1,
@@ -270,14 +270,14 @@ impl Place {
 
     /// Pairs the reader's names that the chapter's function does not have with those that the
     /// reader's line does not have, in the order in which they come.
-    fn renames(&self, typed: &Typed) -> Vec<(String, String)> {
+    fn renames(&self, typed: &TypedStatement) -> Vec<(String, String)> {
         let (own, theirs) = (names(&typed.normal), names(self.pattern.tree()));
         let new = own.iter().filter(|name| !self.pattern.knows(name));
         let free = theirs.iter().filter(|name| !own.contains(name));
         new.cloned().zip(free.cloned()).collect()
     }
 
-    fn transplants(&self, wrong: &[&Typed]) -> Vec<Transplant> {
+    fn transplants(&self, wrong: &[&TypedStatement]) -> Vec<Transplant> {
         let scored = wrong.iter().filter(|it| self.takes(it)).map(|it| {
             let renames = self.renames(it);
             let value = renamed(&it.normal, &renames);
@@ -292,7 +292,7 @@ impl Place {
                 function: Rc::clone(&self.function.0),
                 text: self.with(&self.in_rust(typed, &renames)?),
                 has_same_role: self.has_role_of(typed),
-                yours: Found {
+                yours: CorrectedLine {
                     line: typed.line.clone(),
                     right: self.printed(typed, &turned(renames)),
                 },
@@ -308,7 +308,7 @@ impl Place {
         text
     }
 
-    fn has_role_of(&self, typed: &Typed) -> bool {
+    fn has_role_of(&self, typed: &TypedStatement) -> bool {
         match (&self.role, &typed.role) {
             (Role::Given(one), Role::Given(other)) => is_same_name(one, other),
             (one, other) => one == other,
@@ -316,7 +316,7 @@ impl Place {
     }
 
     /// Prints a reader's line as Rust, with the chapter's names.
-    fn in_rust(&self, typed: &Typed, renames: &[(String, String)]) -> Option<String> {
+    fn in_rust(&self, typed: &TypedStatement, renames: &[(String, String)]) -> Option<String> {
         let spelled = spelled_names(&self.function.1);
         let name = |it: &Tree| {
             let name = it.name()?;
@@ -331,13 +331,13 @@ impl Place {
     }
 
     /// Prints the place as the reader would, whose line has the wrong one's value.
-    fn in_the_spelling_of(&self, wrong: &Self, typed: &Typed) -> String {
+    fn in_the_spelling_of(&self, wrong: &Self, typed: &TypedStatement) -> String {
         let found = wrong.pattern.find(&typed.normal);
         self.printed(typed, &found.map_or(Vec::new(), |it| it.names))
     }
 
     /// Prints the place in the language of a line, with these names for its own.
-    fn printed(&self, typed: &Typed, names: &[(String, String)]) -> String {
+    fn printed(&self, typed: &TypedStatement, names: &[(String, String)]) -> String {
         let spelled: BTreeMap<String, &str> = typed
             .value
             .nodes()

@@ -11,16 +11,16 @@ use slips::{Chapter, Edition, Slip};
 
 use crate::task::Task;
 
-pub(crate) use lines::{Difference, Found, Lines, Transplant};
+pub(crate) use lines::{CorrectedLine, LineComparison, StatementDiff, Transplant};
 
 /// What a reader wrote, and the chapter as it should be.
 #[derive(Clone, Debug, Default)]
 pub struct Sources {
     yours: Vec<(String, String)>,
     chapter: Vec<(String, String)>,
-    typed: Vec<Typed>,
+    typed: Vec<TypedStatement>,
     /// What was said of slips in scenes, which is asked again and again.
-    said: RefCell<BTreeMap<Key, (Said, Option<Found>)>>,
+    said: RefCell<BTreeMap<Key, (LineStatus, Option<CorrectedLine>)>>,
 }
 
 /// A slip by its name and its place in memory, in a chapter of an edition.
@@ -28,7 +28,7 @@ type Key = (&'static str, usize, Chapter, Edition, Option<usize>);
 
 /// A line that somebody typed.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Line {
+pub struct SourceLine {
     /// The file, as seen from the folder of the program.
     pub file: String,
     /// Its number, from 1.
@@ -39,19 +39,19 @@ pub struct Line {
 
 /// What a reader's files say of a slip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Said {
+pub(crate) enum LineStatus {
     /// The wrong line is there.
     Wrong,
     /// The line is right.
     Right,
     /// Neither is found.
-    Neither,
+    NotFound,
 }
 
 /// A statement that somebody typed.
 #[derive(Clone, Debug)]
-pub(crate) struct Typed {
-    pub(crate) line: Line,
+pub(crate) struct TypedStatement {
+    pub(crate) line: SourceLine,
     language: Language,
     role: Role,
     /// The expression as it stands there, and its normal form.
@@ -84,9 +84,9 @@ impl Sources {
     }
 
     /// Returns what they say of a slip in a scene, and the line that makes it, if that is found.
-    pub(crate) fn say(&self, slip: &Slip, task: &Task) -> (Said, Option<Found>) {
+    pub(crate) fn say(&self, slip: &Slip, task: &Task) -> (LineStatus, Option<CorrectedLine>) {
         if self.typed.is_empty() {
-            return (Said::Neither, None);
+            return (LineStatus::NotFound, None);
         }
         let task = task.unchanged();
         let key = (
@@ -104,22 +104,22 @@ impl Sources {
         said
     }
 
-    fn says(&self, slip: &Slip, task: &Task) -> (Said, Option<Found>) {
+    fn says(&self, slip: &Slip, task: &Task) -> (LineStatus, Option<CorrectedLine>) {
         let (right, wrong) = (task.program(&[]), task.program(&[slip]));
         let pairs = right.functions().zip(wrong.functions());
         let changed = pairs.filter(|((_, right), (_, wrong))| right != wrong);
         let change =
-            Difference::of(changed.map(|((name, right), (_, wrong))| (name, right, wrong)));
-        let lines = Lines::new(right.functions(), &self.typed);
+            StatementDiff::of(changed.map(|((name, right), (_, wrong))| (name, right, wrong)));
+        let lines = LineComparison::new(right.functions(), &self.typed);
         match lines.say(&change) {
             // What an older edition has is wrong in a mixture only, which no single line tells.
-            Said::Wrong
+            LineStatus::Wrong
                 if change.is_in(Edition::V3.program(task.chapter).functions())
                     && self.in_rust().is_empty() =>
             {
-                (Said::Neither, None)
+                (LineStatus::NotFound, None)
             }
-            Said::Wrong => (Said::Wrong, lines.found(&change)),
+            LineStatus::Wrong => (LineStatus::Wrong, lines.found(&change)),
             said => (said, None),
         }
     }
@@ -155,7 +155,7 @@ impl Sources {
     }
 
     /// Lists what was typed, statement by statement.
-    pub(crate) fn typed(&self) -> &[Typed] {
+    pub(crate) fn typed(&self) -> &[TypedStatement] {
         &self.typed
     }
 
@@ -180,7 +180,7 @@ impl Sources {
 }
 
 /// Reads the statements of a file, if its language is known.
-fn typed(name: &str, text: &str) -> Vec<Typed> {
+fn typed(name: &str, text: &str) -> Vec<TypedStatement> {
     let Some(language) = Language::of_file(name) else {
         return Vec::new();
     };
@@ -194,8 +194,8 @@ fn typed(name: &str, text: &str) -> Vec<Typed> {
             .skip(first)
             .take(lines)
             .flat_map(str::split_whitespace);
-        Typed {
-            line: Line {
+        TypedStatement {
+            line: SourceLine {
                 file: name.to_owned(),
                 number: first + 1,
                 text: words.collect::<Vec<_>>().join(" "),
@@ -253,7 +253,7 @@ fn is_same_name(one: &str, other: &str) -> bool {
     canonical(one) == canonical(other)
 }
 
-impl fmt::Display for Line {
+impl fmt::Display for SourceLine {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}:{}  {}", self.file, self.number, self.text)
     }

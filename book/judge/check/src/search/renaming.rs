@@ -5,34 +5,34 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::functions::Function;
-use super::tree::{Op, Tree, likeness};
+use super::functions::ParsedFunction;
+use super::tree::{RustOp, RustTree, likeness};
 
 /// A name that a function gives to something.
 #[derive(Clone, Copy)]
-pub(super) struct Local<'a> {
+pub(super) struct LocalName<'a> {
     pub(super) name: &'a str,
-    pub(super) value: &'a Tree,
+    pub(super) value: &'a RustTree,
     /// True if it always stands for the value itself.
     is_fixed: bool,
 }
 
 /// Lists the names that a function gives, in their order.
-pub(super) fn locals(body: &Tree) -> Vec<Local<'_>> {
-    let local = |node| -> Option<Local> {
-        let tree: &Tree = node;
+pub(super) fn locals(body: &RustTree) -> Vec<LocalName<'_>> {
+    let local = |node| -> Option<LocalName> {
+        let tree: &RustTree = node;
         let pattern = tree.op.pattern()?;
-        Some(Local {
+        Some(LocalName {
             name: &pattern.name,
             value: tree.parts.first()?,
-            is_fixed: matches!(tree.op, Op::Let(_, true)) && pattern.is_whole(),
+            is_fixed: matches!(tree.op, RustOp::Let(_, true)) && pattern.is_whole(),
         })
     };
     body.nodes().into_iter().filter_map(local).collect()
 }
 
 /// In which places of which nodes the name stands.
-fn uses(body: &Tree, name: &str) -> Vec<(usize, Op)> {
+fn uses(body: &RustTree, name: &str) -> Vec<(usize, RustOp)> {
     let nodes = body.nodes().into_iter();
     let places = nodes.flat_map(|node| {
         let parts = node.parts.iter().enumerate();
@@ -48,31 +48,34 @@ const ALIKE: f64 = 0.6;
 const SAME: f64 = 4.0;
 
 /// Spells the reader's body and the chapter's, both in the reader's letters.
-pub(super) fn in_common_letters(yours: &Function, right: &Function) -> (Tree, Tree) {
-    let mut letters = Letters::default();
+pub(super) fn in_common_names(
+    yours: &ParsedFunction,
+    right: &ParsedFunction,
+) -> (RustTree, RustTree) {
+    let mut renaming = Renaming::default();
     for (theirs, own) in right.parameters.iter().zip(&yours.parameters) {
-        letters.insert(theirs, Tree::leaf(own));
+        renaming.insert(theirs, RustTree::leaf(own));
     }
     let (mut theirs, mut own) = (locals(&right.body), locals(&yours.body));
-    while let Some((n, m)) = likest((&right.body, &theirs), (&yours.body, &own), &letters) {
+    while let Some((n, m)) = likest((&right.body, &theirs), (&yours.body, &own), &renaming) {
         let (theirs, own) = (theirs.remove(n), own.remove(m));
-        letters.insert(theirs.name, Tree::leaf(own.name));
+        renaming.insert(theirs.name, RustTree::leaf(own.name));
     }
-    letters.write_out(&theirs);
-    let mut own_letters = Letters::default();
-    own_letters.write_out(&own);
-    (own_letters.spell(&yours.body), letters.spell(&right.body))
+    renaming.write_out(&theirs);
+    let mut own_renaming = Renaming::default();
+    own_renaming.write_out(&own);
+    (own_renaming.spell(&yours.body), renaming.spell(&right.body))
 }
 
 /// Finds the two names that are most alike, if any are.
 fn likest(
-    (right, theirs): (&Tree, &[Local]),
-    (yours, own): (&Tree, &[Local]),
-    letters: &Letters,
+    (right, theirs): (&RustTree, &[LocalName]),
+    (yours, own): (&RustTree, &[LocalName]),
+    renaming: &Renaming,
 ) -> Option<(usize, usize)> {
     let mut best = (ALIKE, None);
     for (n, theirs) in theirs.iter().enumerate() {
-        let value = letters.spell(theirs.value);
+        let value = renaming.spell(theirs.value);
         for (m, own) in own.iter().enumerate() {
             let kind = if value.op == own.value.op { 0.2 } else { -0.2 };
             let fixed = if theirs.is_fixed == own.is_fixed {
@@ -96,18 +99,18 @@ fn likest(
 
 /// Names, and what stands for each.
 #[derive(Default)]
-struct Letters {
-    names: HashMap<String, Tree>,
+struct Renaming {
+    names: HashMap<String, RustTree>,
     /// Those whose values stand for them, so that they need not be given.
     written_out: HashSet<String>,
 }
 
-impl Letters {
-    fn insert(&mut self, name: &str, other: Tree) {
+impl Renaming {
+    fn insert(&mut self, name: &str, other: RustTree) {
         self.names.insert(name.to_owned(), other);
     }
 
-    fn write_out(&mut self, locals: &[Local]) {
+    fn write_out(&mut self, locals: &[LocalName]) {
         for local in locals.iter().filter(|it| it.is_fixed) {
             self.insert(local.name, self.spell(local.value));
             self.written_out.insert(local.name.to_owned());
@@ -115,22 +118,22 @@ impl Letters {
     }
 
     /// Spells a tree in these letters.
-    fn spell(&self, tree: &Tree) -> Tree {
+    fn spell(&self, tree: &RustTree) -> RustTree {
         if let Some(other) = tree.name().and_then(|name| self.names.get(name)) {
             return other.clone();
         }
-        let name = |it: &Tree| it.op.pattern().map(|it| it.name.clone());
+        let name = |it: &RustTree| it.op.pattern().map(|it| it.name.clone());
         let is_written_out =
-            |part: &&Tree| name(part).is_some_and(|name| self.written_out.contains(&name));
+            |part: &&RustTree| name(part).is_some_and(|name| self.written_out.contains(&name));
         let parts = tree.parts.iter().filter(|part| !is_written_out(part));
         let parts = parts.map(|part| self.spell(part)).collect();
         let mut op = tree.op.clone();
-        if let Op::Let(pattern, _) | Op::For(pattern) = &mut op
-            && let Some(other) = self.names.get(&pattern.name).and_then(Tree::name)
+        if let RustOp::Let(pattern, _) | RustOp::For(pattern) = &mut op
+            && let Some(other) = self.names.get(&pattern.name).and_then(RustTree::name)
         {
             other.clone_into(&mut pattern.name);
         }
-        Tree {
+        RustTree {
             op,
             parts,
             ..tree.clone()
