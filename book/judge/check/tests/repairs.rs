@@ -284,9 +284,12 @@ fn said(chapter: Chapter, files: &[(String, String)], is_wrong: bool) -> Vec<Row
     // Step 1 of the normals shows the red sphere.
     let mut shown = [chapter, Chapter::RedSphere].into_iter();
     let is_hidden = is_wrong && shown.any(|it| picture == it.picture(WIDTH));
-    let unlike = |_: &ChapterProgram| (1, 1);
+    let compare = |_: &ChapterProgram| laws::Mismatch {
+        asked: 1,
+        differing: 1,
+    };
     let context = Context {
-        answers: is_hidden.then_some(&unlike),
+        answers: is_hidden.then_some(&compare),
         language: Some(ReaderLanguage::Rust),
         sources: Sources::of_chapter(files.to_vec(), chapter),
         // As in a crate of `start`, in which each step on the way is judged.
