@@ -20,7 +20,7 @@ use crate::rgba;
 
 /// What a reader says of a picture.
 #[derive(Clone, Debug, Default)]
-pub struct Question {
+pub struct CheckRequest {
     /// What its file is called.
     pub name: String,
     /// The chapter, or it is guessed.
@@ -32,7 +32,7 @@ pub struct Question {
 }
 
 /// A picture, and what is said of it.
-pub struct Answered {
+pub struct CheckResponse {
     /// A line of facts for the script, with tabs between them; the verdict on a line; and
     /// below it the rest, as HTML.
     pub text: String,
@@ -51,7 +51,7 @@ struct Traced {
     mistake: Option<Vec<&'static Slip>>,
 }
 
-impl Question {
+impl CheckRequest {
     /// The name of a file, and places in the lists of [`choices`], counted from 1: 0 says
     /// nothing. Between them are zero bytes.
     pub fn read(text: &str) -> Self {
@@ -88,29 +88,34 @@ pub fn choices() -> String {
 }
 
 /// Judges the bytes of a file.
-pub fn answer(question: Question, bytes: &[u8]) -> Answered {
+pub fn answer(request: CheckRequest, bytes: &[u8]) -> CheckResponse {
     match reading::read(bytes) {
-        Ok(reading) => judged(question, reading, None),
-        Err(cause) => refused(question, cause),
+        Ok(reading) => judged(request, reading, None),
+        Err(cause) => refused(request, cause),
     }
 }
 
 /// Returns what is said of a file that is too large to be read.
-pub fn too_large(question: Question) -> Answered {
-    refused(question, Cause::too_large())
+pub fn too_large(request: CheckRequest) -> CheckResponse {
+    refused(request, Cause::too_large())
 }
 
 /// Judges what a browser shows of a file that only it can read: four bytes a pixel. `why`
 /// are the first bytes of the file. Where the format loses levels in ways of its own, only a
 /// right picture is judged: what differs may be the file's fault.
-pub fn decoded(question: Question, why: &[u8], size: (u32, u32), rgba: &[u8]) -> Answered {
+pub fn decoded(
+    request: CheckRequest,
+    why: &[u8],
+    width: u32,
+    height: u32,
+    rgba: &[u8],
+) -> CheckResponse {
     let Err(cause) = reading::read(why) else {
-        return too_large(question);
+        return too_large(request);
     };
-    let (width, height) = size;
     let count = u64::from(width) * u64::from(height);
     if count > MOST_PIXELS || count * 4 != rgba.len() as u64 {
-        return refused(question, cause);
+        return refused(request, cause);
     }
     let (pixels, _) = rgba.as_chunks::<4>();
     let levels = |&[r, g, b, _]: &[u8; 4]| [r, g, b].map(i16::from);
@@ -120,14 +125,14 @@ pub fn decoded(question: Question, why: &[u8], size: (u32, u32), rgba: &[u8]) ->
         pixels: pixels.iter().map(levels).collect(),
         encoding: None,
     };
-    judged(question, reading, Some(cause))
+    judged(request, reading, Some(cause))
 }
 
 /// `foreign` says why only the browser can read the file.
-fn judged(question: Question, reading: Reading, foreign: Option<Cause>) -> Answered {
+fn judged(request: CheckRequest, reading: Reading, foreign: Option<Cause>) -> CheckResponse {
     let context = Context::default();
-    let wanted = question.task(Some(&reading));
-    let is_guessed = question.chapter.is_none();
+    let wanted = request.task(Some(&reading));
+    let is_guessed = request.chapter.is_none();
     let (task, verdict) = if is_guessed {
         judge_guessed(&wanted, &reading, 0, &context)
     } else {
@@ -141,7 +146,7 @@ fn judged(question: Question, reading: Reading, foreign: Option<Cause>) -> Answe
     if let Some(cause) = foreign.as_ref().filter(|it| loses_levels(it))
         && !matches!(verdict, Verdict::Right(_))
     {
-        return refused(question, cause.clone());
+        return refused(request, cause.clone());
     }
     let facts = facts(&task, &verdict, &reading);
     let mistakes = verdict.finding().and_then(|it| it.mistakes.as_ref());
@@ -153,14 +158,14 @@ fn judged(question: Question, reading: Reading, foreign: Option<Cause>) -> Answe
     let attempt = Attempt {
         task,
         is_guessed,
-        name: question.name,
+        name: request.name,
         encoding: reading.encoding.clone(),
         context: &context,
         laws: None,
         commands: Commands::of_pictures(task),
     };
     let answer = attempt.answer(verdict);
-    Answered {
+    CheckResponse {
         text: laid_out(&facts, &answer) + &foreign.map_or(String::new(), |it| read_by_browser(&it)),
         traced: Some(Traced {
             task: judged_by.fitting(reading.width, reading.height),
@@ -171,9 +176,9 @@ fn judged(question: Question, reading: Reading, foreign: Option<Cause>) -> Answe
     }
 }
 
-fn refused(question: Question, cause: Cause) -> Answered {
-    let answer = sentences::refused(&question.name, "not a picture", &cause);
-    Answered {
+fn refused(request: CheckRequest, cause: Cause) -> CheckResponse {
+    let answer = sentences::refused(&request.name, "not a picture", &cause);
+    CheckResponse {
         text: laid_out(&["", "", cause.name, "", "0"].join("\t"), &answer),
         traced: None,
         pictures: None,
@@ -213,7 +218,7 @@ fn read_by_browser(cause: &Cause) -> String {
     )
 }
 
-impl Answered {
+impl CheckResponse {
     /// The right picture, the reader's, or the difference, as a canvas has them: four bytes
     /// a pixel. Nothing if there is none.
     pub fn rgba(&self, which: usize) -> Vec<u8> {

@@ -3,10 +3,10 @@
 use std::cell::RefCell;
 
 use super::{given::given, keep};
-use crate::checked::{self, Answered, Question};
+use crate::checked::{self, CheckRequest, CheckResponse};
 
 thread_local! {
-    static ANSWERED: RefCell<Option<Answered>> = const { RefCell::new(None) };
+    static RESPONSE: RefCell<Option<CheckResponse>> = const { RefCell::new(None) };
 }
 
 /// Judges what was given: so many bytes of what is asked, and then the file.
@@ -18,16 +18,16 @@ extern "C" fn check(asked: usize) -> usize {
 /// Returns the answer to a file whose bytes are too many to be given.
 #[unsafe(no_mangle)]
 extern "C" fn too_large(asked: usize) -> usize {
-    answer(asked, |question, _| checked::too_large(question))
+    answer(asked, |request, _| checked::too_large(request))
 }
 
 /// Judges what the browser shows of a file: behind what is asked so many bytes of the file,
 /// and then the pixels.
 #[unsafe(no_mangle)]
 extern "C" fn decoded(asked: usize, why: usize, width: u32, height: u32) -> usize {
-    answer(asked, |question, rest| {
+    answer(asked, |request, rest| {
         let (why, rgba) = rest.split_at(why);
-        checked::decoded(question, why, (width, height), rgba)
+        checked::decoded(request, why, width, height, rgba)
     })
 }
 
@@ -49,19 +49,19 @@ extern "C" fn choices() -> usize {
     keep(checked::choices())
 }
 
-fn answer(asked: usize, judge: impl FnOnce(Question, &[u8]) -> Answered) -> usize {
-    // What was answered before is not needed while the next is judged.
-    ANSWERED.set(None);
+fn answer(asked: usize, judge: impl FnOnce(CheckRequest, &[u8]) -> CheckResponse) -> usize {
+    // The last response makes room before the next picture is judged.
+    RESPONSE.set(None);
     keep([]);
     let given = given();
     let (asked, file) = given.split_at(asked);
-    let answered = judge(Question::read(&String::from_utf8_lossy(asked)), file);
-    let length = keep(answered.text.clone());
-    ANSWERED.set(Some(answered));
+    let response = judge(CheckRequest::read(&String::from_utf8_lossy(asked)), file);
+    let length = keep(response.text.clone());
+    RESPONSE.set(Some(response));
     length
 }
 
-fn of_the_answer(what: impl FnOnce(&Answered) -> Vec<u8>) -> usize {
-    let said = ANSWERED.with_borrow(|answered| answered.as_ref().map(what));
+fn of_the_answer(what: impl FnOnce(&CheckResponse) -> Vec<u8>) -> usize {
+    let said = RESPONSE.with_borrow(|response| response.as_ref().map(what));
     keep(said.unwrap_or_default())
 }
