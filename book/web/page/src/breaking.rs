@@ -20,12 +20,12 @@ const WIDTH: u32 = 24;
 /// The text of a chapter, and the edits that can be made in it.
 pub struct Breakable {
     draft: Draft,
-    choices: Vec<Choice>,
+    alternatives: Vec<Alternative>,
 }
 
 /// An edit that is offered.
 #[derive(Clone, Debug)]
-pub struct Choice {
+pub struct Alternative {
     /// The place of its file among those of the reader.
     pub file: usize,
     /// The bytes that it replaces: whole words, and no more than differ.
@@ -58,18 +58,21 @@ impl Breakable {
         let known = known(chapter, &draft);
         let typed = edits_everywhere(&program, &draft.files).into_iter();
         let all = known.into_iter().chain(typed.map(|it| (it, None)));
-        let mut choices: Vec<Choice> = all
-            .filter_map(|(edit, slip)| Choice::new(&draft, edit, slip))
+        let mut alternatives: Vec<Alternative> = all
+            .filter_map(|(edit, slip)| Alternative::new(&draft, edit, slip))
             .collect();
-        choices.sort_by_key(|it| it.rank);
+        alternatives.sort_by_key(|it| it.rank);
         let mut seen = Vec::new();
-        choices.retain(|it| {
+        alternatives.retain(|it| {
             let made = (it.file, it.at.clone(), it.new.clone());
             let is_new = !seen.contains(&made);
             seen.push(made);
             is_new
         });
-        Self { draft, choices }
+        Self {
+            draft,
+            alternatives,
+        }
     }
 
     /// Returns the chapter's own text.
@@ -90,27 +93,33 @@ impl Breakable {
             let (_, text) = &self.draft.files[it.file];
             !GLUE.contains(&&text[it.at.clone()])
         };
-        all.filter(|it| is_word(it) && self.choices.iter().any(|choice| choice.changes(it)))
-            .collect()
+        all.filter(|it| {
+            is_word(it)
+                && self
+                    .alternatives
+                    .iter()
+                    .any(|alternative| alternative.changes(it))
+        })
+        .collect()
     }
 
     /// Lists the edits of a word that draw something: known slips first, and then those that
     /// change least.
-    pub fn choices(&self, word: &Word) -> Vec<&Choice> {
-        let all = self.choices.iter().filter(|it| it.changes(word));
+    pub fn alternatives(&self, word: &Word) -> Vec<&Alternative> {
+        let all = self.alternatives.iter().filter(|it| it.changes(word));
         all.filter(|it| self.is_drawn(it)).take(MOST).collect()
     }
 
     /// Returns the text with the edit.
-    pub fn broken(&self, choice: &Choice) -> Draft {
+    pub fn broken(&self, alternative: &Alternative) -> Draft {
         let mut draft = self.draft.clone();
-        let (_, file) = &mut draft.files[choice.file];
-        file.replace_range(choice.at.clone(), &choice.new);
+        let (_, file) = &mut draft.files[alternative.file];
+        file.replace_range(alternative.at.clone(), &alternative.new);
         draft
     }
 
-    fn is_drawn(&self, choice: &Choice) -> bool {
-        let broken = self.broken(choice);
+    fn is_drawn(&self, alternative: &Alternative) -> bool {
+        let broken = self.broken(alternative);
         let program = interpreter::read(&broken.in_reading_order());
         program.is_ok_and(|it| match it.draw(WIDTH) {
             Ok(_) => true,
@@ -119,23 +128,26 @@ impl Breakable {
     }
 
     /// Returns what the edit replaces, and with what, as a reader sees it.
-    pub fn label(&self, word: &Word, choice: &Choice) -> String {
-        let (_, text) = &self.draft.files[choice.file];
+    pub fn label(&self, word: &Word, alternative: &Alternative) -> String {
+        let (_, text) = &self.draft.files[alternative.file];
         let squeezed = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
-        let (old, new) = (squeezed(&text[choice.at.clone()]), squeezed(&choice.new));
+        let (old, new) = (
+            squeezed(&text[alternative.at.clone()]),
+            squeezed(&alternative.new),
+        );
         let made = match (old.as_str(), new.as_str()) {
             (old, "") => format!("without {old}"),
-            (_, new) if choice.at == word.at => new.to_owned(),
+            (_, new) if alternative.at == word.at => new.to_owned(),
             (old, new) => format!("{old} → {new}"),
         };
-        match choice.slip {
+        match alternative.slip {
             Some(slip) => format!("{made}   ({})", slip.replace('-', " ")),
             None => made,
         }
     }
 }
 
-impl Choice {
+impl Alternative {
     /// Makes one of an edit in one line, or of a known slip.
     fn new(draft: &Draft, edit: FileEdit, slip: Option<&'static str>) -> Option<Self> {
         let (_, file) = &draft.files[edit.file];
