@@ -14,7 +14,7 @@ fn the_next_lines_lead_from_empty_functions_to_the_chapter() {
         while let Some(next) = next(&draft, 0) {
             let (name, file) = &mut draft.files[next.file];
             let mut lines: Vec<&str> = file.lines().collect();
-            if next.is_last {
+            if next.replaces_todo {
                 lines[next.above] = next.text;
             } else {
                 lines.insert(next.above, next.text);

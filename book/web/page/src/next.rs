@@ -4,35 +4,30 @@ use crate::typed::Draft;
 
 /// A line of the chapter that is still to be typed.
 #[derive(Debug, PartialEq, Eq)]
-pub struct Next {
+pub struct NextLine {
     /// The place of its file among those of the reader.
     pub file: usize,
     /// The reader's line that it goes above, from 0.
     pub above: usize,
     /// The line, as far indented as it should be.
     pub text: &'static str,
-    /// True if it takes the place of that line, a `todo!()`.
-    pub is_last: bool,
+    /// True if the line takes the place of the one at `above`, a `todo!()`, of which it is the
+    /// last: false if it is inserted above that.
+    pub replaces_todo: bool,
 }
 
 /// The next line to type, in the file in that place, and then in the others in their order.
-pub fn next(yours: &Draft, first: usize) -> Option<Next> {
+pub fn next(yours: &Draft, first: usize) -> Option<NextLine> {
     let files = yours.files.iter().enumerate();
     let mut files = files.clone().skip(first).chain(files);
     files.find_map(|(file, (name, text))| {
         let (_, theirs) = yours.chapter.files().iter().find(|(it, _)| it == name)?;
-        let (above, text, is_last) = missing(theirs, text)?;
-        Some(Next {
-            file,
-            above,
-            text,
-            is_last,
-        })
+        missing(file, theirs, text)
     })
 }
 
 /// The first line of theirs that is not in yours, and where it goes.
-fn missing(theirs: &'static str, yours: &str) -> Option<(usize, &'static str, bool)> {
+fn missing(file: usize, theirs: &'static str, yours: &str) -> Option<NextLine> {
     let mut left: &[(usize, &str)] = &code(yours).collect::<Vec<_>>();
     let mut theirs = code(theirs).map(|(_, line)| line).peekable();
     while let Some(line) = theirs.next() {
@@ -42,8 +37,13 @@ fn missing(theirs: &'static str, yours: &str) -> Option<(usize, &'static str, bo
         }
         let Some(found) = found(left, line) else {
             let (above, below) = *left.first().unwrap_or(&(yours.lines().count(), ""));
-            let is_last = below.trim() == "todo!()" && theirs.peek().is_none_or(|it| is_end(it));
-            return Some((above, line, is_last));
+            let is_last = theirs.peek().is_none_or(|it| is_end(it));
+            return Some(NextLine {
+                file,
+                above,
+                text: line,
+                replaces_todo: is_last && below.trim() == "todo!()",
+            });
         };
         left = &left[found + 1..];
     }
