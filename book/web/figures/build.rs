@@ -81,7 +81,7 @@ fn traced(mut function: ImplItemFn) -> impl ToTokens {
         .push(parse_quote!(notes: &mut Vec<String>));
     function.block = parse_quote!({ #(#body)* });
     let function = match function.sig.receiver() {
-        Some(_) => quote!(impl Sphere { #function }),
+        Some(_) => quote!(impl TracedSphere { #function }),
         None => quote!(#function),
     };
     quote!(pub(super) const LINES: &[&str] = &[#(#names,)* "result"]; #function)

@@ -6,7 +6,7 @@ use std::fmt::Write;
 
 use common::rtweekend::*;
 use figures::number::{spoken, three_digits};
-use figures::{Movable, Number, figures};
+use figures::{Movable, Parameter, figures};
 use hittable_list::{Hittable, HittableList, Sphere};
 use insta::assert_snapshot;
 use page::breaking::Breakable;
@@ -29,7 +29,7 @@ fn the_snapshot_has_what_each_live_figure_says() {
             live.act(n, &mut numbers);
             tell(action, &numbers);
         }
-        for (n, number) in live.numbers().iter().enumerate() {
+        for (n, number) in live.parameters().iter().enumerate() {
             for (choice, value) in number.choices.iter().zip(0_u8..).skip(1) {
                 let mut numbers = live.defaults();
                 numbers[n] = value.into();
@@ -137,7 +137,7 @@ fn figure(name: &str) -> &'static dyn Movable {
 /// their ranges, on steps and between them, always the same.
 fn questions(live: &dyn Movable, count: usize) -> Vec<Vec<f64>> {
     let mut random = Random::new(1);
-    let mut value = |number: &Number| {
+    let mut value = |number: &Parameter| {
         let value = random.between(number.least, number.most);
         if number.choices.is_empty() && random.between(0.0, 1.0) < 0.5 {
             return value;
@@ -145,7 +145,7 @@ fn questions(live: &dyn Movable, count: usize) -> Vec<Vec<f64>> {
         ((value * number.steps).round() / number.steps).clamp(number.least, number.most)
     };
     let mut question = || {
-        let mut numbers: Vec<f64> = live.numbers().iter().map(&mut value).collect();
+        let mut numbers: Vec<f64> = live.parameters().iter().map(&mut value).collect();
         live.confine(&mut numbers);
         numbers
     };

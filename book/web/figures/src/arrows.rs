@@ -5,11 +5,11 @@ use crate::prelude::*;
 
 parameters! {
     u: Vec3 =
-        Number::new("u, to the right", -1.5, 1.5, 1.5),
-        Number::new("u, upwards", -1.0, 1.0, 0.5);
+        Parameter::new("u, to the right", -1.5, 1.5, 1.5),
+        Parameter::new("u, upwards", -1.0, 1.0, 0.5);
     v: Vec3 =
-        Number::new("v, to the right", -1.5, 1.5, 0.5),
-        Number::new("v, upwards", -1.0, 1.0, 1.0);
+        Parameter::new("v, to the right", -1.5, 1.5, 0.5),
+        Parameter::new("v, upwards", -1.0, 1.0, 1.0);
 }
 
 /// The figure, as a reader moves it.
@@ -42,7 +42,7 @@ fn around(x: f64, y: f64, points: &[Vec3]) -> Plane {
     Plane::new(x - SCALE * middle.x, y + SCALE * middle.y, SCALE)
 }
 
-fn answer(&Parameters { u, v }: &Parameters) -> Answer {
+fn answer(&Parameters { u, v }: &Parameters) -> DrawnFigure {
     let (product, length) = (u.dot(v), u.length());
     let [product_said, length_said] = [product, length].map(spoken);
     let shadow = spoken((product / length).abs());
@@ -61,7 +61,7 @@ fn answer(&Parameters { u, v }: &Parameters) -> Answer {
              **u**·**v** = {product_said}."
         )
     };
-    Answer::new(draw(u, v), sentence, [("product", product_said)])
+    DrawnFigure::new(draw(u, v), sentence, [("product", product_said)])
 }
 
 fn draw(u: Vec3, v: Vec3) -> Svg {

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::svg::{Anchor, Step, Svg, spot};
+use crate::svg::{Anchor, Shift, Svg, spot};
 use crate::text::{SMALL, width};
 
 /// The numbers from `least` to `most` on a straight stretch of the sheet, to the right or

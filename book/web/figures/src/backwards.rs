@@ -6,9 +6,9 @@ use normals::hit_sphere;
 use crate::prelude::*;
 
 parameters! {
-    square: f64 = Number {
+    square: f64 = Parameter {
         downwards: true,
-        ..Number::whole("Square", 1.0, SQUARES as f64, 5.0)
+        ..Parameter::whole("Square", 1.0, SQUARES as f64, 5.0)
     };
 }
 
@@ -52,14 +52,14 @@ fn seen(square: f64) -> (Ray, Option<Point3>) {
     (ray, hit)
 }
 
-fn answer(&Parameters { square }: &Parameters) -> Answer {
+fn answer(&Parameters { square }: &Parameters) -> DrawnFigure {
     let (ray, hit) = seen(square);
     let meets = match hit {
         Some(_) => "meets the ball, and the square gets the color of the ball there",
         None => "meets nothing, and the square gets the color of the sky",
     };
     let sentence = format!("The ray through square {square} {meets}.");
-    Answer::new(draw(square, &ray, hit), sentence, [])
+    DrawnFigure::new(draw(square, &ray, hit), sentence, [])
 }
 
 fn draw(square: f64, ray: &Ray, hit: Option<Point3>) -> Svg {

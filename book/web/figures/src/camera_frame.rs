@@ -7,11 +7,11 @@ use crate::prelude::*;
 
 parameters! {
     side: Vec3 =
-        Number::whole("Turn, in degrees", -180.0, 180.0, 60.0),
-        Number::whole("Tilt, in degrees", -90.0, 90.0, 20.0);
-    row: f64 = Number {
+        Parameter::whole("Turn, in degrees", -180.0, 180.0, 60.0),
+        Parameter::whole("Tilt, in degrees", -90.0, 90.0, 20.0);
+    row: f64 = Parameter {
         downwards: true,
-        ..Number::whole("Row j", 0.0, 8.0, 4.0)
+        ..Parameter::whole("Row j", 0.0, 8.0, 4.0)
     };
 }
 
@@ -38,7 +38,7 @@ pub(crate) static LIVE: Live<Parameters> = Live {
 const CENTER: Point3 = Point3::new(0.0, 0.0, -1.0);
 const RADIUS: f64 = 0.5;
 
-fn answer(&Parameters { side, row }: &Parameters) -> Answer {
+fn answer(&Parameters { side, row }: &Parameters) -> DrawnFigure {
     let camera = Camera::with_size(16, 9);
     let rays: Vec<Ray> = (0..16).map(|i| camera.ray(i, row as u32)).collect();
     let meet = |ray: &&Ray| hit_sphere(CENTER, RADIUS, ray).is_some();
@@ -48,19 +48,19 @@ fn answer(&Parameters { side, row }: &Parameters) -> Answer {
         count => format!("{count} of its {} rays meet the sphere", rays.len()),
     };
     let sentence = format!("Row {row}, at *y* = {height}: {meet}.");
-    let drawing = draw(&View::new(side), &camera, row as u32, &rays);
-    Answer::new(drawing, sentence, [])
+    let drawing = draw(&OutsideView::new(side), &camera, row as u32, &rays);
+    DrawnFigure::new(drawing, sentence, [])
 }
 
 /// The view of a reader who looks at the scene from outside.
-struct View {
+struct OutsideView {
     right: Vec3,
     up: Vec3,
     /// The unit vector from the scene towards the reader's eye.
     back: Vec3,
 }
 
-impl View {
+impl OutsideView {
     /// Looks from behind the eye, turned to the right and tilted upwards, in
     /// degrees.
     fn new(side: Vec3) -> Self {
@@ -105,7 +105,7 @@ const KNOB_ROOM: DVec2 = spot(150.0, 26.0);
 /// The t up to which a ray is drawn that meets nothing.
 const FAR: f64 = 1.4;
 
-fn draw(view: &View, camera: &Camera, row: u32, rays: &[Ray]) -> Svg {
+fn draw(view: &OutsideView, camera: &Camera, row: u32, rays: &[Ray]) -> Svg {
     let mut svg = LIVE.figure.sheet(336.0);
     draw_viewport(&mut svg, view, camera, row);
     draw_sphere(&mut svg, view);
@@ -123,7 +123,7 @@ fn draw(view: &View, camera: &Camera, row: u32, rays: &[Ray]) -> Svg {
 }
 
 /// Draws the pixels, those of the row filled.
-fn draw_viewport(svg: &mut Svg, view: &View, camera: &Camera, row: u32) {
+fn draw_viewport(svg: &mut Svg, view: &OutsideView, camera: &Camera, row: u32) {
     let (width, height) = (camera.image_width, camera.image_height);
     let (u, v) = (camera.pixel_delta_u, camera.pixel_delta_v);
     let first = camera.pixel00 - 0.5 * (u + v);
@@ -143,7 +143,7 @@ fn draw_viewport(svg: &mut Svg, view: &View, camera: &Camera, row: u32) {
 
 /// Draws the sphere's outline, where the lines of sight touch it, and its
 /// equator.
-fn draw_sphere(svg: &mut Svg, view: &View) {
+fn draw_sphere(svg: &mut Svg, view: &OutsideView) {
     let (towards, distance) = (PIVOT + DISTANCE * view.back - CENTER).normalize_and_length();
     let nearer = RADIUS * RADIUS / distance;
     let radius = (RADIUS * RADIUS - nearer * nearer).sqrt();
@@ -152,7 +152,7 @@ fn draw_sphere(svg: &mut Svg, view: &View) {
     svg.path("sphere thin", &view.circle(CENTER, RADIUS, Vec3::Y));
 }
 
-fn draw_axes(svg: &mut Svg, view: &View, eye: Point3) {
+fn draw_axes(svg: &mut Svg, view: &OutsideView, eye: Point3) {
     for (axis, name) in [(Vec3::X, "*x*"), (Vec3::Y, "*y*"), (Vec3::Z, "*z*")] {
         svg.arrow("ink line", view.point(eye), view.point(eye + 0.7 * axis));
         let beyond = view.point(eye + 0.85 * axis);

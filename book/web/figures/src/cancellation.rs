@@ -59,7 +59,7 @@ impl Numbers {
     /// be.
     pub(crate) fn draw(&self, svg: &mut Svg) {
         let first = self.first();
-        let row = |y, name, x| Row { y, name, x, first };
+        let row = |y, name, x| DigitRow { y, name, x, first };
         let struck = [("faint struck", self.agreeing()), ("ink", PLACES)];
         row(298.0, "*h*²", self.h_squared).draw(svg, &struck);
         row(317.0, "*ac*", self.ac).draw(svg, &struck);
@@ -68,7 +68,7 @@ impl Numbers {
         found.draw(svg, &[("faint", zeros), (RIGHT, right), (WRONG, PLACES)]);
         let exact = row(355.0, "exactly", self.exact_discriminant);
         exact.draw(svg, &[("faint", exact_zeros), ("ink", PLACES)]);
-        for Row { y, x, .. } in [found, exact] {
+        for DigitRow { y, x, .. } in [found, exact] {
             let words = format!("= {}", printed(x));
             svg.small_label("ink", spot(290.0, y), Start, &words);
         }
@@ -86,7 +86,7 @@ impl Numbers {
         ];
         for ((y, name, classes), t) in rows.into_iter().zip(roots) {
             match (t, first) {
-                (Some(x), Some(first)) => Row { y, name, x, first }.draw(svg, classes),
+                (Some(x), Some(first)) => DigitRow { y, name, x, first }.draw(svg, classes),
                 _ => {
                     svg.label("ink", spot(65.0, y), End, name);
                     svg.label("ink", spot(84.0, y), Start, "no hit");
@@ -122,14 +122,14 @@ const WRONG: &str = "wrong underlined";
 
 /// A number with its name, at that height: from the place of 10 to the power `first` on.
 #[derive(Clone, Copy)]
-struct Row {
+struct DigitRow {
     y: f64,
     name: &'static str,
     x: f64,
     first: i32,
 }
 
-impl Row {
+impl DigitRow {
     /// Draws the digits: of each class those up to a place.
     fn draw(&self, svg: &mut Svg, classes: &[(&str, usize)]) {
         let at = spot(84.0, self.y);

@@ -7,10 +7,10 @@ use crate::cancellation::Numbers;
 use crate::prelude::*;
 
 parameters! {
-    exponent: f64 = Number::whole("Distance in radii, as a power of ten", 0.0, 16.0, 7.0);
+    exponent: f64 = Parameter::whole("Distance in radii, as a power of ten", 0.0, 16.0, 7.0);
     pixel: Vec3 =
-        Number::whole("Pixel, to the right of the middle", -7.0, 7.0, -3.0),
-        Number::whole("Pixel, above the middle", -7.0, 7.0, 2.0);
+        Parameter::whole("Pixel, to the right of the middle", -7.0, 7.0, -3.0),
+        Parameter::whole("Pixel, above the middle", -7.0, 7.0, 2.0);
 }
 
 /// The radius of the star: not such that squares are round numbers, of which *ac* is a
@@ -33,7 +33,7 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     answer,
 };
 
-fn answer(it: &Parameters) -> Answer {
+fn answer(it: &Parameters) -> DrawnFigure {
     let case = it.case();
     let found = Numbers::of(&case);
     let away = power_of_ten(it.exponent as i32);
@@ -46,7 +46,7 @@ fn answer(it: &Parameters) -> Answer {
     );
     let agree = format!("{agreeing} {digits}");
     let says = [("distance", away), ("agree", agree)];
-    Answer::new(draw(it, &found), sentence, says)
+    DrawnFigure::new(draw(it, &found), sentence, says)
 }
 
 /// Says what is left of D.
@@ -150,7 +150,7 @@ fn draw(it: &Parameters, numbers: &Numbers) -> Svg {
     for (sky, method) in SKIES.into_iter().zip(EYES) {
         svg.label("ink", spot(sky.origin.x, 14.0), Middle, method.name);
         let corner = sky.origin - 0.5 * SIDE * f64::from(PIXELS);
-        Frame { corner, side: SIDE }.draw(&mut svg, &it.picture(method));
+        PixelGrid { corner, side: SIDE }.draw(&mut svg, &it.picture(method));
         let chosen = sky.point(it.pixel) - 0.5 * SIDE;
         svg.rect("black line", chosen, DVec2::splat(SIDE));
     }

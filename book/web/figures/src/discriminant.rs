@@ -7,15 +7,15 @@ use crate::traced::red_sphere_lines;
 
 parameters! {
     q: Point3 =
-        Number::new("Q, to the right", -0.7, 5.3, 0.0),
-        Number::new("Q, upwards", -1.5, 1.7, 0.0);
+        Parameter::new("Q, to the right", -0.7, 5.3, 0.0),
+        Parameter::new("Q, upwards", -1.5, 1.7, 0.0);
     d: Vec3 =
-        Number::new("d, to the right", -3.0, 3.0, 1.0),
-        Number::new("d, upwards", -2.0, 2.0, 0.0);
+        Parameter::new("d, to the right", -3.0, 3.0, 1.0),
+        Parameter::new("d, upwards", -2.0, 2.0, 0.0);
     c: Point3 =
-        Number::new("C, to the right", 0.5, 4.8, 3.0),
-        Number::new("C, upwards", -0.6, 0.8, 0.6);
-    radius: f64 = Number::new("radius", 0.2, 1.3, 1.2);
+        Parameter::new("C, to the right", 0.5, 4.8, 3.0),
+        Parameter::new("C, upwards", -0.6, 0.8, 0.6);
+    radius: f64 = Parameter::new("radius", 0.2, 1.3, 1.2);
 }
 
 /// The figure, as a reader moves it.
@@ -63,7 +63,7 @@ impl Parameters {
     }
 }
 
-fn answer(it: &Parameters) -> Answer {
+fn answer(it: &Parameters) -> DrawnFigure {
     let roots = it.roots();
     let at = listed(&roots);
     let in_words = match roots.len() {
@@ -73,7 +73,7 @@ fn answer(it: &Parameters) -> Answer {
     };
     let mut says = red_sphere_lines(it.c, it.radius, &it.ray());
     says.insert("roots", in_words);
-    Answer::new(draw(it, &roots), sentence(&roots), says)
+    DrawnFigure::new(draw(it, &roots), sentence(&roots), says)
 }
 
 fn listed(roots: &[f64]) -> String {

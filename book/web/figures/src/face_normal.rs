@@ -8,8 +8,8 @@ use crate::traced::sphere_lines;
 
 parameters! {
     origin: Point3 =
-        Number::new("Origin, to the right", -1.4, 1.0, -0.55),
-        Number::new("Origin, upwards", -1.3, 1.4, -0.65);
+        Parameter::new("Origin, to the right", -1.4, 1.0, -0.55),
+        Parameter::new("Origin, upwards", -1.3, 1.4, -0.65);
 }
 
 /// The figure, as a reader moves it.
@@ -24,10 +24,10 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     answer,
 };
 
-fn answer(&Parameters { origin }: &Parameters) -> Answer {
+fn answer(&Parameters { origin }: &Parameters) -> DrawnFigure {
     let ray = Ray::new(origin, Vec3::X);
     let lines = sphere_lines(Point3::ZERO, 1.0, &ray);
-    Answer::new(draw(&ray), sentence(&ray), lines)
+    DrawnFigure::new(draw(&ray), sentence(&ray), lines)
 }
 
 fn sentence(ray: &Ray) -> String {

@@ -36,8 +36,8 @@ mod walk;
 
 pub use charts::{CHARTS, Chart, DrawnChart};
 pub use figure::Figure;
-pub use live::{Answer, Movable};
-pub use parameters::Number;
+pub use live::{DrawnFigure, Movable};
+pub use parameters::Parameter;
 pub use style::{CSS, standalone};
 pub use svg::Svg;
 pub use text::{escape, html};

@@ -16,7 +16,7 @@ use std::sync::LazyLock;
 use glam::DVec2;
 
 use crate::figure::Figure;
-use crate::parameters::{Number, Parameters};
+use crate::parameters::{FigureParameters, Parameter};
 use crate::svg::Svg;
 use crate::text::html;
 
@@ -64,7 +64,7 @@ pub(crate) struct Live<P: 'static> {
     /// The buttons below the drawing.
     pub(crate) actions: &'static [Action<P>],
     /// The figure for these parameters, each within its range.
-    pub(crate) answer: fn(&P) -> Answer,
+    pub(crate) answer: fn(&P) -> DrawnFigure,
 }
 
 /// Words by name: for sentences of the page, and for the lines of a listing.
@@ -72,7 +72,7 @@ pub(crate) type Says = BTreeMap<&'static str, String>;
 
 /// A figure for certain parameters.
 #[derive(Clone, Debug)]
-pub struct Answer {
+pub struct DrawnFigure {
     /// The drawing.
     pub drawing: Svg,
     /// A sentence about the drawing; `*t*` is a number, `**P**` a vector.
@@ -83,7 +83,7 @@ pub struct Answer {
     pub says: BTreeMap<&'static str, String>,
 }
 
-impl Answer {
+impl DrawnFigure {
     /// Makes an answer whose handles are where the figure says.
     pub(crate) fn new(drawing: Svg, sentence: String, says: impl Into<Says>) -> Self {
         Self {
@@ -102,7 +102,7 @@ pub trait Movable: Sync {
 
     /// Returns the numbers that a reader can change, in the order of all lists of
     /// them.
-    fn numbers(&self) -> &'static [Number];
+    fn parameters(&self) -> &'static [Parameter];
 
     /// Returns, for each handle, the places in that order of the numbers that it
     /// changes.
@@ -118,7 +118,7 @@ pub trait Movable: Sync {
     fn act(&self, action: usize, numbers: &mut [f64]);
 
     /// Draws the figure for these numbers, each within its range.
-    fn answer(&self, numbers: &[f64]) -> Answer;
+    fn answer(&self, numbers: &[f64]) -> DrawnFigure;
 
     /// Returns the name that pages call the figure by.
     fn name(&self) -> &'static str {
@@ -127,13 +127,13 @@ pub trait Movable: Sync {
 
     /// Returns the numbers of the figure on the page.
     fn defaults(&self) -> Vec<f64> {
-        self.numbers().iter().map(|it| it.default).collect()
+        self.parameters().iter().map(|it| it.default).collect()
     }
 
     /// Puts each number into its range, and whole ones on a whole number; what is no number
     /// becomes the default.
     fn confine(&self, numbers: &mut [f64]) {
-        for (n, number) in self.numbers().iter().enumerate() {
+        for (n, number) in self.parameters().iter().enumerate() {
             numbers[n] = number.confine(numbers[n]);
             numbers[n] = numbers[n].min(number.most_among(numbers));
         }
@@ -148,7 +148,7 @@ pub trait Movable: Sync {
         for place in answer.handles {
             text += &format!("\nhandle\t{}\t{}", place.x, place.y);
         }
-        for (number, value) in self.numbers().iter().zip(numbers) {
+        for (number, value) in self.parameters().iter().zip(numbers) {
             let (words, most) = (number.in_words(*value), number.most_among(numbers));
             text += &format!("\nvalue\t{value}\t{words}\t{most}");
         }
@@ -159,19 +159,19 @@ pub trait Movable: Sync {
     }
 }
 
-impl<P: Parameters> Movable for Live<P> {
+impl<P: FigureParameters> Movable for Live<P> {
     fn figure(&self) -> &Figure {
         &self.figure
     }
 
-    fn numbers(&self) -> &'static [Number] {
-        P::NUMBERS
+    fn parameters(&self) -> &'static [Parameter] {
+        P::PARAMETERS
     }
 
     fn handles(&self) -> Vec<Vec<usize>> {
         let places = |handle: &Handle<P>| {
-            let places = 0..P::NUMBERS.len();
-            let is_changed = |place: &usize| P::NUMBERS[*place].field == handle.field;
+            let places = 0..P::PARAMETERS.len();
+            let is_changed = |place: &usize| P::PARAMETERS[*place].field == handle.field;
             places.filter(is_changed).collect()
         };
         self.handles.iter().map(places).collect()
@@ -186,7 +186,7 @@ impl<P: Parameters> Movable for Live<P> {
         (self.handles[handle].drag)(&mut parameters, to);
         numbers.copy_from_slice(&parameters.numbers());
         for &place in &self.handles()[handle] {
-            numbers[place] = P::NUMBERS[place].on_a_step(numbers[place]);
+            numbers[place] = P::PARAMETERS[place].on_a_step(numbers[place]);
         }
         self.confine(numbers);
     }
@@ -198,7 +198,7 @@ impl<P: Parameters> Movable for Live<P> {
         self.confine(numbers);
     }
 
-    fn answer(&self, numbers: &[f64]) -> Answer {
+    fn answer(&self, numbers: &[f64]) -> DrawnFigure {
         let parameters = P::of(numbers);
         let mut answer = (self.answer)(&parameters);
         // The figure's own description is of what the page shows.

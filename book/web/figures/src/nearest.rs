@@ -7,21 +7,21 @@ use crate::prelude::*;
 
 parameters! {
     one: Point3 =
-        Number::new("Sphere 1, to the right", 0.0, 4.4, 2.9),
-        Number::new("Sphere 1, upwards", -0.45, 0.45, 0.3);
+        Parameter::new("Sphere 1, to the right", 0.0, 4.4, 2.9),
+        Parameter::new("Sphere 1, upwards", -0.45, 0.45, 0.3);
     two: Point3 =
-        Number::new("Sphere 2, to the right", 0.0, 4.4, 1.85),
-        Number::new("Sphere 2, upwards", -0.45, 0.45, -0.25);
+        Parameter::new("Sphere 2, to the right", 0.0, 4.4, 1.85),
+        Parameter::new("Sphere 2, upwards", -0.45, 0.45, -0.25);
     three: Point3 =
-        Number::new("Sphere 3, to the right", 0.0, 4.4, 3.8),
-        Number::new("Sphere 3, upwards", -0.45, 0.45, -0.2);
+        Parameter::new("Sphere 3, to the right", 0.0, 4.4, 3.8),
+        Parameter::new("Sphere 3, upwards", -0.45, 0.45, -0.2);
     d: Vec3 =
-        Number::new("d, to the right", 0.25, 2.0, 1.0),
-        Number::new("d, upwards", -0.5, 0.5, 0.0);
+        Parameter::new("d, to the right", 0.25, 2.0, 1.0),
+        Parameter::new("d, upwards", -0.5, 0.5, 0.0);
     q: Point3 =
-        Number::new("Q, to the right", 0.0, 2.0, 0.0),
-        Number::new("Q, upwards", -0.6, 0.6, 0.0);
-    list: f64 = Number::choice("The list", LISTS);
+        Parameter::new("Q, to the right", 0.0, 2.0, 0.0),
+        Parameter::new("Q, upwards", -0.6, 0.6, 0.0);
+    list: f64 = Parameter::choice("The list", LISTS);
 }
 
 /// The figure, as a reader moves it.
@@ -100,7 +100,7 @@ impl Parameters {
     }
 }
 
-fn answer(it: &Parameters) -> Answer {
+fn answer(it: &Parameters) -> DrawnFigure {
     let turns = it.turns();
     let held = turns.iter().map(Turn::closest_so_far);
     let held = [f64::INFINITY].into_iter().chain(held).map(in_digits);
@@ -116,7 +116,7 @@ fn answer(it: &Parameters) -> Answer {
         ),
         None => "No sphere is hit ahead of **Q**.".to_owned(),
     };
-    Answer::new(draw(it, &turns), sentence, [("held", held.join(", "))])
+    DrawnFigure::new(draw(it, &turns), sentence, [("held", held.join(", "))])
 }
 
 /// Writes the t of a hit, or the end of an interval, in few digits.

@@ -8,11 +8,11 @@ use crate::traced::normals_lines;
 
 parameters! {
     q: Point3 =
-        Number::new("Q, to the right", -3.2, 2.2, -3.1),
-        Number::new("Q, upwards", -1.6, 2.4, 1.75);
+        Parameter::new("Q, to the right", -3.2, 2.2, -3.1),
+        Parameter::new("Q, upwards", -1.6, 2.4, 1.75);
     d: Vec3 =
-        Number::new("d, to the right", -3.0, 3.0, 1.0),
-        Number::new("d, upwards", -2.0, 2.0, -0.25);
+        Parameter::new("d, to the right", -3.0, 3.0, 1.0),
+        Parameter::new("d, upwards", -2.0, 2.0, -0.25);
 }
 
 /// The figure, as a reader moves it.
@@ -37,7 +37,7 @@ const RADIUS: f64 = 1.6;
 const PLANE: Plane = Plane::new(235.0, 180.0, 68.0);
 const SIZE: DVec2 = spot(400.0, 300.0);
 
-fn answer(parameters: &Parameters) -> Answer {
+fn answer(parameters: &Parameters) -> DrawnFigure {
     let ray = ray(parameters.q, parameters.d);
     let root = hit_sphere(CENTER, RADIUS, &ray);
     let sentence = match root {
@@ -52,7 +52,7 @@ fn answer(parameters: &Parameters) -> Answer {
         }
     };
     let lines = normals_lines(CENTER, RADIUS, &ray);
-    Answer::new(draw(&ray, root), sentence, lines)
+    DrawnFigure::new(draw(&ray, root), sentence, lines)
 }
 
 /// Returns the outward normal at a point of the sphere.

@@ -6,8 +6,8 @@ use crate::prelude::*;
 
 parameters! {
     point: Point3 =
-        Number::new("The point, to the right", -1.5, 1.5, 0.15),
-        Number::new("The point, upwards", -0.9, 0.9, 0.3);
+        Parameter::new("The point, to the right", -1.5, 1.5, 0.15),
+        Parameter::new("The point, upwards", -0.9, 0.9, 0.3);
 }
 
 /// The figure, as a reader moves it.
@@ -24,7 +24,7 @@ pub(crate) static LIVE: Live<Parameters> = Live {
 
 /// The width of the picture in pixels, and where it is on the sheet.
 const WIDTH: u32 = 32;
-const FRAME: Frame = Frame::new(8.0, 8.0, 12.0);
+const FRAME: PixelGrid = PixelGrid::new(8.0, 8.0, 12.0);
 
 fn viewport() -> Plane {
     FRAME.viewport(&Camera::new(WIDTH))
@@ -48,7 +48,7 @@ fn levels(color: Color) -> [u8; 3] {
     levels
 }
 
-fn answer(&Parameters { point }: &Parameters) -> Answer {
+fn answer(&Parameters { point }: &Parameters) -> DrawnFigure {
     let (color, normal) = seen(point);
     let [red, green, blue] = levels(color);
     let levels = format!("red {red}, green {green} and blue {blue}");
@@ -59,7 +59,7 @@ fn answer(&Parameters { point }: &Parameters) -> Answer {
         }
         None => format!("The ray misses the ball, so there is no normal: {levels} are the sky."),
     };
-    Answer::new(draw(point, color, normal), sentence, [("levels", levels)])
+    DrawnFigure::new(draw(point, color, normal), sentence, [("levels", levels)])
 }
 
 /// Draws the picture, the normal of a point, and below them the normal and the color in numbers.

@@ -7,7 +7,7 @@ use crate::plane::xy;
 
 /// A number that a reader can change.
 #[derive(Clone, Copy, Debug)]
-pub struct Number {
+pub struct Parameter {
     /// The field of the parameters that it belongs to.
     pub field: &'static str,
     /// Its name, for a reader.
@@ -28,7 +28,7 @@ pub struct Number {
     pub choices: &'static [&'static str],
 }
 
-impl Number {
+impl Parameter {
     /// Makes a number from `least` to `most`, in steps of 0.05.
     pub(crate) const fn new(name: &'static str, least: f64, most: f64, default: f64) -> Self {
         Self {
@@ -90,9 +90,9 @@ impl Number {
 }
 
 /// The parameters of a figure, as numbers.
-pub(crate) trait Parameters: Sized + 'static {
+pub(crate) trait FigureParameters: Sized + 'static {
     /// The numbers, in the order of the fields.
-    const NUMBERS: &'static [Number];
+    const PARAMETERS: &'static [Parameter];
 
     /// Reads them from a list in that order.
     fn of(numbers: &[f64]) -> Self;
@@ -102,12 +102,12 @@ pub(crate) trait Parameters: Sized + 'static {
 }
 
 /// A field of the parameters: a number, or a point of the plane, which is two.
-pub(crate) trait Field {
+pub(crate) trait ParameterField {
     fn read(numbers: &mut impl Iterator<Item = f64>) -> Self;
     fn write(&self, numbers: &mut Vec<f64>);
 }
 
-impl Field for f64 {
+impl ParameterField for f64 {
     fn read(numbers: &mut impl Iterator<Item = f64>) -> Self {
         numbers.next().expect("a number for each field")
     }
@@ -117,7 +117,7 @@ impl Field for f64 {
     }
 }
 
-impl Field for Vec3 {
+impl ParameterField for Vec3 {
     fn read(numbers: &mut impl Iterator<Item = f64>) -> Self {
         xy(f64::read(numbers), f64::read(numbers))
     }
@@ -127,7 +127,7 @@ impl Field for Vec3 {
     }
 }
 
-/// Declares the parameters of a figure, each field with the one [`Number`] or the two that it
+/// Declares the parameters of a figure, each field with the one [`Parameter`] or the two that it
 /// is.
 macro_rules! parameters {
     ($($field:ident: $kind:ty = $($number:expr),+;)*) => {
@@ -137,18 +137,18 @@ macro_rules! parameters {
             $($field: $kind,)*
         }
 
-        impl crate::parameters::Parameters for Parameters {
-            const NUMBERS: &'static [Number] =
-                &[$($(Number { field: stringify!($field), ..$number }),+),*];
+        impl crate::parameters::FigureParameters for Parameters {
+            const PARAMETERS: &'static [Parameter] =
+                &[$($(Parameter { field: stringify!($field), ..$number }),+),*];
 
             fn of(numbers: &[f64]) -> Self {
                 let mut numbers = numbers.iter().copied();
-                Self { $($field: crate::parameters::Field::read(&mut numbers)),* }
+                Self { $($field: crate::parameters::ParameterField::read(&mut numbers)),* }
             }
 
             fn numbers(&self) -> Vec<f64> {
                 let mut numbers = Vec::new();
-                $(crate::parameters::Field::write(&self.$field, &mut numbers);)*
+                $(crate::parameters::ParameterField::write(&self.$field, &mut numbers);)*
                 numbers
             }
         }

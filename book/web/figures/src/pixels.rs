@@ -8,14 +8,14 @@ use crate::svg::Svg;
 
 /// Squares in rows on the sheet.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Frame {
+pub(crate) struct PixelGrid {
     /// The upper left corner.
     pub(crate) corner: DVec2,
     /// The side of a square.
     pub(crate) side: f64,
 }
 
-impl Frame {
+impl PixelGrid {
     pub(crate) const fn new(x: f64, y: f64, side: f64) -> Self {
         let corner = DVec2::new(x, y);
         Self { corner, side }

@@ -6,10 +6,10 @@ pub(crate) use glam::DVec2;
 
 pub(crate) use crate::axis::{Axis, ticks};
 pub(crate) use crate::figure::figure;
-pub(crate) use crate::live::{Answer, Handle, Live, Movable, point};
+pub(crate) use crate::live::{DrawnFigure, Handle, Live, Movable, point};
 pub(crate) use crate::number::{power_of_ten, printed, sign, spoken, three_digits, triple};
-pub(crate) use crate::parameters::{Number, parameters};
-pub(crate) use crate::pixels::Frame;
+pub(crate) use crate::parameters::{Parameter, parameters};
+pub(crate) use crate::pixels::PixelGrid;
 pub(crate) use crate::plane::{Plane, nearest, ray, roots, xy};
 pub(crate) use crate::svg::Anchor::*;
-pub(crate) use crate::svg::{Step, Svg, spot};
+pub(crate) use crate::svg::{Shift, Svg, spot};

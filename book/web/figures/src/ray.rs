@@ -1,16 +1,16 @@
 //! Figure 2 of the notes: P(t) = Q + t·d. Q, the tip of d, and P along the line move.
 
-use crate::parameters::Parameters as _;
+use crate::parameters::FigureParameters as _;
 use crate::prelude::*;
 
 parameters! {
     q: Point3 =
-        Number::new("Q, to the right", -2.0, 4.0, 0.0),
-        Number::new("Q, upwards", -0.75, 2.0, 0.0);
+        Parameter::new("Q, to the right", -2.0, 4.0, 0.0),
+        Parameter::new("Q, upwards", -0.75, 2.0, 0.0);
     d: Vec3 =
-        Number::new("d, to the right", -4.0, 4.0, 1.0),
-        Number::new("d, upwards", -2.5, 2.5, 0.5);
-    t: f64 = Number::new("t", -2.0, 4.0, 2.0);
+        Parameter::new("d, to the right", -4.0, 4.0, 1.0),
+        Parameter::new("d, upwards", -2.5, 2.5, 0.5);
+    t: f64 = Parameter::new("t", -2.0, 4.0, 2.0);
 }
 
 /// The figure, as a reader moves it.
@@ -50,7 +50,7 @@ impl Parameters {
     }
 }
 
-fn answer(parameters: &Parameters) -> Answer {
+fn answer(parameters: &Parameters) -> DrawnFigure {
     let (ray, t) = (parameters.ray(), parameters.t);
     let length = ray.direction.length();
     let [t_said, length_said] = [t, length].map(spoken);
@@ -71,7 +71,7 @@ fn answer(parameters: &Parameters) -> Answer {
         ("length", length_said),
         ("distance", distance),
     ];
-    Answer::new(draw(&ray, t), sentence, says)
+    DrawnFigure::new(draw(&ray, t), sentence, says)
 }
 
 /// The place of the scene on the sheet, and the size of its part of the sheet.

@@ -26,14 +26,14 @@ pub(crate) const fn spot(x: f64, y: f64) -> DVec2 {
 }
 
 /// Steps on a sheet.
-pub(crate) trait Step {
+pub(crate) trait Shift {
     /// Moves to the right.
     fn right(self, by: f64) -> Self;
     /// Moves down.
     fn down(self, by: f64) -> Self;
 }
 
-impl Step for DVec2 {
+impl Shift for DVec2 {
     fn right(self, by: f64) -> Self {
         self + spot(by, 0.0)
     }

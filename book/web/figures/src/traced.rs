@@ -11,7 +11,7 @@ use crate::number::{spoken, triple};
 include!(concat!(env!("OUT_DIR"), "/traced.rs"));
 
 /// A sphere of chapter 5, whose own fields are private.
-struct Sphere {
+struct TracedSphere {
     center: Point3,
     radius: f64,
 }
@@ -41,7 +41,7 @@ pub(crate) fn half_b_lines(center: Point3, radius: f64, ray: &Ray) -> Says {
 /// in front of the ray.
 pub(crate) fn sphere_lines(center: Point3, radius: f64, ray: &Ray) -> Says {
     lines(sphere::LINES, |notes| {
-        let record = Sphere { center, radius }.hit(ray, 0.0, f64::INFINITY, notes)?;
+        let record = TracedSphere { center, radius }.hit(ray, 0.0, f64::INFINITY, notes)?;
         Some(format!("Some(t = {}, …)", spoken(record.t)))
     })
 }

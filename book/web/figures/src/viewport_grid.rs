@@ -4,16 +4,16 @@
 use crate::prelude::*;
 
 parameters! {
-    width: f64 = Number::whole("Width", 1.0, 11.0, 8.0);
+    width: f64 = Parameter::whole("Width", 1.0, 11.0, 8.0);
     pixel: Vec3 =
-        Number {
+        Parameter {
             most_beside: Some(|numbers| f64::from(Camera::new(numbers[0] as u32).image_width - 1)),
-            ..Number::whole("Column i", 0.0, 10.0, 5.0)
+            ..Parameter::whole("Column i", 0.0, 10.0, 5.0)
         },
-        Number {
+        Parameter {
             most_beside: Some(|numbers| f64::from(Camera::new(numbers[0] as u32).image_height - 1)),
             downwards: true,
-            ..Number::whole("Row j", 0.0, 5.0, 2.0)
+            ..Parameter::whole("Row j", 0.0, 5.0, 2.0)
         };
 }
 
@@ -34,7 +34,7 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     answer,
 };
 
-fn answer(it: &Parameters) -> Answer {
+fn answer(it: &Parameters) -> DrawnFigure {
     let grid = Grid::of(it);
     let Camera {
         image_width: width,
@@ -57,7 +57,7 @@ fn answer(it: &Parameters) -> Answer {
         ("pixel", format!("({i}, {j})")),
         ("direction", direction),
     ];
-    Answer::new(draw(&grid), sentence, says)
+    DrawnFigure::new(draw(&grid), sentence, says)
 }
 
 /// Says why there are so many rows.

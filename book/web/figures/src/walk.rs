@@ -8,10 +8,10 @@ use crate::traced::half_b_lines;
 
 parameters! {
     c: Point3 =
-        Number::new("h: C, along the ray", 0.0, 1.7, 1.6),
-        Number::new("l: C, beside the ray", 0.0, 0.6, 0.3);
-    radius: f64 = Number::new("r", 0.1, 0.7, 0.5);
-    length: f64 = Number::new("|d|", 0.5, 2.0, 1.0);
+        Parameter::new("h: C, along the ray", 0.0, 1.7, 1.6),
+        Parameter::new("l: C, beside the ray", 0.0, 0.6, 0.3);
+    radius: f64 = Parameter::new("r", 0.1, 0.7, 0.5);
+    length: f64 = Parameter::new("|d|", 0.5, 2.0, 1.0);
 }
 
 /// The figure, as a reader moves it.
@@ -66,7 +66,7 @@ impl Parameters {
     }
 }
 
-fn answer(it: &Parameters) -> Answer {
+fn answer(it: &Parameters) -> DrawnFigure {
     let roots = it.roots();
     let way = |t: f64| it.length * t;
     let l = (it.c - it.ray().at(it.foot())).length();
@@ -87,7 +87,7 @@ fn answer(it: &Parameters) -> Answer {
         ),
     };
     let lines = half_b_lines(it.c, it.radius, &it.ray());
-    Answer::new(draw(it, &roots), sentence, lines)
+    DrawnFigure::new(draw(it, &roots), sentence, lines)
 }
 
 /// The place of the scene on the sheet.

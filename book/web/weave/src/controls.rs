@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use figures::{ACCURACY, Figure, LESSON, Movable, Number, figures, html};
+use figures::{ACCURACY, Figure, LESSON, Movable, Parameter, figures, html};
 
 use crate::ground::{escaped, named};
 
@@ -76,7 +76,7 @@ fn handles(live: &dyn Movable) -> String {
     let handle = |(k, places): (usize, &Vec<usize>)| {
         let first = if all[..k].contains(places) { "-1" } else { "0" };
         let sliders = places.iter().zip([first, "-1"]).map(|(&n, order)| {
-            let slider = slider(n, &live.numbers()[n]);
+            let slider = slider(n, &live.parameters()[n]);
             format!("<input tabindex=\"{order}\" {slider}>")
         });
         let sliders: String = sliders.collect();
@@ -85,8 +85,8 @@ fn handles(live: &dyn Movable) -> String {
     all.iter().enumerate().map(handle).collect()
 }
 
-fn slider(n: usize, number: &Number) -> String {
-    let Number {
+fn slider(n: usize, number: &Parameter) -> String {
+    let Parameter {
         name,
         least,
         most,
@@ -108,7 +108,7 @@ fn slider(n: usize, number: &Number) -> String {
 /// For each number that no handle changes a list, if it is a choice, or a slider.
 fn inputs(live: &dyn Movable) -> String {
     let handled = live.handles().concat();
-    let numbers = live.numbers().iter().enumerate();
+    let numbers = live.parameters().iter().enumerate();
     let free = numbers.filter(|(n, _)| !handled.contains(n));
     free.map(|(n, number)| {
         let input = match number.choices {
@@ -120,7 +120,7 @@ fn inputs(live: &dyn Movable) -> String {
     .collect()
 }
 
-fn choice(n: usize, number: &Number) -> String {
+fn choice(n: usize, number: &Parameter) -> String {
     let options = number.choices.iter().zip(0..).map(|(choice, value)| {
         let value = number.least + f64::from(value);
         format!("<option value=\"{value}\">{choice}</option>")

@@ -8,7 +8,7 @@ use super::marks::{digits, idea, mark};
 use crate::axis::{Axis, ticks};
 use crate::number::{number, printed};
 use crate::records::{Accuracy, Timing};
-use crate::svg::{Anchor, Step, Svg, spot};
+use crate::svg::{Anchor, Shift, Svg, spot};
 use crate::table::{Record, Table};
 
 /// The situations: as a reader chooses them, and as the files call them.

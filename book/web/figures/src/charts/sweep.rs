@@ -8,7 +8,7 @@ use super::marks::{cross, digits, idea};
 use crate::axis::{Axis, ticks};
 use crate::number::{number, power_of_ten, printed};
 use crate::records::Level;
-use crate::svg::{Anchor, Step, Svg, spot};
+use crate::svg::{Anchor, Shift, Svg, spot};
 use crate::table::{Record, Table};
 use crate::text::SMALL;
 
@@ -30,13 +30,13 @@ pub(super) const CHART: Chart = Chart {
 };
 
 /// A method from level to level.
-type Line = Vec<Level>;
+type Sweep = Vec<Level>;
 
 fn draw(file: &str) -> Result<DrawnChart, String> {
     let lines = read(file)?;
     let panels = [Precision::Double, Precision::Single].map(|precision| {
-        let is_drawn = |line: &&Line| line[0].precision == precision && is_drawn(&line[0]);
-        let shown: Vec<&Line> = lines.iter().filter(is_drawn).collect();
+        let is_drawn = |line: &&Sweep| line[0].precision == precision && is_drawn(&line[0]);
+        let shown: Vec<&Sweep> = lines.iter().filter(is_drawn).collect();
         panel(precision, &shown)
     });
     Ok(DrawnChart {
@@ -49,7 +49,7 @@ fn draw(file: &str) -> Result<DrawnChart, String> {
 const WIDE: f64 = 196.0;
 const HIGH: f64 = 310.0;
 
-fn panel(precision: Precision, lines: &[&Line]) -> String {
+fn panel(precision: Precision, lines: &[&Sweep]) -> String {
     let name = precision.name();
     let mut svg = CHART.panel(1 + precision as usize, name, 420.0);
     cross(&mut svg, spot(12.0, 16.0));
@@ -82,16 +82,16 @@ fn panel(precision: Precision, lines: &[&Line]) -> String {
 }
 
 /// Returns the last level, which not every line has.
-fn last<'a>(lines: impl Iterator<Item = &'a Line>) -> i32 {
+fn last<'a>(lines: impl Iterator<Item = &'a Sweep>) -> i32 {
     lines.flatten().map(|row| row.level).fold(1, i32::max)
 }
 
 /// Draws the lines, and their names beside the grid. A cross on a line may lie on several:
 /// the name of its method has one too.
-fn plot(svg: &mut Svg, [levels, right]: [&Axis; 2], lines: &[&Line]) {
-    let mut ends: Vec<(DVec2, &Line)> = Vec::new();
+fn plot(svg: &mut Svg, [levels, right]: [&Axis; 2], lines: &[&Sweep]) {
+    let mut ends: Vec<(DVec2, &Sweep)> = Vec::new();
     for (idea, stroke) in STROKES {
-        let has_it = |line: &&&Line| self::idea(&line[0].method) == idea;
+        let has_it = |line: &&&Sweep| self::idea(&line[0].method) == idea;
         for line in lines.iter().filter(has_it) {
             let at = |row: &Level| {
                 let x = levels.point(f64::from(row.level)).x;
@@ -110,7 +110,7 @@ fn plot(svg: &mut Svg, [levels, right]: [&Axis; 2], lines: &[&Line]) {
 }
 
 /// Writes the names of lines, in the order in which these end, beside the grid with this corner.
-fn draw_names(svg: &mut Svg, low: DVec2, ends: &[(DVec2, &Line)]) {
+fn draw_names(svg: &mut Svg, low: DVec2, ends: &[(DVec2, &Sweep)]) {
     let heights: Vec<f64> = ends.iter().map(|(end, _)| end.y).collect();
     let places = spread(&heights, SMALL + 4.0, low.y - HIGH - 6.0, low.y);
     for ((end, line), y) in ends.iter().zip(places) {
@@ -159,7 +159,7 @@ fn is_drawn(row: &Level) -> bool {
 }
 
 /// Returns the first level at which a method decides wrongly.
-fn first_wrong(line: &Line) -> Option<&Level> {
+fn first_wrong(line: &Sweep) -> Option<&Level> {
     line.iter().find(|row| row.wrong_per_million > 0.0)
 }
 
@@ -167,19 +167,19 @@ fn right_digits(row: &Level) -> f64 {
     digits(row.p999_ulps, row.precision)
 }
 
-fn read(file: &str) -> Result<Vec<Line>, String> {
+fn read(file: &str) -> Result<Vec<Sweep>, String> {
     let mut rows = Table::<Level>::read(file)?.rows;
     rows.sort_by_key(|row| METHODS.iter().position(|method| method.name == row.method));
     let lines = rows.chunk_by(|one, other| one.method == other.method);
-    Ok(lines.map(Line::from).collect())
+    Ok(lines.map(Sweep::from).collect())
 }
 
-fn numbers(lines: &[Line]) -> String {
+fn numbers(lines: &[Sweep]) -> String {
     let levels = 1..=last(lines.iter());
     let name = "digits right; ✗ wrong decisions per million".to_owned();
     let powers = levels.clone().map(power_of_ten);
     let heads: Vec<String> = [name].into_iter().chain(powers).collect();
-    let row = |line: &Line| {
+    let row = |line: &Sweep| {
         let cells = levels.clone().map(|level| {
             let row = line.iter().find(|row| row.level == level);
             row.map_or(String::new(), cell)

@@ -6,7 +6,7 @@ use glam::DVec2;
 
 use super::chart::{Chart, DrawnChart, table};
 use crate::records::{Timing, WrongPixels};
-use crate::svg::{Anchor, Step, Svg, spot};
+use crate::svg::{Anchor, Shift, Svg, spot};
 use crate::table::{Record, Table};
 use crate::text::{SMALL, width};
 

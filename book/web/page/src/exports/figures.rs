@@ -61,5 +61,5 @@ extern "C" fn answer(figure: usize) -> usize {
 
 fn with<T>(figure: usize, act: impl FnOnce(&dyn Movable, &mut [f64]) -> T) -> T {
     let live = FIGURES[figure];
-    NUMBERS.with_borrow_mut(|numbers| act(live, &mut numbers[..live.numbers().len()]))
+    NUMBERS.with_borrow_mut(|numbers| act(live, &mut numbers[..live.parameters().len()]))
 }
