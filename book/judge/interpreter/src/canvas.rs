@@ -7,7 +7,7 @@ use common::rtweekend::*;
 
 use crate::library;
 use crate::machine::value::{Brush, Data, Value};
-use crate::machine::{Bound, Machine};
+use crate::machine::{Binding, Machine};
 use crate::program::{Program, missing, u32_value};
 use crate::refusal::Fault;
 use crate::types::Int;
@@ -28,9 +28,17 @@ impl fmt::Debug for Canvas {
     }
 }
 
-/// A value that a `let` has given a name on the way to a color: the function, the name, and
-/// the value as text.
-pub type Note = (String, String, String);
+/// A value on the way to a pixel's color: one that a `let` names, or that a function returns
+/// before its end.
+#[derive(Clone, Debug)]
+pub struct TracedValue {
+    /// The function in which the value arises: `ray_color`, or `Sphere::hit` for a method.
+    pub function: String,
+    /// The name that a `let` gives the value; `None` for the value of a `return`.
+    pub name: Option<String>,
+    /// The value as text: numbers as [`number`] formats them, a vector as `(x, y, z)`.
+    pub value: String,
+}
 
 impl Program {
     /// Returns the picture that wide, before any of its pixels is traced.
@@ -126,33 +134,40 @@ impl Canvas {
         Ok(levels)
     }
 
-    /// Returns what each `let` comes to on the way to the color of a pixel, and what each function
-    /// returns before its end, in the order in which they run.
-    pub fn notes(&self, i: u32, j: u32) -> Vec<Note> {
-        let code = &self.program.code;
-        let noted = self.noted(i, j).filter_map(|(function, slot, value)| {
-            let name = match slot {
-                Some(slot) => code.functions[function].names.get(slot)?,
-                None => "return",
+    /// Traces the pixel in column `i` and row `j`, counted from 0 at the top left: lists the value
+    /// of each `let` and of each `return` on the way to its color, in the order in which they run.
+    ///
+    /// Leaves out values that are no number, vector or truth. Ends early where the program stops;
+    /// a picture that is printed as text has no such values.
+    pub fn trace(&self, i: u32, j: u32) -> Vec<TracedValue> {
+        let functions = &self.program.code.functions;
+        let traced = self.bindings(i, j).filter_map(|binding| {
+            let function = &functions[binding.function];
+            let name = match binding.slot {
+                Some(slot) => Some(function.names.get(slot)?.clone()),
+                None => None,
             };
-            let within = code.functions[function].written.as_ref()?.name.clone();
-            Some((within, name.to_owned(), said(&value)?))
+            Some(TracedValue {
+                function: function.written.as_ref()?.name.clone(),
+                name,
+                value: said(&binding.value)?,
+            })
         });
-        noted.collect()
+        traced.collect()
     }
 
     /// Finds whether a function of that name returns before its end on the way to the pixel.
     pub fn returns_early(&self, name: &str, i: u32, j: u32) -> bool {
         let function = self.program.code.number_of(name);
-        let mut noted = self.noted(i, j);
-        noted.any(|(of, slot, _)| slot.is_none() && Some(of) == function)
+        let mut bindings = self.bindings(i, j);
+        bindings.any(|it| it.slot.is_none() && Some(it.function) == function)
     }
 
-    fn noted(&self, i: u32, j: u32) -> impl Iterator<Item = Bound> {
+    fn bindings(&self, i: u32, j: u32) -> impl Iterator<Item = Binding> {
         let mut machine = self.program.machine();
-        machine.notes = Some(Vec::new());
+        machine.trace = Some(Vec::new());
         let _ = self.colored_by(&mut machine, i, j);
-        machine.notes.take().into_iter().flatten()
+        machine.trace.take().into_iter().flatten()
     }
 }
 

@@ -24,7 +24,7 @@ mod refusal;
 mod types;
 
 pub use asked::{Ball, SphereHit};
-pub use canvas::{Canvas, Note, number};
+pub use canvas::{Canvas, TracedValue, number};
 pub use program::{Program, Sample, read};
 pub use refusal::{Fault, FaultKind, Place};
 

@@ -5,7 +5,7 @@ use std::fmt;
 use std::sync::LazyLock;
 
 use common::rtweekend::*;
-use interpreter::{Canvas, Note};
+use interpreter::{Canvas, TracedValue};
 
 use crate::chapter::Chapter;
 use crate::edit::Edit;
@@ -342,9 +342,9 @@ impl Output {
     }
 
     /// Returns what each `let` comes to on the way to the `n`th pixel.
-    pub fn notes(&self, n: u32) -> Vec<Note> {
+    pub fn traced_values(&self, n: u32) -> Vec<TracedValue> {
         match (&self.canvas, self.place(n)) {
-            (Some(canvas), Some((i, j))) => canvas.notes(i, j),
+            (Some(canvas), Some((i, j))) => canvas.trace(i, j),
             _ => Vec::new(),
         }
     }

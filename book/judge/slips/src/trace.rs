@@ -1,7 +1,7 @@
 //! Tracing: the numbers of one pixel on their way from the viewport to the levels.
 
 use common::rtweekend::*;
-use interpreter::{Note, number};
+use interpreter::{TracedValue, number};
 
 use crate::program::Output;
 
@@ -32,7 +32,7 @@ impl Output {
             rows.push(TraceRow::new("origin", vector(ray.origin)));
             rows.push(TraceRow::new("direction", vector(ray.direction)));
         }
-        rows.extend(labeled(self.notes(n)));
+        rows.extend(labeled(self.traced_values(n)));
         rows.extend(self.color(n).map(|it| TraceRow::new("color", vector(it))));
         let [r, g, b] = self.pixel(n);
         rows.push(TraceRow::new("levels", format!("{r} {g} {b}")));
@@ -42,13 +42,18 @@ impl Output {
 
 /// Labels the values of a trace by their names. A name that comes again, as with the second
 /// sphere, is numbered.
-fn labeled(notes: Vec<Note>) -> Vec<TraceRow> {
+fn labeled(values: Vec<TracedValue>) -> Vec<TraceRow> {
     let mut rows: Vec<TraceRow> = Vec::new();
-    for (function, name, value) in notes {
+    for TracedValue {
+        function,
+        name,
+        value,
+    } in values
+    {
         let is_of_the_way = ["Camera::new", "Camera::with_size"].contains(&function.as_str());
-        if is_of_the_way || name == "return" {
+        let Some(name) = name.filter(|_| !is_of_the_way) else {
             continue;
-        }
+        };
         let again = format!("{name}, again");
         let is_same = |row: &&TraceRow| row.label == name || row.label.starts_with(&again);
         let label = match rows.iter().filter(is_same).count() {

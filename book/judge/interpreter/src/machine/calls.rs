@@ -170,9 +170,7 @@ impl Machine<'_> {
             return result;
         };
         let value = self.brought();
-        if let Some(notes) = &mut self.notes {
-            notes.push((self.function, None, value.clone()));
-        }
+        self.note(None, &value);
         Ok(value)
     }
 

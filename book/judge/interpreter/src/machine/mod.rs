@@ -220,9 +220,14 @@ impl From<At> for Spot {
     }
 }
 
-/// A value that a `let` has bound, or that a function has returned before its end: the
-/// function, the slot if there is one, the value.
-pub(crate) type Bound = (usize, Option<usize>, Value);
+/// A value that a `let` binds, or that a function returns before its end.
+pub(crate) struct Binding {
+    /// The number of the function.
+    pub(crate) function: usize,
+    /// The slot of the variable; `None` for the value of a `return`.
+    pub(crate) slot: Option<usize>,
+    pub(crate) value: Value,
+}
 
 /// The state of a program that runs: the values of all functions that are being called.
 pub(crate) struct Machine<'c> {
@@ -240,8 +245,8 @@ pub(crate) struct Machine<'c> {
     constants: Vec<Option<Value>>,
     /// The function that runs, by its number.
     function: usize,
-    /// All values that were bound, if that is asked for.
-    pub(crate) notes: Option<Vec<Bound>>,
+    /// The values that were bound so far; `None` if no trace is kept.
+    pub(crate) trace: Option<Vec<Binding>>,
 }
 
 impl<'c> Machine<'c> {
@@ -258,7 +263,7 @@ impl<'c> Machine<'c> {
             fault: None,
             constants: Vec::new(),
             function: 0,
-            notes: None,
+            trace: None,
         }
     }
 
@@ -289,10 +294,21 @@ impl<'c> Machine<'c> {
     /// Gives a variable that a `let` declares its value, and notes that.
     #[inline]
     pub(crate) fn bind(&mut self, slot: usize, value: Value) {
-        if let Some(notes) = &mut self.notes {
-            notes.push((self.function, Some(slot), value.clone()));
-        }
+        self.note(Some(slot), &value);
         self.set_local(slot, value);
+    }
+
+    /// Adds a value to the trace, if one is kept.
+    #[inline]
+    fn note(&mut self, slot: Option<usize>, value: &Value) {
+        if let Some(trace) = &mut self.trace {
+            let (function, value) = (self.function, value.clone());
+            trace.push(Binding {
+                function,
+                slot,
+                value,
+            });
+        }
     }
 
     /// Stops with what the compiler refuses, or what is not read here.
