@@ -7,7 +7,7 @@ use slips::Chapter;
 
 use crate::controls;
 use crate::ground::{escaped, read};
-use crate::source::{self, Named};
+use crate::source::{self, SourceItem};
 
 /// What a page has listed so far, so that a listing can say what it stands beside: the
 /// file, the lines, and what to look for there.
@@ -16,7 +16,7 @@ pub(crate) struct Listed(Vec<(String, Range<usize>, String)>);
 
 impl Listed {
     /// `, below …` or `, above …`, if something else of the same file was listed before.
-    fn beside(&self, file: &str, item: &Named) -> String {
+    fn beside(&self, file: &str, item: &SourceItem) -> String {
         let of_file = || self.0.iter().filter(|(of, ..)| of == file);
         let before = of_file().filter(|(_, lines, _)| lines.end <= item.lines.start);
         let behind = of_file().filter(|(_, lines, _)| lines.start >= item.lines.end);
@@ -28,7 +28,7 @@ impl Listed {
         })
     }
 
-    fn add(&mut self, file: &str, items: &[Named]) {
+    fn add(&mut self, file: &str, items: &[SourceItem]) {
         let entries = items.iter().filter(|item| !item.is_import).map(|item| {
             let name = item.called().to_owned();
             (file.to_owned(), item.lines.clone(), name)

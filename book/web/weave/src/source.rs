@@ -11,22 +11,22 @@ use syn::{Ident, ImplItem, Item, TraitItem};
 /// A function, type, trait or constant goes by its name, an import by its line, an impl block
 /// by its header, a method by either of them, `::` and its name. Doc comments and attributes
 /// belong to an item.
-pub(crate) struct Named {
+pub(crate) struct SourceItem {
     pub(crate) names: Vec<String>,
     pub(crate) lines: Range<usize>,
     pub(crate) is_import: bool,
     /// The block that it is a method of, if it is one.
-    block: Option<Block>,
+    block: Option<OuterBlock>,
 }
 
 /// The block around a method: its header, and the lines that the header fills.
 #[derive(Clone, PartialEq)]
-struct Block {
+struct OuterBlock {
     header: String,
     lines: Range<usize>,
 }
 
-impl Named {
+impl SourceItem {
     fn new(names: Vec<String>, span: Span) -> Self {
         Self {
             names,
@@ -47,7 +47,7 @@ impl Named {
 ///
 /// # Errors
 /// If the source is no Rust, or an item is not there, or twice.
-pub(crate) fn items(source: &str, list: &str) -> Result<Vec<Named>, String> {
+pub(crate) fn items(source: &str, list: &str) -> Result<Vec<SourceItem>, String> {
     let file = syn::parse_file(source)
         .map_err(|cause| format!(": line {}: {cause}", cause.span().start().line))?;
     let find = |name| {
@@ -67,7 +67,7 @@ fn names(list: &str) -> Vec<&str> {
     list.split(is_separator).map(str::trim).collect()
 }
 
-fn find(mut items: Vec<Named>, name: &str) -> Result<Named, String> {
+fn find(mut items: Vec<SourceItem>, name: &str) -> Result<SourceItem, String> {
     let all: Vec<String> = items.iter().map(|item| item.names[0].clone()).collect();
     items.retain(|item| item.names.iter().any(|other| other == name));
     match items.pop() {
@@ -81,7 +81,7 @@ fn find(mut items: Vec<Named>, name: &str) -> Result<Named, String> {
 
 /// The items, with an empty line between them unless they stand together in the source;
 /// methods of one block are in one block.
-pub(crate) fn excerpt(source: &str, items: &[Named]) -> String {
+pub(crate) fn excerpt(source: &str, items: &[SourceItem]) -> String {
     let source: Vec<&str> = source.lines().collect();
     let text = |lines: &Range<usize>| source[lines.clone()].join("\n") + "\n";
     let mut excerpt = String::new();
@@ -101,8 +101,8 @@ pub(crate) fn excerpt(source: &str, items: &[Named]) -> String {
 }
 
 /// The item, and what can be named inside it.
-fn named(item: &Item, source: &str) -> Vec<Named> {
-    let plain = |name: &Ident| vec![Named::new(vec![name.to_string()], item.span())];
+fn named(item: &Item, source: &str) -> Vec<SourceItem> {
+    let plain = |name: &Ident| vec![SourceItem::new(vec![name.to_string()], item.span())];
     match item {
         Item::Const(it) => plain(&it.ident),
         Item::Enum(it) => plain(&it.ident),
@@ -113,9 +113,9 @@ fn named(item: &Item, source: &str) -> Vec<Named> {
         Item::Type(it) => plain(&it.ident),
         Item::Use(_) => {
             let line = source[item.span().byte_range()].trim_end_matches(';');
-            vec![Named {
+            vec![SourceItem {
                 is_import: true,
-                ..Named::new(vec![line.to_owned()], item.span())
+                ..SourceItem::new(vec![line.to_owned()], item.span())
             }]
         }
         Item::Trait(it) => {
@@ -136,7 +136,7 @@ fn named(item: &Item, source: &str) -> Vec<Named> {
             let block = block(source, it.impl_token.span, it.brace_token.span.open());
             let owner = source[it.self_ty.span().byte_range()].to_owned();
             let owner = it.trait_.is_none().then_some(owner);
-            let mut all = vec![Named::new(vec![block.header.clone()], item.span())];
+            let mut all = vec![SourceItem::new(vec![block.header.clone()], item.span())];
             all.extend(in_block(&block, owner, methods));
             all
         }
@@ -144,9 +144,9 @@ fn named(item: &Item, source: &str) -> Vec<Named> {
     }
 }
 
-fn block(source: &str, start: Span, brace: Span) -> Block {
+fn block(source: &str, start: Span, brace: Span) -> OuterBlock {
     let header = &source[start.byte_range().start..brace.byte_range().start];
-    Block {
+    OuterBlock {
         header: header.split_whitespace().collect::<Vec<_>>().join(" "),
         lines: lines(start, brace),
     }
@@ -154,15 +154,15 @@ fn block(source: &str, start: Span, brace: Span) -> Block {
 
 /// Methods by the header of their block, and by its owner, if it has one.
 fn in_block<'a>(
-    block: &Block,
+    block: &OuterBlock,
     owner: Option<String>,
     methods: impl Iterator<Item = (&'a Ident, Span)>,
-) -> impl Iterator<Item = Named> {
+) -> impl Iterator<Item = SourceItem> {
     methods.map(move |(name, span)| {
         let by = [Some(&block.header), owner.as_ref()].into_iter().flatten();
-        Named {
+        SourceItem {
             block: Some(block.clone()),
-            ..Named::new(by.map(|it| format!("{it}::{name}")).collect(), span)
+            ..SourceItem::new(by.map(|it| format!("{it}::{name}")).collect(), span)
         }
     })
 }
