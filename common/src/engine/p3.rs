@@ -14,7 +14,7 @@ pub(super) fn push_pixels(text: &mut Vec<u8>, block: &Block, count: usize) {
     let mut lines = [0; BLOCK * LONGEST_LINE + 4];
     let mut end = 0;
     let (spaced, last) = (&*SPACED, &*LAST);
-    let mut push = |number: Number| {
+    let mut push = |number: NumberText| {
         // Always four bytes, because copying fewer takes a decision. What is
         // too much is overwritten by the next number, or cut off below.
         lines[end..end + 4].copy_from_slice(&number.text);
@@ -32,24 +32,24 @@ pub(super) fn push_pixels(text: &mut Vec<u8>, block: &Block, count: usize) {
 const LONGEST_LINE: usize = "255 255 255\n".len();
 
 /// The numbers 0 to 255, each with the space that follows it.
-static SPACED: LazyLock<[Number; 256]> = LazyLock::new(|| numbers(' '));
+static SPACED: LazyLock<[NumberText; 256]> = LazyLock::new(|| numbers(' '));
 
 /// The numbers 0 to 255, each with the end of the line.
-static LAST: LazyLock<[Number; 256]> = LazyLock::new(|| numbers('\n'));
+static LAST: LazyLock<[NumberText; 256]> = LazyLock::new(|| numbers('\n'));
 
 /// A number as text with a separator: `length` bytes, filled up to four.
 #[derive(Clone, Copy)]
-struct Number {
+struct NumberText {
     text: [u8; 4],
     length: usize,
 }
 
-fn numbers(separator: char) -> [Number; 256] {
+fn numbers(separator: char) -> [NumberText; 256] {
     array::from_fn(|n| {
         let line = format!("{n}{separator}");
         let mut text = [0; 4];
         text[..line.len()].copy_from_slice(line.as_bytes());
-        Number {
+        NumberText {
             text,
             length: line.len(),
         }

@@ -20,11 +20,11 @@ use crate::color::Color;
 pub struct Picture {
     width: u32,
     height: u32,
-    source: Source,
+    source: PictureBytes,
 }
 
 /// The source of the bytes of a picture.
-enum Source {
+enum PictureBytes {
     /// They are painted when they are asked for, and kept.
     Recipe {
         paint: Box<Paint>,
@@ -52,7 +52,7 @@ impl Picture {
         Self {
             width,
             height,
-            source: Source::Recipe {
+            source: PictureBytes::Recipe {
                 paint: Box::new(move |i, j, columns| {
                     Block::paint(
                         columns,
@@ -71,7 +71,7 @@ impl Picture {
         (rgb.len() == 3 * width as usize * height as usize).then(|| Self {
             width,
             height,
-            source: Source::Bytes(rgb),
+            source: PictureBytes::Bytes(rgb),
         })
     }
 
@@ -89,10 +89,10 @@ impl Picture {
     /// `j * width + i`, from the top.
     pub fn rgb(&self) -> &[u8] {
         match &self.source {
-            Source::Recipe { painted, .. } => {
+            PictureBytes::Recipe { painted, .. } => {
                 painted.get_or_init(|| self.rgb_with_threads(self.threads()))
             }
-            Source::Bytes(rgb) => rgb,
+            PictureBytes::Bytes(rgb) => rgb,
         }
     }
 
@@ -166,7 +166,7 @@ impl Picture {
             let (i, j) = (n % in_row * BLOCK, n / in_row);
             let columns = BLOCK.min(self.width as usize - i);
             let block = match &self.source {
-                Source::Recipe { paint, painted } if painted.get().is_none() => {
+                PictureBytes::Recipe { paint, painted } if painted.get().is_none() => {
                     paint(i as u32, j as u32, columns)
                 }
                 _ => {
