@@ -8,7 +8,7 @@ use std::hint::black_box;
 
 use common::rtweekend::*;
 use glam::Vec3 as SingleVec3;
-use speed_vs_accuracy::{Case, Eye, METHODS, Method, Precision, Scene, SingleRay, find};
+use speed_vs_accuracy::{Arithmetic, Case, METHODS, Method, Precision, Scene, SingleRay, find};
 
 use crate::contest::{Effort, Group, Runner};
 
@@ -144,7 +144,7 @@ fn questions(scene: &Scene) -> Vec<(Case, f64)> {
         let (center, radius) = scene.spheres[n % spheres];
         let case = |ray| Case::new(center, radius, ray);
         let to_sun = scene.sun.and_then(|sun| {
-            let hit = scene.look(Eye::Exact, &seen).hit?;
+            let hit = scene.look(Arithmetic::Exact, &seen).hit?;
             Some((case(Ray::new(hit.point, sun)), scene.t_min[1]))
         });
         [Some((case(scene.ray(&seen)), scene.t_min[0])), to_sun]

@@ -6,7 +6,7 @@ use common::rtweekend::*;
 use figures::records::WrongPixels;
 use figures::table::Table;
 use rayon::prelude::*;
-use speed_vs_accuracy::{Eye, METHODS, Method, Scene, Sight};
+use speed_vs_accuracy::{Arithmetic, METHODS, Method, Scene, Sight};
 
 use crate::scene_file::SCENES;
 
@@ -100,9 +100,9 @@ pub fn drawn(
                 .map(|i| scene.look(eye, &camera.ray(i, j)))
                 .collect()
         };
-        let right = sights(Eye::Exact);
+        let right = sights(Arithmetic::Exact);
         let of_method = |method: &Method| {
-            let seen = sights(Eye::Method(*method));
+            let seen = sights(Arithmetic::Method(*method));
             let off = farthest(scene, &right, &seen);
             let pairs = right.iter().zip(&seen);
             let misjudged = pairs.filter(|(right, seen)| sphere(right) != sphere(seen));

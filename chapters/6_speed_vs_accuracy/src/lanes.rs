@@ -9,7 +9,7 @@
 
 use multiversion::multiversion;
 
-use crate::certified::{Choice, Rounded, later_stages};
+use crate::certified::{FilteredRoot, Rounded, later_stages};
 use crate::workload::Case;
 
 /// Questions in a block: so few that they stay near the processor, and a multiple of the
@@ -69,13 +69,13 @@ pub fn certified_in_lanes<const ULP: bool>(
 #[inline(always)]
 fn by<const ULP: bool>(
     case: impl Fn(usize) -> Case,
-    choice: impl Fn(&Rounded) -> Choice,
+    root: impl Fn(&Rounded) -> FilteredRoot,
 ) -> impl Fn(usize) -> f64 {
     #[inline(always)]
     move |k| {
         let case = case(k);
         let rounded = Rounded::of(&case);
-        rounded.answer::<ULP>(&case, choice(&rounded))
+        rounded.answer::<ULP>(&case, root(&rounded))
     }
 }
 

@@ -22,7 +22,7 @@ pub use methods::{
 pub use nearest::certified_nearest;
 pub use precision::{Precision, SingleRay};
 pub use workload::{
-    Case, Eye, Hit, Lens, REGIMES, Random, Regime, SPHERES, Scene, Sight, USUAL_T_MIN, unit,
+    Arithmetic, Case, Hit, Lens, REGIMES, Random, Regime, SPHERES, Scene, Sight, USUAL_T_MIN, unit,
 };
 
 use common::rtweekend::Picture;
@@ -30,8 +30,8 @@ use common::rtweekend::Picture;
 /// Returns the picture at `width` pixels wide: a star in a telescope, on the left
 /// as chapter 5 sees it, on the right as it is.
 pub fn picture(width: u32) -> Picture {
-    let eyes = [Method::HALF_B, Method::CERTIFIED_T].map(Eye::Method);
-    Scene::telescope().seen_by(eyes, width)
+    let halves = [Method::HALF_B, Method::CERTIFIED_T].map(Arithmetic::Method);
+    Scene::telescope().seen_by(halves, width)
 }
 
 /// All methods, those in `f64` first.

@@ -2,7 +2,7 @@
 //! beside what it should look like.
 
 use measure::scene_file::find_scene;
-use speed_vs_accuracy::{Eye, Method};
+use speed_vs_accuracy::{Arithmetic, Method};
 use suite::drawn::assert_picture;
 
 const WIDTH: u32 = 200;
@@ -22,7 +22,7 @@ fn a_scene_in_which_a_method_fails_is_drawn_as_its_snapshot_by_that_method() {
     ] {
         let scene = find_scene(scene).expect("it is one of the seven");
         let [wrong, right] =
-            [Eye::Method(method), Eye::Exact].map(|eye| scene.seen_by([eye; 2], WIDTH));
+            [Arithmetic::Method(method), Arithmetic::Exact].map(|it| scene.seen_by([it; 2], WIDTH));
         assert_ne!(wrong, right);
         assert_picture(&format!("{}_{}", scene.name, method.name), &wrong);
         assert_picture(&format!("{}_right", scene.name), &right);
@@ -32,6 +32,6 @@ fn a_scene_in_which_a_method_fails_is_drawn_as_its_snapshot_by_that_method() {
 #[test]
 fn the_exact_method_draws_neighbors_as_its_snapshot() {
     let scene = find_scene("neighbors").expect("it is one of the seven");
-    let seen = scene.seen_by([Eye::Method(Method::EXACT); 2], WIDTH);
+    let seen = scene.seen_by([Arithmetic::Method(Method::EXACT); 2], WIDTH);
     assert_picture("neighbors_exact", &seen);
 }

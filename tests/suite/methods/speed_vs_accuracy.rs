@@ -3,7 +3,9 @@
 use common::rtweekend::*;
 use laws::oracle::ExactCase;
 use measure::scene_file::find_scene;
-use speed_vs_accuracy::{Case, Eye, Lens, Method, Precision, REGIMES, Scene, exact_discriminant};
+use speed_vs_accuracy::{
+    Arithmetic, Case, Lens, Method, Precision, REGIMES, Scene, exact_discriminant,
+};
 
 mod cases {
     use super::*;
@@ -67,7 +69,7 @@ mod a_scene {
             };
             let camera = Camera::new(33);
             let seen = |i, j| {
-                let sight = scene.look(Eye::Exact, &camera.ray(i, j));
+                let sight = scene.look(Arithmetic::Exact, &camera.ray(i, j));
                 sight.hit.map(|hit| hit.sphere)
             };
             assert_eq!(
@@ -81,7 +83,7 @@ mod a_scene {
     #[test]
     fn of_the_book_is_the_picture_of_chapter_5() {
         let book = find_scene("book").expect("it is one of the seven");
-        let drawn = book.seen_by([Eye::Method(Method::HALF_B); 2], 100);
+        let drawn = book.seen_by([Arithmetic::Method(Method::HALF_B); 2], 100);
         assert_eq!(drawn, hittable_list::picture(100));
     }
 }

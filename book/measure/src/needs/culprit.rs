@@ -4,7 +4,7 @@ use crate::accuracy::ulps_off;
 use crate::wrong_pixels::View;
 use common::rtweekend::*;
 use laws::oracle::ExactCase;
-use speed_vs_accuracy::{Case, Eye, Hit, Method, Scene};
+use speed_vs_accuracy::{Arithmetic, Case, Hit, Method, Scene};
 
 /// A question that a method answers wrongly, and the pixel that shows it.
 pub struct Culprit {
@@ -32,7 +32,8 @@ impl Culprit {
     pub fn of(scene: &Scene, view: &View) -> Option<Self> {
         let pixel @ [i, j] = view.first_wrong?;
         let ray = Camera::new(scene.width).ray(i, j);
-        let [seen, right] = [Eye::Method(view.method), Eye::Exact].map(|eye| scene.look(eye, &ray));
+        let [seen, right] =
+            [Arithmetic::Method(view.method), Arithmetic::Exact].map(|it| scene.look(it, &ray));
         let from_eye = [seen.hit, right.hit].map(|hit| hit.map(|hit| hit.sphere));
         // It may have seen the right sphere, and asked about another ray to the sun
         // because its point is elsewhere: then that answer is right, and the one to

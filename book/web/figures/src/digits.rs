@@ -1,7 +1,7 @@
 //! Digits of D and t that are lost with distance: a star goes away. A ray of it is chosen by
 //! its pixel.
 
-use speed_vs_accuracy::{Case, Eye, Lens, Method, Scene, USUAL_T_MIN};
+use speed_vs_accuracy::{Arithmetic, Case, Lens, Method, Scene, USUAL_T_MIN};
 
 use crate::cancellation::Numbers;
 use crate::prelude::*;
@@ -139,7 +139,7 @@ impl Parameters {
         let middle = 0.5 * f64::from(PIXELS - 1);
         Picture::paint(PIXELS, PIXELS, move |i, j| {
             let ray = self.ray(xy(f64::from(i) - middle, middle - f64::from(j)));
-            scene.look(Eye::Method(method), &ray).color
+            scene.look(Arithmetic::Method(method), &ray).color
         })
     }
 }

@@ -21,7 +21,7 @@ use dashu_int::{IBig, UBig};
 /// `t_min` = 0 the least. If no `f64` lies between the ends, if a number
 /// is infinite or NaN, or if the direction is zero, it is a miss.
 pub fn exact(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
-    let quadratic = Quadratic::new(center, radius, ray)?;
+    let quadratic = IntegerQuadratic::new(center, radius, ray)?;
     let root = quadratic.nearest_root_in(t_min, t_max)?;
     inwards(quadratic.rounded(root), t_min, t_max)
 }
@@ -43,7 +43,7 @@ pub fn exact_discriminant(center: Point3, radius: f64, ray: &Ray) -> Option<f64>
 /// Cost: about twice that of [`exact`]. Rounds: nothing.
 pub(crate) fn comes_before(spheres: [(Point3, f64); 2], ray: &Ray, t_min: f64, t_max: f64) -> bool {
     let [Some((first, root)), Some((second, of_second))] = spheres.map(|(center, radius)| {
-        let quadratic = Quadratic::new(center, radius, ray)?;
+        let quadratic = IntegerQuadratic::new(center, radius, ray)?;
         let root = quadratic.nearest_root_in(t_min, t_max)?;
         Some((quadratic, root))
     }) else {
@@ -60,7 +60,7 @@ pub(super) fn inwards(t: f64, t_min: f64, t_max: f64) -> Option<f64> {
 }
 
 /// a·t² − 2h·t + c = 0 with integer coefficients, and with roots.
-struct Quadratic {
+struct IntegerQuadratic {
     a: IBig,
     h: IBig,
     c: IBig,
@@ -78,7 +78,7 @@ enum Root {
     Farther,
 }
 
-impl Quadratic {
+impl IntegerQuadratic {
     /// Makes the equation, or returns `None` if it has no roots or a number is
     /// not finite.
     fn new(center: Point3, radius: f64, ray: &Ray) -> Option<Self> {

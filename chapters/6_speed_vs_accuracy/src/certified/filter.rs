@@ -35,12 +35,12 @@ pub(super) fn filter<const ULP: bool>(case: &Case, t_min: f64, t_max: f64) -> f6
     if !has_numbers || rounded.is_missed(t_min) {
         return f64::INFINITY;
     }
-    let choice = if t_min == 0.0 {
+    let root = if t_min == 0.0 {
         rounded.by_signs((t_max < f64::INFINITY).then_some(t_max))
     } else {
         rounded.by_gaps(t_min, t_max)
     };
-    rounded.answer::<ULP>(case, choice)
+    rounded.answer::<ULP>(case, root)
 }
 
 /// The coefficients of a·t² − 2h·t + c, as they are rounded, and what bounds their errors.
@@ -57,7 +57,7 @@ pub(crate) struct Rounded {
 
 /// A root, or infinity for a miss.
 #[derive(Clone, Copy)]
-pub(crate) struct Choice {
+pub(crate) struct FilteredRoot {
     t: f64,
     is_farther: bool,
     is_certain: bool,
@@ -96,7 +96,7 @@ impl Rounded {
     /// farther one, and from outside the nearer one, which is behind if both are. Step S of the
     /// proof; T for an end, if the range has one.
     #[inline(always)]
-    pub(crate) fn by_signs(&self, end: Option<f64>) -> Choice {
+    pub(crate) fn by_signs(&self, end: Option<f64>) -> FilteredRoot {
         let Self { a, h, c, m, .. } = *self;
         let sqrtd = self.discriminant.sqrt();
         let q = h + sqrtd.copysign(h);
@@ -109,7 +109,7 @@ impl Rounded {
             Some(gap) => (gap > 0.0, is_far(gap, band)),
             None => (true, true),
         };
-        Choice {
+        FilteredRoot {
             t: if (t > 0.0) & is_below {
                 t
             } else {
@@ -123,7 +123,7 @@ impl Rounded {
     /// Chooses the root of any range: the nearer one, unless it lies before. Both sides of that are
     /// multiplied by its denominator, so that one division is enough. Step T of the proof.
     #[inline(always)]
-    pub(crate) fn by_gaps(&self, t_min: f64, t_max: f64) -> Choice {
+    pub(crate) fn by_gaps(&self, t_min: f64, t_max: f64) -> FilteredRoot {
         let Self { a, h, c, m, .. } = *self;
         let sqrtd = self.discriminant.sqrt();
         let q = h + sqrtd.copysign(h);
@@ -135,7 +135,7 @@ impl Rounded {
         let (numerator, denominator) = if takes_c { (c, q) } else { (q, a) };
         let t = numerator / denominator;
         let gap = lesser(t - t_min, t_max - t) * sqrtd;
-        Choice {
+        FilteredRoot {
             t: if gap > 0.0 { t } else { f64::INFINITY },
             is_farther,
             is_certain: self.is_clear() & is_far(gap, BAND * m),
@@ -151,9 +151,9 @@ impl Rounded {
     /// Returns the root that was chosen: refined, if its last digit counts, and NaN if it is not
     /// certain.
     #[inline(always)]
-    pub(crate) fn answer<const ULP: bool>(&self, case: &Case, choice: Choice) -> f64 {
-        let (Self { a, h, m, .. }, t) = (*self, choice.t);
-        if !choice.is_certain {
+    pub(crate) fn answer<const ULP: bool>(&self, case: &Case, root: FilteredRoot) -> f64 {
+        let (Self { a, h, m, .. }, t) = (*self, root.t);
+        if !root.is_certain {
             return f64::NAN;
         }
         if !ULP | (t == f64::INFINITY) {
@@ -165,7 +165,7 @@ impl Rounded {
         if !has_digits {
             return f64::NAN;
         }
-        let slope = if choice.is_farther { sqrtd } else { -sqrtd };
+        let slope = if root.is_farther { sqrtd } else { -sqrtd };
         refined(case, m, t, |t| (a * t - h) + slope)
     }
 }

@@ -14,7 +14,7 @@ use common::rtweekend::*;
 
 use super::exact::{inwards, split};
 use super::filter::{U, Unclear};
-use crate::methods::{Double, Quadratic};
+use crate::methods::{DoubleDouble, DoubleQuadratic};
 
 /// Bound W: a root as a pair is off by no more than 64u² of itself.
 const W_BAND: f64 = 64.0 * U * U;
@@ -48,7 +48,7 @@ pub(super) fn fixed_width(
 
 /// Finds the roots as pairs, the nearer one first; `None` where the numbers do
 /// not fit.
-fn pairs(center: Point3, radius: f64, ray: &Ray) -> Option<impl Iterator<Item = Double>> {
+fn pairs(center: Point3, radius: f64, ray: &Ray) -> Option<impl Iterator<Item = DoubleDouble>> {
     let ([cx, cy, cz], [qx, qy, qz]) = (center.to_array(), ray.origin.to_array());
     let (lengths, unit_of_length) = integers([cx, cy, cz, qx, qy, qz, radius])?;
     let (d, unit_of_direction) = integers(ray.direction.to_array())?;
@@ -58,7 +58,7 @@ fn pairs(center: Point3, radius: f64, ray: &Ray) -> Option<impl Iterator<Item = 
         return None;
     }
     let roots = quadratic(lengths, d).and_then(|quadratic| quadratic.roots());
-    let in_units = move |(numerator, denominator): (Double, Double)| {
+    let in_units = move |(numerator, denominator): (DoubleDouble, DoubleDouble)| {
         (numerator / denominator).times_power_of_two(two_to(unit as i32))
     };
     Some(roots.into_iter().flatten().map(in_units))
@@ -67,7 +67,7 @@ fn pairs(center: Point3, radius: f64, ray: &Ray) -> Option<impl Iterator<Item = 
 /// Computes a·t² − 2h·t + c = 0 and its D, each rounded once; `None` if it has no
 /// roots.
 #[inline(always)]
-fn quadratic([cx, cy, cz, qx, qy, qz, r]: [i128; 7], d: [i128; 3]) -> Option<Quadratic> {
+fn quadratic([cx, cy, cz, qx, qy, qz, r]: [i128; 7], d: [i128; 3]) -> Option<DoubleQuadratic> {
     let oc = [cx - qx, cy - qy, cz - qz];
     let dot = |u: [i128; 3], v: [i128; 3]| {
         let [x, y, z] = array::from_fn(|k| signed_product(u[k], v[k]));
@@ -85,7 +85,7 @@ fn quadratic([cx, cy, cz, qx, qy, qz, r]: [i128; 7], d: [i128; 3]) -> Option<Qua
     } else {
         difference(h_squared, ac)?
     };
-    Some(Quadratic {
+    Some(DoubleQuadratic {
         a: pair(a),
         h: signed_pair(h),
         c: signed_pair(c),
@@ -180,7 +180,7 @@ fn magnitude(x: Integer) -> Integer {
 }
 
 #[inline(always)]
-fn signed_pair(x: Integer) -> Double {
+fn signed_pair(x: Integer) -> DoubleDouble {
     let size = pair(magnitude(x));
     if is_negative(x) { -size } else { size }
 }
@@ -188,7 +188,7 @@ fn signed_pair(x: Integer) -> Double {
 /// Rounds a natural number to a pair, off by less than 2u² of it: its first 106
 /// digits.
 #[inline(always)]
-fn pair<const N: usize>(x: [u64; N]) -> Double {
+fn pair<const N: usize>(x: [u64; N]) -> DoubleDouble {
     let top = x.iter().rposition(|&word| word != 0).unwrap_or(0);
     let [high, middle, low] = array::from_fn(|k| top.checked_sub(k).map_or(0, |k| x[k]));
     let zeros = high.leading_zeros();
@@ -196,7 +196,7 @@ fn pair<const N: usize>(x: [u64; N]) -> Double {
     let digits = upper << zeros | u128::from(low) << zeros >> 64;
     let unit = 64 * top as i32 - 42 - zeros as i32;
     let (first, second) = (digits >> 75, digits >> 22 & ((1 << 53) - 1));
-    Double::sum(
+    DoubleDouble::sum(
         first as u64 as f64 * two_to(unit + 53),
         second as u64 as f64 * two_to(unit),
     )

@@ -32,7 +32,7 @@ use fixed_width::fixed_width;
 
 pub(crate) use exact::comes_before;
 pub use exact::{exact, exact_discriminant};
-pub(crate) use filter::{Choice, Rounded};
+pub(crate) use filter::{FilteredRoot, Rounded};
 
 /// Finds the nearest root in the range: hit or miss, and which of the two roots, as the
 /// [theorem](self) says.

@@ -22,7 +22,7 @@ pub fn double_double(
     t_min: f64,
     t_max: f64,
 ) -> Option<f64> {
-    let roots = Quadratic::new(center, radius, ray).roots()?;
+    let roots = DoubleQuadratic::new(center, radius, ray).roots()?;
     let root = roots
         .into_iter()
         .map(|(numerator, denominator)| numerator / denominator)
@@ -33,24 +33,24 @@ pub fn double_double(
 
 /// The coefficients of a·t² − 2h·t + c = 0, and D = h² − a·c.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Quadratic {
-    pub(crate) a: Double,
-    pub(crate) h: Double,
-    pub(crate) c: Double,
-    pub(crate) discriminant: Double,
+pub(crate) struct DoubleQuadratic {
+    pub(crate) a: DoubleDouble,
+    pub(crate) h: DoubleDouble,
+    pub(crate) c: DoubleDouble,
+    pub(crate) discriminant: DoubleDouble,
 }
 
-impl Quadratic {
+impl DoubleQuadratic {
     pub(crate) fn new(center: Point3, radius: f64, ray: &Ray) -> Self {
-        let d = ray.direction.to_array().map(Double::from);
+        let d = ray.direction.to_array().map(DoubleDouble::from);
         let [x, y, z] = center.to_array();
         let [from_x, from_y, from_z] = ray.origin.to_array();
         let oc = [
-            Double::difference(x, from_x),
-            Double::difference(y, from_y),
-            Double::difference(z, from_z),
+            DoubleDouble::difference(x, from_x),
+            DoubleDouble::difference(y, from_y),
+            DoubleDouble::difference(z, from_z),
         ];
-        let r = Double::from(radius);
+        let r = DoubleDouble::from(radius);
         let (a, h, c) = (dot(d, d), dot(d, oc), dot(oc, oc) - r * r);
         Self {
             a,
@@ -62,7 +62,7 @@ impl Quadratic {
 
     /// Finds both roots as numerator and denominator, the nearer one first; each
     /// by the division that does not cancel, as in `half_b_q`.
-    pub(crate) fn roots(&self) -> Option<[(Double, Double); 2]> {
+    pub(crate) fn roots(&self) -> Option<[(DoubleDouble, DoubleDouble); 2]> {
         let Self {
             a,
             h,
@@ -87,13 +87,13 @@ impl Quadratic {
 
 /// The sum `high` + `low`, of which `high` alone is the rounded value.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Double {
+pub(crate) struct DoubleDouble {
     /// The sum, rounded.
     pub(crate) high: f64,
     low: f64,
 }
 
-impl Double {
+impl DoubleDouble {
     /// Computes a − b, exactly.
     fn difference(a: f64, b: f64) -> Self {
         Self::from_pair(two_sum(a, -b))
@@ -135,13 +135,13 @@ impl Double {
     }
 }
 
-impl From<f64> for Double {
+impl From<f64> for DoubleDouble {
     fn from(high: f64) -> Self {
         Self { high, low: 0.0 }
     }
 }
 
-impl Neg for Double {
+impl Neg for DoubleDouble {
     type Output = Self;
 
     fn neg(self) -> Self {
@@ -152,7 +152,7 @@ impl Neg for Double {
     }
 }
 
-impl Add for Double {
+impl Add for DoubleDouble {
     type Output = Self;
 
     /// Adds: off by no more than 3u² of the sum, which may cancel.
@@ -164,7 +164,7 @@ impl Add for Double {
     }
 }
 
-impl Sub for Double {
+impl Sub for DoubleDouble {
     type Output = Self;
 
     fn sub(self, other: Self) -> Self {
@@ -172,7 +172,7 @@ impl Sub for Double {
     }
 }
 
-impl Mul for Double {
+impl Mul for DoubleDouble {
     type Output = Self;
 
     /// Multiplies: off by no more than 7u² of the product.
@@ -183,7 +183,7 @@ impl Mul for Double {
     }
 }
 
-impl std::ops::Div for Double {
+impl std::ops::Div for DoubleDouble {
     type Output = Self;
 
     /// Divides: off by no more than 20u² of the quotient.
@@ -194,6 +194,6 @@ impl std::ops::Div for Double {
     }
 }
 
-fn dot(u: [Double; 3], v: [Double; 3]) -> Double {
+fn dot(u: [DoubleDouble; 3], v: [DoubleDouble; 3]) -> DoubleDouble {
     u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
 }

@@ -24,5 +24,5 @@ pub use half_b::half_b;
 pub use half_b_q::half_b_q;
 pub use single::{half_b_f32, widened_half_b_q_f32};
 
-pub(crate) use double_double::{Double, Quadratic};
+pub(crate) use double_double::{DoubleDouble, DoubleQuadratic};
 pub(crate) use single::widened;

@@ -7,4 +7,4 @@ mod scene;
 
 pub use case::Case;
 pub use regimes::{REGIMES, Random, Regime, SPHERES};
-pub use scene::{Eye, Hit, Lens, Scene, Sight, USUAL_T_MIN, unit};
+pub use scene::{Arithmetic, Hit, Lens, Scene, Sight, USUAL_T_MIN, unit};

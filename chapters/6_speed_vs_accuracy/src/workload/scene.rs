@@ -45,15 +45,15 @@ impl Scene {
 
     /// Draws the picture at `width` pixels wide: left of the middle as one eye sees it,
     /// right of it as another does.
-    pub fn seen_by(&self, eyes: [Eye; 2], width: u32) -> Picture {
+    pub fn seen_by(&self, halves: [Arithmetic; 2], width: u32) -> Picture {
         let (scene, camera) = (self.clone(), Camera::new(width));
         Picture::paint(camera.image_width, camera.image_height, move |i, j| {
             if i >= width {
                 // The block of pixels hangs over the edge.
                 return Color::ZERO;
             }
-            let eye = eyes[usize::from(2 * i >= width)];
-            scene.look(eye, &camera.ray(i, j)).color
+            let arithmetic = halves[usize::from(2 * i >= width)];
+            scene.look(arithmetic, &camera.ray(i, j)).color
         })
     }
 
@@ -82,18 +82,19 @@ impl Scene {
     /// Looks along the ray that belongs to a `ray` of the book's camera, and sees the nearest hit,
     /// darker where the sun does not reach it, or the sky. The sky is a backdrop, and the same
     /// behind every lens.
-    pub fn look(&self, eye: Eye, ray: &Ray) -> Sight {
-        let Some((sphere, case, t)) = self.nearest(eye, &self.ray(ray), self.t_min[0]) else {
+    pub fn look(&self, arithmetic: Arithmetic, ray: &Ray) -> Sight {
+        let Some((sphere, case, t)) = self.nearest(arithmetic, &self.ray(ray), self.t_min[0])
+        else {
             return Sight {
                 hit: None,
                 color: sky(ray),
             };
         };
-        let point = case.point(t, eye.precision());
+        let point = case.point(t, arithmetic.precision());
         let normal = (point - case.center) / case.radius;
         let color = 0.5 * (normal + Vec3::ONE);
         let shaded_by = self.sun.and_then(|sun| {
-            let (sphere, ..) = self.nearest(eye, &Ray::new(point, sun), self.t_min[1])?;
+            let (sphere, ..) = self.nearest(arithmetic, &Ray::new(point, sun), self.t_min[1])?;
             Some(sphere)
         });
         Sight {
@@ -113,17 +114,19 @@ impl Scene {
 
     /// Finds the sphere that is hit first: returns its index, the case that it
     /// makes, and `t`.
-    fn nearest(&self, eye: Eye, ray: &Ray, t_min: f64) -> Option<(usize, Case, f64)> {
+    fn nearest(&self, arithmetic: Arithmetic, ray: &Ray, t_min: f64) -> Option<(usize, Case, f64)> {
         let case = |&(center, radius): &(Point3, f64)| Case {
             center,
             radius,
             ray: *ray,
         };
         let cases = self.spheres.iter().map(case);
-        let cases: Vec<Case> = cases.map(|case| case.rounded(eye.precision())).collect();
-        let (sphere, t) = match eye {
-            Eye::Method(method) => nearest_by(&cases, &method, t_min),
-            Eye::Exact => first(&cases, t_min),
+        let cases: Vec<Case> = cases
+            .map(|case| case.rounded(arithmetic.precision()))
+            .collect();
+        let (sphere, t) = match arithmetic {
+            Arithmetic::Method(method) => nearest_by(&cases, &method, t_min),
+            Arithmetic::Exact => first(&cases, t_min),
         }?;
         Some((sphere, cases[sphere], t))
     }
@@ -201,7 +204,7 @@ pub fn unit(v: Vec3) -> Vec3 {
 
 /// The arithmetic by which a scene is seen.
 #[derive(Clone, Copy, Debug)]
-pub enum Eye {
+pub enum Arithmetic {
     /// A method, in the precision that it computes with: the loop of chapter 5 asks it about
     /// one sphere after the other.
     Method(Method),
@@ -210,7 +213,7 @@ pub enum Eye {
     Exact,
 }
 
-impl Eye {
+impl Arithmetic {
     fn precision(&self) -> Precision {
         match self {
             Self::Method(method) => method.precision(),
