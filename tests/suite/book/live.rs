@@ -111,10 +111,10 @@ fn a_known_slip_that_a_word_offers_draws_what_the_slip_draws() {
     for chapter in Chapter::OF_THE_BOOK {
         let breakable = Breakable::new(chapter);
         let words = breakable.words();
-        let offered = words.iter().flat_map(|it| breakable.alternatives(it));
+        let offered = words.iter().flat_map(|it| breakable.edits(it));
         let known: BTreeMap<_, _> = offered.filter_map(|it| Some((it.slip?, it))).collect();
-        for (name, alternative) in known {
-            let text = breakable.broken(alternative);
+        for (name, edit) in known {
+            let text = breakable.broken(edit);
             let drawn = text.read().and_then(|it| text.draw(&it, 97));
             let slip = slips::find(name).expect("a slip");
             let expected = slip.program(chapter).run(97).picture();

@@ -20,12 +20,12 @@ const WIDTH: u32 = 24;
 /// The text of a chapter, and the edits that can be made in it.
 pub struct Breakable {
     draft: Draft,
-    alternatives: Vec<Alternative>,
+    edits: Vec<WordEdit>,
 }
 
 /// An edit that is offered.
 #[derive(Clone, Debug)]
-pub struct Alternative {
+pub struct WordEdit {
     /// The place of its file among those of the reader.
     pub file: usize,
     /// The bytes that it replaces: whole words, and no more than differ.
@@ -58,21 +58,18 @@ impl Breakable {
         let known = known(chapter, &draft);
         let typed = edits_everywhere(&program, &draft.files).into_iter();
         let all = known.into_iter().chain(typed.map(|it| (it, None)));
-        let mut alternatives: Vec<Alternative> = all
-            .filter_map(|(edit, slip)| Alternative::new(&draft, edit, slip))
+        let mut edits: Vec<WordEdit> = all
+            .filter_map(|(edit, slip)| WordEdit::new(&draft, edit, slip))
             .collect();
-        alternatives.sort_by_key(|it| it.rank);
+        edits.sort_by_key(|it| it.rank);
         let mut seen = Vec::new();
-        alternatives.retain(|it| {
+        edits.retain(|it| {
             let made = (it.file, it.at.clone(), it.new.clone());
             let is_new = !seen.contains(&made);
             seen.push(made);
             is_new
         });
-        Self {
-            draft,
-            alternatives,
-        }
+        Self { draft, edits }
     }
 
     /// Returns the chapter's own text.
@@ -93,33 +90,27 @@ impl Breakable {
             let (_, text) = &self.draft.files[it.file];
             !GLUE.contains(&&text[it.at.clone()])
         };
-        all.filter(|it| {
-            is_word(it)
-                && self
-                    .alternatives
-                    .iter()
-                    .any(|alternative| alternative.changes(it))
-        })
-        .collect()
+        all.filter(|it| is_word(it) && self.edits.iter().any(|edit| edit.changes(it)))
+            .collect()
     }
 
     /// Lists the edits of a word that draw something: known slips first, and then those that
     /// change least.
-    pub fn alternatives(&self, word: &Word) -> Vec<&Alternative> {
-        let all = self.alternatives.iter().filter(|it| it.changes(word));
+    pub fn edits(&self, word: &Word) -> Vec<&WordEdit> {
+        let all = self.edits.iter().filter(|it| it.changes(word));
         all.filter(|it| self.is_drawn(it)).take(MOST).collect()
     }
 
     /// Returns the text with the edit.
-    pub fn broken(&self, alternative: &Alternative) -> Draft {
+    pub fn broken(&self, edit: &WordEdit) -> Draft {
         let mut draft = self.draft.clone();
-        let (_, file) = &mut draft.files[alternative.file];
-        file.replace_range(alternative.at.clone(), &alternative.new);
+        let (_, file) = &mut draft.files[edit.file];
+        file.replace_range(edit.at.clone(), &edit.new);
         draft
     }
 
-    fn is_drawn(&self, alternative: &Alternative) -> bool {
-        let broken = self.broken(alternative);
+    fn is_drawn(&self, edit: &WordEdit) -> bool {
+        let broken = self.broken(edit);
         let program = interpreter::read(&broken.in_reading_order());
         program.is_ok_and(|it| match it.draw(WIDTH) {
             Ok(_) => true,
@@ -128,26 +119,23 @@ impl Breakable {
     }
 
     /// Returns what the edit replaces, and with what, as a reader sees it.
-    pub fn label(&self, word: &Word, alternative: &Alternative) -> String {
-        let (_, text) = &self.draft.files[alternative.file];
+    pub fn label(&self, word: &Word, edit: &WordEdit) -> String {
+        let (_, text) = &self.draft.files[edit.file];
         let squeezed = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
-        let (old, new) = (
-            squeezed(&text[alternative.at.clone()]),
-            squeezed(&alternative.new),
-        );
+        let (old, new) = (squeezed(&text[edit.at.clone()]), squeezed(&edit.new));
         let made = match (old.as_str(), new.as_str()) {
             (old, "") => format!("without {old}"),
-            (_, new) if alternative.at == word.at => new.to_owned(),
+            (_, new) if edit.at == word.at => new.to_owned(),
             (old, new) => format!("{old} → {new}"),
         };
-        match alternative.slip {
+        match edit.slip {
             Some(slip) => format!("{made}   ({})", slip.replace('-', " ")),
             None => made,
         }
     }
 }
 
-impl Alternative {
+impl WordEdit {
     /// Makes one of an edit in one line, or of a known slip.
     fn new(draft: &Draft, edit: FileEdit, slip: Option<&'static str>) -> Option<Self> {
         let (_, file) = &draft.files[edit.file];

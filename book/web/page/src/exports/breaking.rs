@@ -32,7 +32,7 @@ extern "C" fn alternatives(word: usize) -> usize {
     let lines = BREAKABLE.with_borrow(|it| {
         let (breakable, words) = it.as_ref().expect("the words were asked for");
         let word = &words[word];
-        let lines = breakable.alternatives(word).into_iter().map(|it| {
+        let lines = breakable.edits(word).into_iter().map(|it| {
             let place = place(breakable.draft(), it.file, &it.at);
             let label = breakable.label(word, it);
             format!("{label}\0{place}\0{}", it.new)
