@@ -15,7 +15,7 @@ pub struct Found {
     /// The precision.
     pub precision: Precision,
     /// The methods, the cheapest first.
-    pub rows: Vec<Row>,
+    pub rows: Vec<RatedMethod>,
     /// The place of the least that draws every pixel right, if one does.
     pub least: Option<usize>,
     /// The place of the least that sees the right sphere in every pixel, and its t to
@@ -29,7 +29,7 @@ pub struct Found {
 }
 
 /// A method: what it draws, and what it takes.
-pub struct Row {
+pub struct RatedMethod {
     /// The picture that it draws, judged.
     pub view: View,
     /// Nanoseconds for a question in the quickest round, which others disturbed least.
@@ -52,7 +52,7 @@ impl Found {
         tolerance: f64,
     ) -> Self {
         let views = views.into_iter();
-        let mut rows: Vec<Row> = views.map(|view| Row::new(view, times)).collect();
+        let mut rows: Vec<RatedMethod> = views.map(|view| RatedMethod::new(view, times)).collect();
         rows.sort_by(|one, other| one.ratio.total_cmp(&other.ratio));
         let (least, ties) = least_of(&rows, |view| view.wrong == 0);
         let (least_of_t, _) = least_of(&rows, |view| {
@@ -78,7 +78,7 @@ impl Found {
 
 /// Returns the least of the leasts of `f64` and of `f32`: where neither is cheaper, that of `f32`,
 /// whose numbers take half the memory.
-pub fn least_of_all(found: &[Found]) -> Option<(&Found, &Row)> {
+pub fn least_of_all(found: &[Found]) -> Option<(&Found, &RatedMethod)> {
     let leasts = found
         .iter()
         .filter_map(|it| Some((it, &it.rows[it.least?])));
@@ -91,7 +91,7 @@ pub fn least_of_all(found: &[Found]) -> Option<(&Found, &Row)> {
     })
 }
 
-impl Row {
+impl RatedMethod {
     fn new(view: View, times: &[(Method, Vec<f64>)]) -> Self {
         let of = times
             .iter()
@@ -119,7 +119,7 @@ impl Row {
 /// Returns which of `rows`, the cheapest first, to take: the cheapest that suffices, or of several
 /// that cost the same the first in the order of [`METHODS`], which begins with the simplest. And
 /// the others of these.
-fn least_of(rows: &[Row], suffices: impl Fn(&View) -> bool) -> (Option<usize>, Vec<usize>) {
+fn least_of(rows: &[RatedMethod], suffices: impl Fn(&View) -> bool) -> (Option<usize>, Vec<usize>) {
     let mut sufficing = (0..rows.len()).filter(|&n| suffices(&rows[n].view));
     let Some(cheapest) = sufficing.next() else {
         return (None, Vec::new());

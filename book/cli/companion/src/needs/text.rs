@@ -11,7 +11,7 @@ use speed_vs_accuracy::{Method, Precision, Scene};
 use super::WITHIN;
 use crate::hit;
 use crate::wrap::hanging;
-use measure::needs::{Culprit, Found, Row, least_of_all};
+use measure::needs::{Culprit, Found, RatedMethod, least_of_all};
 
 /// Writes the whole answer, the method to take first.
 pub(super) fn text(scene: &Scene, found: &[Found], with_acne: usize) -> String {
@@ -182,8 +182,8 @@ const TABLE_HEAD: &str = "
   method                  pixels   levels      radii         t       ns  ÷ half_b
 ";
 
-fn line(row: &Row, is_least: bool) -> String {
-    let Row {
+fn line(row: &RatedMethod, is_least: bool) -> String {
+    let RatedMethod {
         view, ns, ratio, ..
     } = row;
     let mark = if is_least { "→" } else { " " };
@@ -202,7 +202,7 @@ fn line(row: &Row, is_least: bool) -> String {
 
 /// Shows why `row` fails: its first wrong pixel under the microscope, beside the least that
 /// suffices.
-fn why(row: &Row, least: Option<&Row>, culprit: &Culprit) -> String {
+fn why(row: &RatedMethod, least: Option<&RatedMethod>, culprit: &Culprit) -> String {
     let name = row.view.method.name;
     let [i, j] = culprit.pixel;
     let [drawn, right] = culprit
