@@ -2,7 +2,7 @@
 //! that are given: no clock decides a test.
 
 use insta::assert_snapshot;
-use measure::needs::Found;
+use measure::needs::PrecisionNeeds;
 use measure::scene_file;
 use measure::wrong_pixels;
 use speed_vs_accuracy::{METHODS, Method, Precision, Scene};
@@ -56,7 +56,7 @@ fn the_least_is_the_cheapest_that_draws_every_pixel_right() {
 
 /// Finds what the scene needs, where a question takes each method as long as `cost` says of its
 /// place in the list.
-fn found(scene: &Scene, precision: Precision, cost: impl Fn(usize) -> f64) -> Found {
+fn found(scene: &Scene, precision: Precision, cost: impl Fn(usize) -> f64) -> PrecisionNeeds {
     let mut times: Vec<(Method, Vec<f64>)> = METHODS
         .iter()
         .enumerate()
@@ -66,7 +66,7 @@ fn found(scene: &Scene, precision: Precision, cost: impl Fn(usize) -> f64) -> Fo
     let mut methods = METHODS.to_vec();
     methods.retain(|method| method.precision() == precision);
     let drawn = wrong_pixels::drawn(scene, &methods, scene.width, &|_, _| ());
-    Found::new(scene, precision, drawn.by_method, &times, 0.001)
+    PrecisionNeeds::new(scene, precision, drawn.by_method, &times, 0.001)
 }
 
 /// The text shows the ray at which the next cheaper method fails, and the command that shows

@@ -11,7 +11,7 @@ use speed_vs_accuracy::{METHODS, Method, Precision, Scene};
 pub use culprit::Culprit;
 
 /// The least method that a scene needs in one precision.
-pub struct Found {
+pub struct PrecisionNeeds {
     /// The precision.
     pub precision: Precision,
     /// The methods, the cheapest first.
@@ -41,7 +41,7 @@ pub struct RatedMethod {
     times: Vec<f64>,
 }
 
-impl Found {
+impl PrecisionNeeds {
     /// Judges what the methods of one precision draw, beside the times of all methods, the
     /// reference first. `tolerance` is the part of t that may be wrong.
     pub fn new(
@@ -78,7 +78,7 @@ impl Found {
 
 /// Returns the least of the leasts of `f64` and of `f32`: where neither is cheaper, that of `f32`,
 /// whose numbers take half the memory.
-pub fn least_of_all(found: &[Found]) -> Option<(&Found, &RatedMethod)> {
+pub fn least_of_all(found: &[PrecisionNeeds]) -> Option<(&PrecisionNeeds, &RatedMethod)> {
     let leasts = found
         .iter()
         .filter_map(|it| Some((it, &it.rows[it.least?])));

@@ -16,7 +16,7 @@ use clap::{Args, value_parser};
 use common::engine::output;
 use measure::contest::Effort;
 use measure::cost;
-use measure::needs::Found;
+use measure::needs::PrecisionNeeds;
 use measure::scene_file::{self, WIDEST};
 use measure::wrong_pixels;
 use speed_vs_accuracy::{METHODS, Precision, Scene};
@@ -83,7 +83,7 @@ pub(crate) fn needs(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 
 /// Tries all methods in each precision that has the numbers of the scene, `f64` first. Counts the
 /// pixels of the right picture that have shadow acne, too.
-fn look_into(scene: &Scene) -> (Vec<Found>, usize) {
+fn look_into(scene: &Scene) -> (Vec<PrecisionNeeds>, usize) {
     let mut precisions = Precision::ALL.to_vec();
     precisions.retain(|precision| scene.fits(*precision));
     let mut methods = METHODS.to_vec();
@@ -95,7 +95,8 @@ fn look_into(scene: &Scene) -> (Vec<Found>, usize) {
         .into_iter()
         .partition(|view| view.method.precision() == Precision::Double);
     let found = precisions.into_iter().zip([double, single]);
-    let found = found.map(|(precision, views)| Found::new(scene, precision, views, &times, WITHIN));
+    let found = found
+        .map(|(precision, views)| PrecisionNeeds::new(scene, precision, views, &times, WITHIN));
     (found.collect(), drawn.with_acne)
 }
 

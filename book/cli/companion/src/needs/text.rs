@@ -11,10 +11,10 @@ use speed_vs_accuracy::{Method, Precision, Scene};
 use super::WITHIN;
 use crate::hit;
 use crate::wrap::hanging;
-use measure::needs::{Culprit, Found, RatedMethod, least_of_all};
+use measure::needs::{Culprit, PrecisionNeeds, RatedMethod, least_of_all};
 
 /// Writes the whole answer, the method to take first.
-pub(super) fn text(scene: &Scene, found: &[Found], with_acne: usize) -> String {
+pub(super) fn text(scene: &Scene, found: &[PrecisionNeeds], with_acne: usize) -> String {
     let camera = Camera::new(scene.width);
     let (width, height) = (camera.image_width, camera.image_height);
     let spheres = match scene.spheres.len() {
@@ -64,7 +64,7 @@ fn assumed(scene: &Scene) -> String {
 }
 
 /// Names one method and why, or what else helps.
-fn advice(scene: &Scene, found: &[Found], with_acne: usize) -> String {
+fn advice(scene: &Scene, found: &[PrecisionNeeds], with_acne: usize) -> String {
     if with_acne > 0 {
         let [_, t_min] = scene.t_min;
         return format!(
@@ -72,7 +72,7 @@ fn advice(scene: &Scene, found: &[Found], with_acne: usize) -> String {
              exact arithmetic. Their rays to the sun start at rounded points, and hit there."
         );
     }
-    let failing = |it: &Found| Some(it.rows[it.failing.as_ref()?.0].view.method.name);
+    let failing = |it: &PrecisionNeeds| Some(it.rows[it.failing.as_ref()?.0].view.method.name);
     match least_of_all(found).map(|(it, row)| (row.view.method.name, failing(it))) {
         Some((name, Some(failing))) => {
             format!("Take {name}: it draws this picture right, and {failing} does not.")
@@ -116,7 +116,7 @@ fn needs_order(culprit: &Culprit) -> bool {
     !culprit.is_shadow && culprit.error <= hit::ORDINARY
 }
 
-fn one_precision(found: &Found) -> String {
+fn one_precision(found: &PrecisionNeeds) -> String {
     let mut text = paragraph(&verdict(found)) + &paragraph(&distances(found));
     text += TABLE_HEAD;
     for (n, row) in found.rows.iter().enumerate() {
@@ -130,7 +130,7 @@ fn one_precision(found: &Found) -> String {
 }
 
 /// Names the least that suffices, in a sentence or two.
-fn verdict(found: &Found) -> String {
+fn verdict(found: &PrecisionNeeds) -> String {
     let precision = found.precision.name();
     let name = |n: &usize| found.rows[*n].view.method.name;
     let Some(least) = &found.least else {
@@ -151,7 +151,7 @@ fn verdict(found: &Found) -> String {
 }
 
 /// Names the least for distances, and tells how far off the least for colors is.
-fn distances(found: &Found) -> String {
+fn distances(found: &PrecisionNeeds) -> String {
     let precision = found.precision.name();
     let name = |n: usize| found.rows[n].view.method.name;
     let mut text = match found.least_of_t {
