@@ -17,9 +17,9 @@ pub fn table(width: u32) -> Table<WrongPixels> {
 }
 
 fn rows(scene: &Scene, width: u32) -> impl Iterator<Item = WrongPixels> {
-    let Views {
+    let SceneViews {
         right, by_method, ..
-    } = drawn(scene, METHODS, width, &|_, _| ());
+    } = draw(scene, METHODS, width, &|_, _| ());
     let pixels = right.rgb().len() / 3;
     by_method.into_iter().map(move |view| WrongPixels {
         scene: scene.name.clone(),
@@ -31,18 +31,18 @@ fn rows(scene: &Scene, width: u32) -> impl Iterator<Item = WrongPixels> {
 }
 
 /// A scene as it should be, and as some methods see it.
-pub struct Views {
+pub struct SceneViews {
     /// The right picture.
     pub right: Picture,
     /// The number of its pixels that lie in the shadow of the very surface that they show, though it
     /// faces the sun: the ray to the sun starts at a rounded point, and hits where it starts.
     pub with_acne: usize,
     /// The judged pictures of the methods, in their order.
-    pub by_method: Vec<View>,
+    pub by_method: Vec<MethodView>,
 }
 
 /// A scene as one method sees it.
-pub struct View {
+pub struct MethodView {
     /// The method.
     pub method: Method,
     /// The number of pixels with a component that is more than a level off.
@@ -52,7 +52,7 @@ pub struct View {
     /// The greatest difference of a component, in levels.
     pub levels: u8,
     /// The greatest errors of hits of the right sphere; `None` if there are none.
-    pub off: Option<Off>,
+    pub off: Option<HitErrors>,
     /// The number of pixels that see another sphere than the right one, or the sky instead, or a
     /// sphere instead of the sky.
     pub misjudged: usize,
@@ -60,14 +60,14 @@ pub struct View {
 
 /// The greatest errors of hits.
 #[derive(Clone, Copy, Debug)]
-pub struct Off {
+pub struct HitErrors {
     /// The point, in radii of its sphere.
     pub radii: f64,
     /// t, as a part of the right one.
     pub t: f64,
 }
 
-impl Off {
+impl HitErrors {
     /// Returns the worse of each; what is no number is as far off as can be.
     fn or(self, other: Self) -> Self {
         let worse = |one: f64, other: f64| match one.max(other) {
@@ -86,12 +86,12 @@ impl Off {
 ///
 /// # Panics
 /// If `progress` does.
-pub fn drawn(
+pub fn draw(
     scene: &Scene,
     methods: &[Method],
     width: u32,
     progress: &(dyn Fn(usize, usize) + Sync),
-) -> Views {
+) -> SceneViews {
     let (camera, done) = (Camera::new(width), AtomicUsize::new(0));
     let rows = (0..camera.image_height).into_par_iter().map(|j| {
         let sights = |eye| -> Vec<Sight> {
@@ -123,11 +123,11 @@ pub fn drawn(
     let views = methods.iter().enumerate().map(|(n, method)| {
         let rows = || seen.iter().map(|row| &row[n]);
         let rgb: Vec<&[u8]> = rows().map(|(rgb, ..)| &rgb[..]).collect();
-        let off = rows().filter_map(|(_, off, _)| *off).reduce(Off::or);
+        let off = rows().filter_map(|(_, off, _)| *off).reduce(HitErrors::or);
         let misjudged = rows().map(|(.., misjudged)| misjudged).sum();
-        View::new(*method, &right, &picture(rgb.concat()), off, misjudged)
+        MethodView::new(*method, &right, &picture(rgb.concat()), off, misjudged)
     });
-    Views {
+    SceneViews {
         by_method: views.collect(),
         with_acne: with_acne.iter().sum(),
         right,
@@ -150,17 +150,17 @@ fn has_acne(scene: &Scene, sight: &Sight) -> bool {
 }
 
 /// Returns how far hits are off at most, where both are on one sphere.
-fn farthest(scene: &Scene, right: &[Sight], seen: &[Sight]) -> Option<Off> {
+fn farthest(scene: &Scene, right: &[Sight], seen: &[Sight]) -> Option<HitErrors> {
     let off = |(right, seen): (&Sight, &Sight)| {
         let (right, seen) = right.hit.zip(seen.hit)?;
         let (_, radius) = scene.spheres[right.sphere];
-        let off = Off {
+        let off = HitErrors {
             radii: (seen.point - right.point).length() / radius.abs(),
             t: ((seen.t - right.t) / right.t).abs(),
         };
         (right.sphere == seen.sphere).then_some(off.or(off))
     };
-    right.iter().zip(seen).filter_map(off).reduce(Off::or)
+    right.iter().zip(seen).filter_map(off).reduce(HitErrors::or)
 }
 
 /// Returns the index of the sphere that is seen, if one is.
@@ -168,12 +168,12 @@ fn sphere(sight: &Sight) -> Option<usize> {
     sight.hit.map(|hit| hit.sphere)
 }
 
-impl View {
+impl MethodView {
     fn new(
         method: Method,
         right: &Picture,
         picture: &Picture,
-        off: Option<Off>,
+        off: Option<HitErrors>,
         misjudged: usize,
     ) -> Self {
         let levels = levels_off(right, picture);

@@ -65,7 +65,7 @@ fn found(scene: &Scene, precision: Precision, cost: impl Fn(usize) -> f64) -> Pr
     times.sort_by_key(|(method, _)| method.name != Method::REFERENCE.name);
     let mut methods = METHODS.to_vec();
     methods.retain(|method| method.precision() == precision);
-    let drawn = wrong_pixels::drawn(scene, &methods, scene.width, &|_, _| ());
+    let drawn = wrong_pixels::draw(scene, &methods, scene.width, &|_, _| ());
     PrecisionNeeds::new(scene, precision, drawn.by_method, &times, 0.001)
 }
 

@@ -1,7 +1,7 @@
 //! Blame: from the first wrong pixel to the ray and the sphere at which a method errs.
 
 use crate::accuracy::ulps_off;
-use crate::wrong_pixels::View;
+use crate::wrong_pixels::MethodView;
 use common::rtweekend::*;
 use laws::oracle::ExactCase;
 use speed_vs_accuracy::{Arithmetic, Case, Hit, Method, Scene};
@@ -29,7 +29,7 @@ pub struct Culprit {
 impl Culprit {
     /// Finds the culprit in the first wrong pixel of `view`, in reading order, or
     /// returns `None` if there is none.
-    pub fn of(scene: &Scene, view: &View) -> Option<Self> {
+    pub fn of(scene: &Scene, view: &MethodView) -> Option<Self> {
         let pixel @ [i, j] = view.first_wrong?;
         let ray = Camera::new(scene.width).ray(i, j);
         let [seen, right] =

@@ -5,7 +5,7 @@ mod culprit;
 
 use crate::contest::ratio;
 use crate::spread::Spread;
-use crate::wrong_pixels::View;
+use crate::wrong_pixels::MethodView;
 use speed_vs_accuracy::{METHODS, Method, Precision, Scene};
 
 pub use culprit::Culprit;
@@ -31,7 +31,7 @@ pub struct PrecisionNeeds {
 /// A method: what it draws, and what it takes.
 pub struct RatedMethod {
     /// The picture that it draws, judged.
-    pub view: View,
+    pub view: MethodView,
     /// Nanoseconds for a question in the quickest round, which others disturbed least.
     pub ns: f64,
     /// The time divided by that of the reference in the same round: the median. By this
@@ -47,7 +47,7 @@ impl PrecisionNeeds {
     pub fn new(
         scene: &Scene,
         precision: Precision,
-        views: Vec<View>,
+        views: Vec<MethodView>,
         times: &[(Method, Vec<f64>)],
         tolerance: f64,
     ) -> Self {
@@ -92,7 +92,7 @@ pub fn least_of_all(found: &[PrecisionNeeds]) -> Option<(&PrecisionNeeds, &Rated
 }
 
 impl RatedMethod {
-    fn new(view: View, times: &[(Method, Vec<f64>)]) -> Self {
+    fn new(view: MethodView, times: &[(Method, Vec<f64>)]) -> Self {
         let of = times
             .iter()
             .find(|(method, _)| method.name == view.method.name);
@@ -119,7 +119,10 @@ impl RatedMethod {
 /// Returns which of `rows`, the cheapest first, to take: the cheapest that suffices, or of several
 /// that cost the same the first in the order of [`METHODS`], which begins with the simplest. And
 /// the others of these.
-fn least_of(rows: &[RatedMethod], suffices: impl Fn(&View) -> bool) -> (Option<usize>, Vec<usize>) {
+fn least_of(
+    rows: &[RatedMethod],
+    suffices: impl Fn(&MethodView) -> bool,
+) -> (Option<usize>, Vec<usize>) {
     let mut sufficing = (0..rows.len()).filter(|&n| suffices(&rows[n].view));
     let Some(cheapest) = sufficing.next() else {
         return (None, Vec::new());

@@ -89,7 +89,7 @@ fn look_into(scene: &Scene) -> (Vec<PrecisionNeeds>, usize) {
     let mut methods = METHODS.to_vec();
     methods.retain(|method| precisions.contains(&method.precision()));
     let times = cost::times(scene, &EFFORT);
-    let drawn = wrong_pixels::drawn(scene, &methods, scene.width, &progress());
+    let drawn = wrong_pixels::draw(scene, &methods, scene.width, &progress());
     let (double, single) = drawn
         .by_method
         .into_iter()
