@@ -13,10 +13,10 @@ use speed_vs_accuracy::Precision;
 use crate::spread::Spread;
 
 /// Runners that take turns. The others are compared with the first.
-pub struct Group(pub Vec<Runner>);
+pub struct Contest(pub Vec<Contestant>);
 
 /// Something whose time is taken.
-pub struct Runner {
+pub struct Contestant {
     /// The row without its times.
     pub row: Timing,
     /// Asks all questions of the row once.
@@ -42,7 +42,7 @@ impl Effort {
     }
 }
 
-impl Runner {
+impl Contestant {
     /// Makes a runner whose times are not yet taken. `key` says what, by which
     /// method and where.
     pub fn new(
@@ -88,7 +88,7 @@ impl Runner {
     }
 }
 
-impl Group {
+impl Contest {
     /// Takes all times, in turns: for each runner, in order, the nanoseconds of
     /// one test in each round.
     pub fn times(&mut self, effort: &Effort) -> Vec<Vec<f64>> {
@@ -108,7 +108,7 @@ impl Group {
 }
 
 /// Lets all groups run, and returns the rows of all runners, in order.
-pub fn run(groups: Vec<Group>, effort: &Effort) -> Vec<Timing> {
+pub fn run(groups: Vec<Contest>, effort: &Effort) -> Vec<Timing> {
     let rows = groups.into_iter().flat_map(|mut group| {
         let times = group.times(effort);
         let first = times[0].clone();

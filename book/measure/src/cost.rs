@@ -10,7 +10,7 @@ use common::rtweekend::*;
 use glam::Vec3 as SingleVec3;
 use speed_vs_accuracy::{Arithmetic, Case, METHODS, Method, Precision, Scene, SingleRay, find};
 
-use crate::contest::{Effort, Group, Runner};
+use crate::contest::{Contest, Contestant, Effort};
 
 /// Measures each method, the reference first: the nanoseconds of a question of `scene`, one number
 /// for each round.
@@ -90,12 +90,12 @@ macro_rules! loops {
     ($(in $number:ident $precision:ident: $question:ident, $($method:ident)*;)*) => {
         /// Makes a loop for each method, the reference first, over the same
         /// questions.
-        pub fn group<D, S>(place: &str, asked: &Questions<D, S>) -> Group
+        pub fn group<D, S>(place: &str, asked: &Questions<D, S>) -> Contest
         where
             D: Fn(usize) -> Double + Clone + 'static,
             S: Fn(usize) -> Single + Clone + 'static,
         {
-            Group(vec![$($({
+            Contest(vec![$($({
                 let (question, count) = (asked.$question.clone(), asked.count);
                 let run = throughput(count, move |n| {
                     let ((center, radius), ray, t_min) = question(n);
@@ -103,7 +103,7 @@ macro_rules! loops {
                     speed_vs_accuracy::$method(center, radius, &ray, t_min, end)
                 });
                 let key = ["method", stringify!($method), place];
-                Runner::new(key, Precision::$precision, count, run)
+                Contestant::new(key, Precision::$precision, count, run)
             }),*),*])
         }
 

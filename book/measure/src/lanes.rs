@@ -10,7 +10,7 @@ use common::rtweekend::*;
 use glam::Vec3 as SingleVec3;
 use speed_vs_accuracy::{BLOCK, Case, Precision, SPHERES, SingleRay, certified_in_lanes, in_lanes};
 
-use crate::contest::{Group, Runner};
+use crate::contest::{Contest, Contestant};
 
 /// A block of questions: x, y and z of origins and directions, and the sphere.
 type Block<T> = ([[T; BLOCK]; 6], [T; 4]);
@@ -66,7 +66,7 @@ macro_rules! runners {
                     black_box(&answers);
                 };
                 let key = ["rays", stringify!($method), $place];
-                runners.push(Runner::new(key, Precision::$precision, count, run));
+                runners.push(Contestant::new(key, Precision::$precision, count, run));
             })*
         )*
         runners
@@ -75,7 +75,7 @@ macro_rules! runners {
 
 /// Returns the loops of methods in lanes: with a range from 0 on, where signs decide, and from
 /// another `t_min` on, for those that a certificate is compared with.
-pub fn groups() -> [Group; 2] {
+pub fn groups() -> [Contest; 2] {
     let blocks = blocks();
     let in_any_range = runners! { blocks, "any_range", 0.001,
         in f64 Ray Point3 Double: half_b half_b_q certified_hit certified_t;
@@ -89,7 +89,7 @@ pub fn groups() -> [Group; 2] {
     runners.push(limit("divider", blocks.clone(), divided));
     let read = |[x, y, z, dx, dy, dz]: [f64; 6]| ((x + y) + (z + dx)) + (dy + dz);
     runners.push(limit("memory", blocks, read));
-    [Group(runners), Group(in_any_range)]
+    [Contest(runners), Contest(in_any_range)]
 }
 
 /// Makes a loop over the same blocks that computes as little as no question in lanes can do
@@ -98,7 +98,7 @@ fn limit(
     name: &str,
     blocks: Vec<Block<f64>>,
     answer: impl Fn([f64; 6]) -> f64 + 'static,
-) -> Runner {
+) -> Contestant {
     let count = blocks.len() * BLOCK;
     let run = move || {
         for (rays, _) in &blocks {
@@ -111,7 +111,7 @@ fn limit(
             black_box(&answers);
         }
     };
-    Runner::new(["limit", name, "book"], Precision::Double, count, run)
+    Contestant::new(["limit", name, "book"], Precision::Double, count, run)
 }
 
 /// Makes blocks of rays of the book's camera from all over the picture, each with the ball and with

@@ -5,7 +5,7 @@ use std::env;
 use std::process::Command;
 
 use figures::records::Timing;
-use measure::contest::Group;
+use measure::contest::Contest;
 
 /// Counts the instructions that one question of a row takes, or returns `None`
 /// without a valgrind.
@@ -18,8 +18,8 @@ pub(crate) fn of(row: &Timing) -> Option<f64> {
 ///
 /// # Panics
 /// If there is none.
-pub(crate) fn run(groups: impl IntoIterator<Item = Group>, wanted: &str, runs: usize) {
-    let mut runners = groups.into_iter().flat_map(|Group(runners)| runners);
+pub(crate) fn run(groups: impl IntoIterator<Item = Contest>, wanted: &str, runs: usize) {
+    let mut runners = groups.into_iter().flat_map(|Contest(runners)| runners);
     let found = runners.find(|runner| key(&runner.row) == wanted);
     let mut runner = found.unwrap_or_else(|| panic!("no loop is called {wanted}"));
     for _ in 0..runs {

@@ -11,7 +11,7 @@ use common::engine::output;
 use figures::records::Timing;
 use figures::table::Table;
 
-use measure::contest::{Effort, Group};
+use measure::contest::{Contest, Effort};
 
 /// How long each method of chapter 6 takes.
 #[derive(Parser)]
@@ -63,7 +63,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// Returns the loops whose instructions are counted, too.
-fn counted() -> Vec<Group> {
+fn counted() -> Vec<Contest> {
     let groups = one_by_one::in_order().into_iter();
     groups.chain(measure::lanes::groups()).collect()
 }

@@ -2,7 +2,7 @@
 
 use common::rtweekend::*;
 use hittable_list::{Hittable, Sphere};
-use measure::contest::{Group, Runner};
+use measure::contest::{Contest, Contestant};
 use measure::cost::{Double, group, of_cases, of_pixels, throughput};
 use speed_vs_accuracy::{Precision, REGIMES, Regime, SPHERES, certified_hit};
 
@@ -14,23 +14,23 @@ const SEED: u64 = 1;
 
 /// Returns the loops over rays of the book in the picture's order: all methods, chapter 5's record,
 /// and the rays alone. The second group has only rays that hit.
-pub(crate) fn in_order() -> [Group; 2] {
+pub(crate) fn in_order() -> [Contest; 2] {
     [("book", false), ("all_hits", true)].map(|(place, only_hits)| {
         let asked = asked(only_hits);
-        let Group(mut runners) = group(place, &of_pixels(camera(), asked.clone()));
+        let Contest(mut runners) = group(place, &of_pixels(camera(), asked.clone()));
         let record = |((center, radius), ray, t_min): Double| {
             Sphere::new(center, radius).hit(&ray, t_min, f64::INFINITY)
         };
         let nothing = |(_, ray, _): Double| ray.direction.element_sum();
         runners.push(runner(["record", "half_b", place], &asked, record));
         runners.push(runner(["ray", "nothing", place], &asked, nothing));
-        Group(runners)
+        Contest(runners)
     })
 }
 
 /// Returns a group of loops for each situation but that of the book, with all
 /// methods.
-pub(crate) fn elsewhere() -> impl Iterator<Item = Group> {
+pub(crate) fn elsewhere() -> impl Iterator<Item = Contest> {
     let regimes = REGIMES
         .into_iter()
         .filter(|regime| regime.name != Regime::BOOK.name);
@@ -72,11 +72,11 @@ fn runner<T: 'static>(
     key: [&str; 3],
     asked: &[Asked],
     answer: impl Fn(Double) -> T + 'static,
-) -> Runner {
+) -> Contestant {
     let (camera, asked) = (camera(), asked.to_vec());
     let run = throughput(CASES, move |n| {
         let ([i, j], sphere) = asked[n];
         answer((sphere, camera.ray(i, j), 0.0))
     });
-    Runner::new(key, Precision::Double, CASES, run)
+    Contestant::new(key, Precision::Double, CASES, run)
 }
