@@ -1,7 +1,7 @@
 //! Interleaved timing: all candidates in turns, with median and spread.
 //!
 //! Other programs disturb a clock, and a processor changes its pace. So nothing
-//! is measured at a stretch: in each round everyone of a group has a short turn,
+//! is measured at a stretch: in each round everyone of a contest has a short turn,
 //! and is compared with the first one in the same round: what is disturbed is a round,
 //! and the median of all does not change.
 
@@ -26,7 +26,7 @@ pub struct Contestant {
 /// The length of a measurement.
 #[derive(Clone, Copy, Debug)]
 pub struct Effort {
-    /// The number of turns that each runner has.
+    /// The number of turns that each contestant has.
     pub rounds: usize,
     /// The least length of a turn.
     pub turn: Duration,
@@ -43,7 +43,7 @@ impl Effort {
 }
 
 impl Contestant {
-    /// Makes a runner whose times are not yet taken. `key` says what, by which
+    /// Makes a contestant whose times are not yet taken. `key` says what, by which
     /// method and where.
     pub fn new(
         [what, name, place]: [&str; 3],
@@ -89,31 +89,31 @@ impl Contestant {
 }
 
 impl Contest {
-    /// Takes all times, in turns: for each runner, in order, the nanoseconds of
+    /// Takes all times, in turns: for each contestant, in order, the nanoseconds of
     /// one test in each round.
     pub fn times(&mut self, effort: &Effort) -> Vec<Vec<f64>> {
-        let Self(runners) = self;
-        let runs: Vec<usize> = runners
+        let Self(contestants) = self;
+        let runs: Vec<usize> = contestants
             .iter_mut()
-            .map(|runner| runner.runs_in(effort.turn))
+            .map(|contestant| contestant.runs_in(effort.turn))
             .collect();
-        let mut times = vec![Vec::new(); runners.len()];
+        let mut times = vec![Vec::new(); contestants.len()];
         for _ in 0..effort.rounds {
-            for ((runner, &runs), times) in runners.iter_mut().zip(&runs).zip(&mut times) {
-                times.push(runner.take_turn(runs));
+            for ((contestant, &runs), times) in contestants.iter_mut().zip(&runs).zip(&mut times) {
+                times.push(contestant.take_turn(runs));
             }
         }
         times
     }
 }
 
-/// Lets all groups run, and returns the rows of all runners, in order.
-pub fn run(groups: Vec<Contest>, effort: &Effort) -> Vec<Timing> {
-    let rows = groups.into_iter().flat_map(|mut group| {
-        let times = group.times(effort);
+/// Lets all contests run, and returns the rows of all contestants, in order.
+pub fn run_all(contests: Vec<Contest>, effort: &Effort) -> Vec<Timing> {
+    let rows = contests.into_iter().flat_map(|mut contest| {
+        let times = contest.times(effort);
         let first = times[0].clone();
-        let rows = group.0.into_iter().zip(times);
-        rows.map(move |(runner, times)| filled_in(runner.row, times, &first))
+        let rows = contest.0.into_iter().zip(times);
+        rows.map(move |(contestant, times)| filled_in(contestant.row, times, &first))
     });
     rows.collect()
 }

@@ -16,9 +16,12 @@ use crate::contest::{Contest, Contestant, Effort};
 /// for each round.
 pub fn times(scene: &Scene, effort: &Effort) -> Vec<(Method, Vec<f64>)> {
     let asked = questions(scene);
-    let mut group = group(&scene.name, &of_cases(&asked, &asked));
-    let times = group.times(effort);
-    let methods = group.0.iter().filter_map(|runner| find(&runner.row.name));
+    let mut contest = of_methods(&scene.name, &of_cases(&asked, &asked));
+    let times = contest.times(effort);
+    let methods = contest
+        .0
+        .iter()
+        .filter_map(|contestant| find(&contestant.row.name));
     methods.zip(times).collect()
 }
 
@@ -90,7 +93,7 @@ macro_rules! loops {
     ($(in $number:ident $precision:ident: $question:ident, $($method:ident)*;)*) => {
         /// Makes a loop for each method, the reference first, over the same
         /// questions.
-        pub fn group<D, S>(place: &str, asked: &Questions<D, S>) -> Contest
+        pub fn of_methods<D, S>(place: &str, asked: &Questions<D, S>) -> Contest
         where
             D: Fn(usize) -> Double + Clone + 'static,
             S: Fn(usize) -> Single + Clone + 'static,

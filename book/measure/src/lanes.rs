@@ -45,9 +45,9 @@ macro_rules! ask {
 }
 
 /// A loop for each method.
-macro_rules! runners {
+macro_rules! contestants {
     ($blocks:ident, $place:literal, $from:expr, $(in $number:ident $ray:ident $point:ident $precision:ident: $($method:ident)*;)*) => {{
-        let mut runners = Vec::new();
+        let mut contestants = Vec::new();
         $(
             let t_min: $number = black_box($from);
             let blocks: Vec<Block<$number>> = $blocks.iter().map(|(rays, sphere)| (
@@ -66,30 +66,30 @@ macro_rules! runners {
                     black_box(&answers);
                 };
                 let key = ["rays", stringify!($method), $place];
-                runners.push(Contestant::new(key, Precision::$precision, count, run));
+                contestants.push(Contestant::new(key, Precision::$precision, count, run));
             })*
         )*
-        runners
+        contestants
     }};
 }
 
 /// Returns the loops of methods in lanes: with a range from 0 on, where signs decide, and from
 /// another `t_min` on, for those that a certificate is compared with.
-pub fn groups() -> [Contest; 2] {
+pub fn contests() -> [Contest; 2] {
     let blocks = blocks();
-    let in_any_range = runners! { blocks, "any_range", 0.001,
+    let in_any_range = contestants! { blocks, "any_range", 0.001,
         in f64 Ray Point3 Double: half_b half_b_q certified_hit certified_t;
     };
-    let mut runners = runners! { blocks, "book", 0.0,
+    let mut contestants = contestants! { blocks, "book", 0.0,
         in f64 Ray Point3 Double:
             half_b half_b_q cross_q compensated certified_hit certified_t double_double;
         in f32 SingleRay SingleVec3 Single: half_b_f32 widened_half_b_q_f32 certified_f32;
     };
     let divided = |[_, _, _, x, y, z]: [f64; 6]| (1.5 + x * x).sqrt() / (2.0 + y) + x / z;
-    runners.push(limit("divider", blocks.clone(), divided));
+    contestants.push(limit("divider", blocks.clone(), divided));
     let read = |[x, y, z, dx, dy, dz]: [f64; 6]| ((x + y) + (z + dx)) + (dy + dz);
-    runners.push(limit("memory", blocks, read));
-    [Contest(runners), Contest(in_any_range)]
+    contestants.push(limit("memory", blocks, read));
+    [Contest(contestants), Contest(in_any_range)]
 }
 
 /// Makes a loop over the same blocks that computes as little as no question in lanes can do

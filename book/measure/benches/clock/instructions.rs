@@ -18,12 +18,14 @@ pub(crate) fn of(row: &Timing) -> Option<f64> {
 ///
 /// # Panics
 /// If there is none.
-pub(crate) fn run(groups: impl IntoIterator<Item = Contest>, wanted: &str, runs: usize) {
-    let mut runners = groups.into_iter().flat_map(|Contest(runners)| runners);
-    let found = runners.find(|runner| key(&runner.row) == wanted);
-    let mut runner = found.unwrap_or_else(|| panic!("no loop is called {wanted}"));
+pub(crate) fn run(contests: impl IntoIterator<Item = Contest>, wanted: &str, runs: usize) {
+    let mut contestants = contests
+        .into_iter()
+        .flat_map(|Contest(contestants)| contestants);
+    let found = contestants.find(|contestant| key(&contestant.row) == wanted);
+    let mut contestant = found.unwrap_or_else(|| panic!("no loop is called {wanted}"));
     for _ in 0..runs {
-        (runner.run)();
+        (contestant.run)();
     }
 }
 

@@ -45,12 +45,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         return Ok(());
     }
     let effort = Effort::new(arguments.quick);
-    let mut groups = counted();
-    let with_count: usize = groups.iter().map(|group| group.0.len()).sum();
-    groups.extend(one_by_one::elsewhere());
+    let mut contests = counted();
+    let with_count: usize = contests.iter().map(|contest| contest.0.len()).sum();
+    contests.extend(one_by_one::elsewhere());
     let mut timings = Table::<Timing> {
         about: about::about(&effort),
-        rows: measure::contest::run(groups, &effort),
+        rows: measure::contest::run_all(contests, &effort),
     };
     for row in &mut timings.rows[..with_count] {
         row.instructions = instructions::of(row);
@@ -64,6 +64,6 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// Returns the loops whose instructions are counted, too.
 fn counted() -> Vec<Contest> {
-    let groups = one_by_one::in_order().into_iter();
-    groups.chain(measure::lanes::groups()).collect()
+    let contests = one_by_one::in_order().into_iter();
+    contests.chain(measure::lanes::contests()).collect()
 }

@@ -3,7 +3,7 @@
 use common::rtweekend::*;
 use hittable_list::{Hittable, Sphere};
 use measure::contest::{Contest, Contestant};
-use measure::cost::{Double, group, of_cases, of_pixels, throughput};
+use measure::cost::{Double, of_cases, of_methods, of_pixels, throughput};
 use speed_vs_accuracy::{Precision, REGIMES, Regime, SPHERES, certified_hit};
 
 /// So many that no processor learns them by heart.
@@ -13,22 +13,22 @@ pub(crate) const CASES: usize = 16_384;
 const SEED: u64 = 1;
 
 /// Returns the loops over rays of the book in the picture's order: all methods, chapter 5's record,
-/// and the rays alone. The second group has only rays that hit.
+/// and the rays alone. The second contest has only rays that hit.
 pub(crate) fn in_order() -> [Contest; 2] {
     [("book", false), ("all_hits", true)].map(|(place, only_hits)| {
         let asked = asked(only_hits);
-        let Contest(mut runners) = group(place, &of_pixels(camera(), asked.clone()));
+        let Contest(mut contestants) = of_methods(place, &of_pixels(camera(), asked.clone()));
         let record = |((center, radius), ray, t_min): Double| {
             Sphere::new(center, radius).hit(&ray, t_min, f64::INFINITY)
         };
         let nothing = |(_, ray, _): Double| ray.direction.element_sum();
-        runners.push(runner(["record", "half_b", place], &asked, record));
-        runners.push(runner(["ray", "nothing", place], &asked, nothing));
-        Contest(runners)
+        contestants.push(contestant(["record", "half_b", place], &asked, record));
+        contestants.push(contestant(["ray", "nothing", place], &asked, nothing));
+        Contest(contestants)
     })
 }
 
-/// Returns a group of loops for each situation but that of the book, with all
+/// Returns a contest of loops for each situation but that of the book, with all
 /// methods.
 pub(crate) fn elsewhere() -> impl Iterator<Item = Contest> {
     let regimes = REGIMES
@@ -39,7 +39,7 @@ pub(crate) fn elsewhere() -> impl Iterator<Item = Contest> {
             let cases = regime.cases(precision, SEED, CASES).into_iter();
             cases.map(|case| (case, 0.0)).collect::<Vec<_>>()
         });
-        group(regime.name, &of_cases(&double, &single))
+        of_methods(regime.name, &of_cases(&double, &single))
     })
 }
 
@@ -68,7 +68,7 @@ fn asked(only_hits: bool) -> Vec<Asked> {
 }
 
 /// Makes a loop over the same questions with another answer.
-fn runner<T: 'static>(
+fn contestant<T: 'static>(
     key: [&str; 3],
     asked: &[Asked],
     answer: impl Fn(Double) -> T + 'static,
