@@ -12,9 +12,16 @@ use speed_vs_accuracy::{Arithmetic, Case, METHODS, Method, Precision, Scene, Sin
 
 use crate::contest::{Contest, Contestant, Effort};
 
-/// Measures each method, the reference first: the nanoseconds of a question of `scene`, one number
-/// for each round.
-pub fn times(scene: &Scene, effort: &Effort) -> Vec<(Method, Vec<f64>)> {
+/// The times that a method takes for one question.
+pub struct MethodTimes {
+    /// The method.
+    pub method: Method,
+    /// The nanoseconds for a question, one number for each round, in the order of the rounds.
+    pub nanoseconds: Vec<f64>,
+}
+
+/// Measures each method, the reference first, at questions of `scene`.
+pub fn times(scene: &Scene, effort: &Effort) -> Vec<MethodTimes> {
     let asked = questions(scene);
     let mut contest = of_methods(&scene.name, &of_cases(&asked, &asked));
     let times = contest.times(effort);
@@ -22,7 +29,12 @@ pub fn times(scene: &Scene, effort: &Effort) -> Vec<(Method, Vec<f64>)> {
         .0
         .iter()
         .filter_map(|contestant| find(&contestant.row.name));
-    methods.zip(times).collect()
+    let both = methods.zip(times);
+    both.map(|(method, nanoseconds)| MethodTimes {
+        method,
+        nanoseconds,
+    })
+    .collect()
 }
 
 /// Questions that a loop makes, by their number, from 0.
@@ -32,25 +44,34 @@ pub struct Questions<D, S> {
     single: S,
 }
 
-/// A center and a radius, a ray, and where the range of t begins.
-pub type Double = ((Point3, f64), Ray, f64);
+/// A question to a method in `f64`: a center and a radius, a ray, and the excluded lower end of the
+/// range of t.
+pub type DoubleQuestion = ((Point3, f64), Ray, f64);
 
-/// A center and a radius, a ray, and where the range of t begins, in `f32`.
-pub type Single = ((SingleVec3, f32), SingleRay, f32);
+/// A question to a method in `f32`: a center and a radius, a ray, and the excluded lower end of the
+/// range of t.
+pub type SingleQuestion = ((SingleVec3, f32), SingleRay, f32);
+
+/// The column and the row of a pixel, counted from the top left, and the center and the radius of
+/// the sphere that its ray is asked about.
+pub type PixelQuestion = ([u32; 2], (Point3, f64));
 
 /// Makes questions that lie ready in memory: those of methods in `f64`, and as many for methods in
 /// `f32`.
 pub fn of_cases(
     double: &[(Case, f64)],
     single: &[(Case, f64)],
-) -> Questions<impl Fn(usize) -> Double + Clone + use<>, impl Fn(usize) -> Single + Clone + use<>> {
+) -> Questions<
+    impl Fn(usize) -> DoubleQuestion + Clone + use<>,
+    impl Fn(usize) -> SingleQuestion + Clone + use<>,
+> {
     let in_single = |(case, t_min): &(Case, f64)| {
         let sphere = (case.center.as_vec3(), case.radius as f32);
         (sphere, case.single_ray(), *t_min as f32)
     };
-    let single: Vec<Single> = single.iter().map(in_single).collect();
+    let single: Vec<SingleQuestion> = single.iter().map(in_single).collect();
     let in_double = |(case, t_min): &(Case, f64)| ((case.center, case.radius), case.ray, *t_min);
-    let double: Vec<Double> = double.iter().map(in_double).collect();
+    let double: Vec<DoubleQuestion> = double.iter().map(in_double).collect();
     Questions {
         count: double.len(),
         double: move |n: usize| double[n],
@@ -61,14 +82,13 @@ pub fn of_cases(
 /// Makes questions from columns, rows and spheres: their rays are made when they are asked for.
 pub fn of_pixels(
     camera: Camera,
-    asked: Vec<([u32; 2], (Point3, f64))>,
-) -> Questions<impl Fn(usize) -> Double + Clone, impl Fn(usize) -> Single + Clone> {
+    asked: Vec<PixelQuestion>,
+) -> Questions<impl Fn(usize) -> DoubleQuestion + Clone, impl Fn(usize) -> SingleQuestion + Clone> {
     let [first, right, below] = [(0, 0), (1, 0), (0, 1)].map(|(i, j)| camera.ray(i, j).direction);
     let first_single = first.as_vec3();
     let [right, below] = [right, below].map(|next| (next - first).as_vec3());
-    let in_single = |([i, j], (center, radius)): &([u32; 2], (Point3, f64))| {
-        ([*i, *j], (center.as_vec3(), *radius as f32))
-    };
+    let in_single =
+        |([i, j], (center, radius)): &PixelQuestion| ([*i, *j], (center.as_vec3(), *radius as f32));
     let in_single: Vec<_> = asked.iter().map(in_single).collect();
     Questions {
         count: asked.len(),
@@ -95,8 +115,8 @@ macro_rules! loops {
         /// questions.
         pub fn of_methods<D, S>(place: &str, asked: &Questions<D, S>) -> Contest
         where
-            D: Fn(usize) -> Double + Clone + 'static,
-            S: Fn(usize) -> Single + Clone + 'static,
+            D: Fn(usize) -> DoubleQuestion + Clone + 'static,
+            S: Fn(usize) -> SingleQuestion + Clone + 'static,
         {
             Contest(vec![$($({
                 let (question, count) = (asked.$question.clone(), asked.count);

@@ -2,6 +2,7 @@
 //! that are given: no clock decides a test.
 
 use insta::assert_snapshot;
+use measure::cost::MethodTimes;
 use measure::needs::PrecisionNeeds;
 use measure::scene_file;
 use measure::wrong_pixels;
@@ -57,12 +58,15 @@ fn the_least_is_the_cheapest_that_draws_every_pixel_right() {
 /// Finds what the scene needs, where a question takes each method as long as `cost` says of its
 /// place in the list.
 fn found(scene: &Scene, precision: Precision, cost: impl Fn(usize) -> f64) -> PrecisionNeeds {
-    let mut times: Vec<(Method, Vec<f64>)> = METHODS
+    let mut times: Vec<MethodTimes> = METHODS
         .iter()
         .enumerate()
-        .map(|(place, method)| (*method, vec![cost(place); 4]))
+        .map(|(place, method)| MethodTimes {
+            method: *method,
+            nanoseconds: vec![cost(place); 4],
+        })
         .collect();
-    times.sort_by_key(|(method, _)| method.name != Method::REFERENCE.name);
+    times.sort_by_key(|times| times.method.name != Method::REFERENCE.name);
     let mut methods = METHODS.to_vec();
     methods.retain(|method| method.precision() == precision);
     let drawn = wrong_pixels::draw(scene, &methods, scene.width, &|_, _| ());

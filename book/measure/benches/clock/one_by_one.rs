@@ -3,7 +3,7 @@
 use common::rtweekend::*;
 use hittable_list::{Hittable, Sphere};
 use measure::contest::{Contest, Contestant};
-use measure::cost::{Double, of_cases, of_methods, of_pixels, throughput};
+use measure::cost::{DoubleQuestion, PixelQuestion, of_cases, of_methods, of_pixels, throughput};
 use speed_vs_accuracy::{Precision, REGIMES, Regime, SPHERES, certified_hit};
 
 /// So many that no processor learns them by heart.
@@ -18,10 +18,10 @@ pub(crate) fn in_order() -> [Contest; 2] {
     [("book", false), ("all_hits", true)].map(|(place, only_hits)| {
         let asked = asked(only_hits);
         let Contest(mut contestants) = of_methods(place, &of_pixels(camera(), asked.clone()));
-        let record = |((center, radius), ray, t_min): Double| {
+        let record = |((center, radius), ray, t_min): DoubleQuestion| {
             Sphere::new(center, radius).hit(&ray, t_min, f64::INFINITY)
         };
-        let nothing = |(_, ray, _): Double| ray.direction.element_sum();
+        let nothing = |(_, ray, _): DoubleQuestion| ray.direction.element_sum();
         contestants.push(contestant(["record", "half_b", place], &asked, record));
         contestants.push(contestant(["ray", "nothing", place], &asked, nothing));
         Contest(contestants)
@@ -48,20 +48,17 @@ fn camera() -> Camera {
     Camera::new(400)
 }
 
-/// Column and row, and a sphere.
-type Asked = ([u32; 2], (Point3, f64));
-
 /// Chooses pixels that are spread over the book's picture, in its order, each asked about both
 /// spheres; or only those that hit.
-fn asked(only_hits: bool) -> Vec<Asked> {
+fn asked(only_hits: bool) -> Vec<PixelQuestion> {
     let camera = camera();
     let pixels =
         (0..camera.image_height).flat_map(|j| (0..camera.image_width).map(move |i| [i, j]));
     let all = pixels.flat_map(|pixel| SPHERES.map(|sphere| (pixel, sphere)));
-    let hits = |&([i, j], (center, radius)): &Asked| {
+    let hits = |&([i, j], (center, radius)): &PixelQuestion| {
         certified_hit(center, radius, &camera.ray(i, j), 0.0, f64::INFINITY).is_some()
     };
-    let all: Vec<Asked> = all.filter(|asked| !only_hits || hits(asked)).collect();
+    let all: Vec<PixelQuestion> = all.filter(|asked| !only_hits || hits(asked)).collect();
     // Two by two, so that a pixel keeps its second sphere.
     let kept = (0..CASES / 2).map(|k| all.len() / 2 * k / (CASES / 2));
     kept.flat_map(|k| [all[2 * k], all[2 * k + 1]]).collect()
@@ -70,8 +67,8 @@ fn asked(only_hits: bool) -> Vec<Asked> {
 /// Makes a loop over the same questions with another answer.
 fn contestant<T: 'static>(
     key: [&str; 3],
-    asked: &[Asked],
-    answer: impl Fn(Double) -> T + 'static,
+    asked: &[PixelQuestion],
+    answer: impl Fn(DoubleQuestion) -> T + 'static,
 ) -> Contestant {
     let (camera, asked) = (camera(), asked.to_vec());
     let run = throughput(CASES, move |n| {

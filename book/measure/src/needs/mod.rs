@@ -4,9 +4,10 @@
 mod culprit;
 
 use crate::contest::ratio;
+use crate::cost::MethodTimes;
 use crate::spread::Spread;
 use crate::wrong_pixels::MethodView;
-use speed_vs_accuracy::{METHODS, Method, Precision, Scene};
+use speed_vs_accuracy::{METHODS, Precision, Scene};
 
 pub use culprit::Culprit;
 
@@ -48,7 +49,7 @@ impl PrecisionNeeds {
         scene: &Scene,
         precision: Precision,
         views: Vec<MethodView>,
-        times: &[(Method, Vec<f64>)],
+        times: &[MethodTimes],
         tolerance: f64,
     ) -> Self {
         let views = views.into_iter();
@@ -92,16 +93,15 @@ pub fn least_of_all(found: &[PrecisionNeeds]) -> Option<(&PrecisionNeeds, &Rated
 }
 
 impl RatedMethod {
-    fn new(view: MethodView, times: &[(Method, Vec<f64>)]) -> Self {
+    fn new(view: MethodView, times: &[MethodTimes]) -> Self {
         let of = times
             .iter()
-            .find(|(method, _)| method.name == view.method.name);
-        let (_, taken) = of.expect("every method has its turns");
-        let (_, reference) = &times[0];
+            .find(|times| times.method.name == view.method.name);
+        let taken = &of.expect("every method has its turns").nanoseconds;
         Self {
             view,
             ns: Spread::of(taken.clone()).least,
-            ratio: ratio(taken, reference).median,
+            ratio: ratio(taken, &times[0].nanoseconds).median,
             times: taken.clone(),
         }
     }
