@@ -13,7 +13,7 @@ use speed_vs_accuracy::{BLOCK, Case, Precision, SPHERES, SingleRay, certified_in
 use crate::contest::{Contest, Contestant};
 
 /// A block of questions: x, y and z of origins and directions, and the sphere.
-type Block<T> = ([[T; BLOCK]; 6], [T; 4]);
+type LaneBlock<T> = ([[T; BLOCK]; 6], [T; 4]);
 
 /// The block's questions with one method: the certified ones have lanes of their own.
 macro_rules! ask {
@@ -50,7 +50,7 @@ macro_rules! contestants {
         let mut contestants = Vec::new();
         $(
             let t_min: $number = black_box($from);
-            let blocks: Vec<Block<$number>> = $blocks.iter().map(|(rays, sphere)| (
+            let blocks: Vec<LaneBlock<$number>> = $blocks.iter().map(|(rays, sphere)| (
                 rays.map(|row| row.map(|x| x as $number)), sphere.map(|x| x as $number)
             )).collect();
             let count = blocks.len() * BLOCK;
@@ -96,7 +96,7 @@ pub fn contests() -> [Contest; 2] {
 /// without.
 fn limit(
     name: &str,
-    blocks: Vec<Block<f64>>,
+    blocks: Vec<LaneBlock<f64>>,
     answer: impl Fn([f64; 6]) -> f64 + 'static,
 ) -> Contestant {
     let count = blocks.len() * BLOCK;
@@ -116,7 +116,7 @@ fn limit(
 
 /// Makes blocks of rays of the book's camera from all over the picture, each with the ball and with
 /// the ground.
-fn blocks() -> Vec<Block<f64>> {
+fn blocks() -> Vec<LaneBlock<f64>> {
     let camera = Camera::new(400);
     let spheres = SPHERES.map(|(center, radius)| [center.x, center.y, center.z, radius]);
     let rows = (0..camera.image_height).step_by(9);

@@ -60,7 +60,7 @@ pub fn find_scene(name: &str) -> Option<&'static Scene> {
 /// The first mistake, with line and column: what is no TOML, a key that is not known or
 /// is missing, or a number that is out of range. All numbers of a scene are finite.
 pub fn read(name: &str, text: &str) -> Result<Scene, toml::de::Error> {
-    let File {
+    let SceneTable {
         width,
         sun,
         t_min,
@@ -79,7 +79,7 @@ pub fn read(name: &str, text: &str) -> Result<Scene, toml::de::Error> {
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct File {
+struct SceneTable {
     #[serde(default = "usual_width", deserialize_with = "width")]
     width: u32,
     #[serde(default, deserialize_with = "sun")]
@@ -87,14 +87,14 @@ struct File {
     #[serde(default, deserialize_with = "t_min")]
     t_min: Option<f64>,
     #[serde(default)]
-    camera: Eye,
+    camera: CameraTable,
     #[serde(deserialize_with = "spheres")]
-    sphere: Vec<Ball>,
+    sphere: Vec<SphereTable>,
 }
 
 #[derive(Deserialize)]
 #[serde(default, deny_unknown_fields, expecting = "a table [camera]")]
-struct Eye {
+struct CameraTable {
     #[serde(deserialize_with = "vector")]
     origin: Point3,
     #[serde(deserialize_with = "direction")]
@@ -104,7 +104,7 @@ struct Eye {
     zoom: [f64; 2],
 }
 
-impl Default for Eye {
+impl Default for CameraTable {
     fn default() -> Self {
         Self {
             origin: Point3::ZERO,
@@ -116,7 +116,7 @@ impl Default for Eye {
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Ball {
+struct SphereTable {
     #[serde(deserialize_with = "vector")]
     center: Point3,
     #[serde(deserialize_with = "radius")]
@@ -186,8 +186,8 @@ fn zoom<'de, D: Deserializer<'de>>(from: D) -> Result<[f64; 2], D::Error> {
     checked(zoom, is_possible, otherwise)
 }
 
-fn spheres<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<Ball>, D::Error> {
-    let balls = Vec::<Ball>::deserialize(from)?;
+fn spheres<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<SphereTable>, D::Error> {
+    let balls = Vec::<SphereTable>::deserialize(from)?;
     let is_possible = !balls.is_empty();
     checked(balls, is_possible, "a scene has a sphere at least")
 }
