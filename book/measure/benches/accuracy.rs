@@ -52,5 +52,5 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn keep<Row: Record>(mut table: Table<Row>) -> Result<(), io::Error> {
     let command = "cargo bench -p measure --bench accuracy -- --record";
     table.about.insert("command".to_owned(), command.to_owned());
-    measure::keep(&table)
+    measure::save(&table)
 }

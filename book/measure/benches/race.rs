@@ -41,14 +41,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     let arguments = Arguments::parse();
     let programs = build_chapters()?;
     // Cargo runs a benchmark in the folder of its package.
-    let rival = rival::compiled(Path::new("rival/book.cc"), &programs.join("race"));
+    let rival = rival::compile(Path::new("rival/book.cc"), &programs.join("race"));
     if let Err(cause) = &rival {
         say(&format!(
             "THE C++ PROGRAM IS LEFT OUT, it can't be built: {cause}\n"
         ))?;
     }
     let rival = rival.ok();
-    let machine = machine::machine();
+    let machine = machine::description();
     say(&format!("{machine}\n"))?;
     let mut races = Vec::new();
     for to in COURSES {
@@ -67,7 +67,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     if arguments.record && rival.is_some() {
         let about = [("machine".to_owned(), machine)].into();
-        measure::keep(&Table { about, rows: races })?;
+        measure::save(&Table { about, rows: races })?;
     }
     Ok(())
 }

@@ -119,9 +119,9 @@ pub fn run_all(contests: Vec<Contest>, effort: &Effort) -> Vec<Timing> {
 }
 
 fn filled_in(row: Timing, times: Vec<f64>, first: &[f64]) -> Timing {
-    let ratio = ratio(&times, first).agreed();
+    let ratio = spread_of_ratios(&times, first).rounded_median();
     Timing {
-        median_ns: Spread::of(times).agreed(),
+        median_ns: Spread::of(times).rounded_median(),
         ratio,
         ..row
     }
@@ -129,7 +129,7 @@ fn filled_in(row: Timing, times: Vec<f64>, first: &[f64]) -> Timing {
 
 /// Returns the spread of `times` divided by the times of the `other` in the same
 /// round.
-pub fn ratio(times: &[f64], other: &[f64]) -> Spread {
+pub fn spread_of_ratios(times: &[f64], other: &[f64]) -> Spread {
     let ratios = times.iter().zip(other).map(|(time, other)| time / other);
     Spread::of(ratios.collect())
 }

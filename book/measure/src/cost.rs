@@ -23,7 +23,7 @@ pub struct MethodTimes {
 /// Measures each method, the reference first, at questions of `scene`.
 pub fn times(scene: &Scene, effort: &Effort) -> Vec<MethodTimes> {
     let asked = questions(scene);
-    let mut contest = of_methods(&scene.name, &of_cases(&asked, &asked));
+    let mut contest = contest_of_methods(&scene.name, &questions_of_cases(&asked, &asked));
     let times = contest.times(effort);
     let methods = contest
         .0
@@ -58,7 +58,7 @@ pub type PixelQuestion = ([u32; 2], (Point3, f64));
 
 /// Makes questions that lie ready in memory: those of methods in `f64`, and as many for methods in
 /// `f32`.
-pub fn of_cases(
+pub fn questions_of_cases(
     double: &[(Case, f64)],
     single: &[(Case, f64)],
 ) -> Questions<
@@ -80,7 +80,7 @@ pub fn of_cases(
 }
 
 /// Makes questions from columns, rows and spheres: their rays are made when they are asked for.
-pub fn of_pixels(
+pub fn questions_of_pixels(
     camera: Camera,
     asked: Vec<PixelQuestion>,
 ) -> Questions<impl Fn(usize) -> DoubleQuestion + Clone, impl Fn(usize) -> SingleQuestion + Clone> {
@@ -113,14 +113,14 @@ macro_rules! loops {
     ($(in $number:ident $precision:ident: $question:ident, $($method:ident)*;)*) => {
         /// Makes a loop for each method, the reference first, over the same
         /// questions.
-        pub fn of_methods<D, S>(place: &str, asked: &Questions<D, S>) -> Contest
+        pub fn contest_of_methods<D, S>(place: &str, asked: &Questions<D, S>) -> Contest
         where
             D: Fn(usize) -> DoubleQuestion + Clone + 'static,
             S: Fn(usize) -> SingleQuestion + Clone + 'static,
         {
             Contest(vec![$($({
                 let (question, count) = (asked.$question.clone(), asked.count);
-                let run = throughput(count, move |n| {
+                let run = loop_over(count, move |n| {
                     let ((center, radius), ray, t_min) = question(n);
                     let end = $number::INFINITY;
                     speed_vs_accuracy::$method(center, radius, &ray, t_min, end)
@@ -142,7 +142,7 @@ loops! {
 
 /// Asks all questions, none of which waits for an answer. The compiler must have each answer
 /// in memory before it may go on, and so takes one at a time.
-pub fn throughput<T>(count: usize, answer: impl Fn(usize) -> T) -> impl FnMut() {
+pub fn loop_over<T>(count: usize, answer: impl Fn(usize) -> T) -> impl FnMut() {
     move || {
         for n in 0..count {
             black_box(answer(n));

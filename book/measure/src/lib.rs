@@ -23,7 +23,7 @@ use figures::table::{Record, Table};
 ///
 /// # Errors
 /// If the file cannot be written.
-pub fn keep<Row: Record>(table: &Table<Row>) -> io::Result<()> {
+pub fn save<Row: Record>(table: &Table<Row>) -> io::Result<()> {
     let file = Path::new("../notes").join(Row::FILE);
     output::to_file(&file, |out| out.write_all(table.text().as_bytes()))
 }

@@ -4,7 +4,7 @@
 use std::{env, fs, thread};
 
 /// Names the processor, how many threads it runs at a time, and the system.
-pub fn machine() -> String {
+pub fn description() -> String {
     let info = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let model = info
         .lines()

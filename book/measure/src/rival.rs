@@ -11,7 +11,7 @@ use std::{env, fs, io};
 ///
 /// # Errors
 /// If the compiler cannot be started, or cannot compile the program.
-pub fn compiled(source: &Path, folder: &Path) -> io::Result<PathBuf> {
+pub fn compile(source: &Path, folder: &Path) -> io::Result<PathBuf> {
     let name = source.file_stem().unwrap_or_default();
     let compiler = env::var_os("CXX").unwrap_or_else(|| "c++".into());
     fs::create_dir_all(folder)?;

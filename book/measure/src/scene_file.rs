@@ -35,7 +35,7 @@ pub static SCENES: LazyLock<[Scene; 7]> = LazyLock::new(|| {
                 $name,
                 ".toml"
             ));
-            read($name, TEXT).unwrap_or_else(|error| panic!("{}.toml: {error}", $name))
+            parse($name, TEXT).unwrap_or_else(|error| panic!("{}.toml: {error}", $name))
         }};
     }
     [
@@ -59,7 +59,7 @@ pub fn find_scene(name: &str) -> Option<&'static Scene> {
 /// # Errors
 /// The first mistake, with line and column: what is no TOML, a key that is not known or
 /// is missing, or a number that is out of range. All numbers of a scene are finite.
-pub fn read(name: &str, text: &str) -> Result<Scene, toml::de::Error> {
+pub fn parse(name: &str, text: &str) -> Result<Scene, toml::de::Error> {
     let SceneTable {
         width,
         sun,

@@ -33,7 +33,7 @@ impl Spread {
     /// Rounds the median to a step of 1, 2 or 5 in some digit: the least that is no less than half
     /// the distance of the quartiles, and gives three digits at most. One digit is left of the
     /// noisiest, so that no time becomes 0.
-    pub fn agreed(&self) -> f64 {
+    pub fn rounded_median(&self) -> f64 {
         let [low, high] = self.quartiles;
         let coarsest = 10_f64.powf(self.median.log10().floor());
         let least = (0.5 * (high - low)).clamp(coarsest / 100.0, coarsest);

@@ -13,7 +13,7 @@ use suite::left_out::left_out;
 /// The program in C++, in a folder of its own, if there is a compiler.
 fn compiled(source: &str) -> Option<PathBuf> {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join(source);
-    match rival::compiled(&source, &Path::new(env!("CARGO_TARGET_TMPDIR")).join("cpp")) {
+    match rival::compile(&source, &Path::new(env!("CARGO_TARGET_TMPDIR")).join("cpp")) {
         Ok(program) => Some(program),
         Err(cause) if cause.kind() == ErrorKind::NotFound => {
             let source = source.display();

@@ -153,7 +153,7 @@ fn a_scene_with_a_mistake_is_refused_by_line_and_column() {
     ]
     .map(|text| {
         let text = text.replace("SPHERE", sphere);
-        scene_file::read("it", &text).map_or_else(|error| error.to_string(), |_| text)
+        scene_file::parse("it", &text).map_or_else(|error| error.to_string(), |_| text)
     });
     assert_snapshot!(transcript.join("\n"));
 }
@@ -171,5 +171,5 @@ fn a_scene_that_can_not_be_read_is_refused_by_its_name() {
 }
 
 fn read(scene: &str) -> Scene {
-    scene_file::read("scene", scene).unwrap_or_else(|error| panic!("{error}"))
+    scene_file::parse("scene", scene).unwrap_or_else(|error| panic!("{error}"))
 }

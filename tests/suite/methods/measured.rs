@@ -115,10 +115,10 @@ mod a_part_of_the_questions_asked_again {
 
 #[test]
 fn noise_takes_all_digits_of_a_median_but_one() {
-    let agreed = |numbers: [f64; 3]| Spread::of(numbers.to_vec()).agreed();
-    assert_eq!(agreed([5.61, 5.628, 5.63]), 5.63);
-    assert_eq!(agreed([1.0, 2.628, 90.0]), 3.0);
-    assert_eq!(agreed([0.0, 0.0312, 7.0]), 0.03);
+    let rounded_median = |numbers: [f64; 3]| Spread::of(numbers.to_vec()).rounded_median();
+    assert_eq!(rounded_median([5.61, 5.628, 5.63]), 5.63);
+    assert_eq!(rounded_median([1.0, 2.628, 90.0]), 3.0);
+    assert_eq!(rounded_median([0.0, 0.0312, 7.0]), 0.03);
 }
 
 fn rows<Row: Record>(file: &str) -> Vec<Row> {

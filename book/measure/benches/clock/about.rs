@@ -20,7 +20,7 @@ pub(crate) fn about(effort: &Effort) -> BTreeMap<String, String> {
         one_by_one::CASES
     );
     [
-        ("machine", machine::machine()),
+        ("machine", machine::description()),
         ("compiler", compiler()),
         ("flags", format!("release profile, {}", compiled_for())),
         ("command", "cargo bench -p measure --bench clock".to_owned()),

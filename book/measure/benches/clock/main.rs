@@ -57,7 +57,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     output::to_stdout(|out| out.write_all(timings.text().as_bytes()))?;
     if arguments.record {
-        measure::keep(&timings)?;
+        measure::save(&timings)?;
     }
     Ok(())
 }

@@ -3,7 +3,10 @@
 use common::rtweekend::*;
 use hittable_list::{Hittable, Sphere};
 use measure::contest::{Contest, Contestant};
-use measure::cost::{DoubleQuestion, PixelQuestion, of_cases, of_methods, of_pixels, throughput};
+use measure::cost::{
+    DoubleQuestion, PixelQuestion, contest_of_methods, loop_over, questions_of_cases,
+    questions_of_pixels,
+};
 use speed_vs_accuracy::{Precision, REGIMES, Regime, SPHERES, certified_hit};
 
 /// So many that no processor learns them by heart.
@@ -17,7 +20,8 @@ const SEED: u64 = 1;
 pub(crate) fn in_order() -> [Contest; 2] {
     [("book", false), ("all_hits", true)].map(|(place, only_hits)| {
         let asked = asked(only_hits);
-        let Contest(mut contestants) = of_methods(place, &of_pixels(camera(), asked.clone()));
+        let Contest(mut contestants) =
+            contest_of_methods(place, &questions_of_pixels(camera(), asked.clone()));
         let record = |((center, radius), ray, t_min): DoubleQuestion| {
             Sphere::new(center, radius).hit(&ray, t_min, f64::INFINITY)
         };
@@ -39,7 +43,7 @@ pub(crate) fn elsewhere() -> impl Iterator<Item = Contest> {
             let cases = regime.cases(precision, SEED, CASES).into_iter();
             cases.map(|case| (case, 0.0)).collect::<Vec<_>>()
         });
-        of_methods(regime.name, &of_cases(&double, &single))
+        contest_of_methods(regime.name, &questions_of_cases(&double, &single))
     })
 }
 
@@ -71,7 +75,7 @@ fn contestant<T: 'static>(
     answer: impl Fn(DoubleQuestion) -> T + 'static,
 ) -> Contestant {
     let (camera, asked) = (camera(), asked.to_vec());
-    let run = throughput(CASES, move |n| {
+    let run = loop_over(CASES, move |n| {
         let ([i, j], sphere) = asked[n];
         answer((sphere, camera.ray(i, j), 0.0))
     });

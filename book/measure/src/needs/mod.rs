@@ -3,7 +3,7 @@
 
 mod culprit;
 
-use crate::contest::ratio;
+use crate::contest::spread_of_ratios;
 use crate::cost::MethodTimes;
 use crate::spread::Spread;
 use crate::wrong_pixels::MethodView;
@@ -101,7 +101,7 @@ impl RatedMethod {
         Self {
             view,
             ns: Spread::of(taken.clone()).least,
-            ratio: ratio(taken, &times[0].nanoseconds).median,
+            ratio: spread_of_ratios(taken, &times[0].nanoseconds).median,
             times: taken.clone(),
         }
     }

@@ -129,5 +129,5 @@ fn read(path: &Path) -> Result<Scene, Box<dyn Error>> {
         ))
     })?;
     let name = path.file_stem().unwrap_or_default().to_string_lossy();
-    scene_file::read(&name, &text).map_err(|mistake| misuse(&format!("{shown}: {mistake}")))
+    scene_file::parse(&name, &text).map_err(|mistake| misuse(&format!("{shown}: {mistake}")))
 }

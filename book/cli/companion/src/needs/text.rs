@@ -43,7 +43,7 @@ pub(super) fn text(scene: &Scene, found: &[PrecisionNeeds], with_acne: usize) ->
     } else {
         "release profile"
     };
-    let times = format!("Times: {profile}, {}. {FASTER}", machine::machine());
+    let times = format!("Times: {profile}, {}. {FASTER}", machine::description());
     text + "\n" + &paragraph(&times)
 }
 
