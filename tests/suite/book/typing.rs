@@ -12,18 +12,19 @@ fn the_next_lines_lead_from_empty_functions_to_the_chapter() {
     for chapter in Chapter::OF_THE_BOOK {
         let mut draft = Draft::skeleton(chapter);
         while let Some(next) = next(&draft, 0) {
-            let (name, file) = &mut draft.files[next.file];
-            let mut lines: Vec<&str> = file.lines().collect();
+            let file = &mut draft.files[next.file];
+            let mut lines: Vec<&str> = file.text.lines().collect();
             if next.replaces_todo {
                 lines[next.above] = next.text;
             } else {
                 lines.insert(next.above, next.text);
             }
-            assert!(lines.len() < 200, "{name} never ends:\n{file}");
-            *file = lines.join("\n");
+            assert!(lines.len() < 200, "{file:?} never ends");
+            file.text = lines.join("\n");
         }
-        for ((name, typed), (_, full)) in draft.files.iter().zip(Draft::full(chapter).files) {
-            assert_eq!(code(typed), code(&full), "{name} of {}", chapter.name());
+        for (typed, full) in draft.files.iter().zip(Draft::full(chapter).files) {
+            let (name, chapter) = (&typed.name, chapter.name());
+            assert_eq!(code(&typed.text), code(&full.text), "{name} of {chapter}");
         }
     }
 }
@@ -34,7 +35,7 @@ fn a_right_text_is_called_unfinished_and_never_wrong_while_it_is_typed() {
     for chapter in Chapter::OF_THE_BOOK {
         let mut draft = Draft::skeleton(chapter);
         while let Some(next) = next(&draft, 0) {
-            let (_, file) = &draft.files[next.file];
+            let file = &draft.files[next.file].text;
             let mut lines: Vec<String> = file.lines().map(str::to_owned).collect();
             let is_instead = lines
                 .get(next.above)
@@ -52,10 +53,10 @@ fn a_right_text_is_called_unfinished_and_never_wrong_while_it_is_typed() {
                 .chain([next.text.len()])
             {
                 lines[next.above] = next.text[..end].to_owned();
-                draft.files[next.file].1 = lines.join("\n") + "\n";
+                draft.files[next.file].text = lines.join("\n") + "\n";
                 let Err(said) = drawn(&draft) else { continue };
                 let is_calm = said.headline.contains("is-calm") && said.places.is_empty();
-                assert!(is_calm, "{:?}\n{}", said, draft.files[next.file].1);
+                assert!(is_calm, "{:?}\n{}", said, draft.files[next.file].text);
             }
         }
     }
@@ -69,11 +70,11 @@ fn a_line_of_the_chapter_that_is_typed_in_part_is_unfinished_though_it_draws() {
     let mut draft = Draft::full(Chapter::Gradient);
     let line = |draft: &Draft| {
         draft.files[0]
-            .1
+            .text
             .lines()
             .position(|it| it.contains("* white"))
     };
-    draft.files[0].1 = draft.files[0].1.replace(" + a * blue", "");
+    draft.files[0].text = draft.files[0].text.replace(" + a * blue", "");
     let at_end = Caret {
         file: 0,
         line: line(&draft).expect("it is there") + 1,
@@ -143,7 +144,7 @@ fn a_habit_from_another_language_is_answered_by_what_rust_writes() {
     ];
     for (right, typed, expected) in rows {
         let mut draft = Draft::full(Chapter::Normals);
-        let (_, file) = &mut draft.files[0];
+        let file = &mut draft.files[0].text;
         *file = file.replacen(right, typed, 1);
         let said = drawn(&draft).expect_err(typed);
         assert!(said.rest.contains(expected), "{typed}: {}", said.rest);

@@ -148,8 +148,8 @@ fn right_programs_in_rust_get_no_remark() {
         let mut typed = Draft::full(chapter);
         for Change { old, new } in &spelling.changes {
             let mut files = typed.files.iter_mut();
-            let found = files.find(|(_, text)| text.contains(old));
-            let (_, file) = found.unwrap_or_else(|| panic!("{old} is in no file"));
+            let found = files.find(|it| it.text.contains(old));
+            let file = &mut found.unwrap_or_else(|| panic!("{old} is in no file")).text;
             *file = file.replace(old, new);
         }
         let program = typed.read().expect("it is Rust");

@@ -19,15 +19,15 @@ fn the_page_says_what_watch_says_of_the_same_text() {
     let mine = Mine::empty();
     for (chapter, old, new) in TYPED {
         let mut draft = Draft::full(chapter);
-        let found = draft.files.iter_mut().find(|(_, text)| text.contains(old));
-        let (_, file) = found.expect("the chapter has the line");
+        let found = draft.files.iter_mut().find(|it| it.text.contains(old));
+        let file = &mut found.expect("the chapter has the line").text;
         *file = file.replace(old, new);
         let folder = mine.path().join(chapter.name());
         if !folder.exists() {
             mine.make(chapter.name(), &[]);
         }
-        for (name, text) in &draft.files {
-            fs::write(folder.join(name), text).expect("it is typed");
+        for file in &draft.files {
+            fs::write(folder.join(&file.name), &file.text).expect("it is typed");
         }
         let watch = squeezed(&mine.watch_once(chapter.name()));
         for line in said(&draft) {

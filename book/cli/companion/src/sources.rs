@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
 use check::names;
-use check::sources::Sources;
+use check::sources::{SourceFile, Sources};
 use language::Language;
 use slips::{Chapter, Edition, ReaderLanguage};
 
@@ -92,8 +92,8 @@ fn found(folder: &Path, files: Vec<PathBuf>, words: &[&str]) -> Found {
     let is_called_so = |it: &&PathBuf| stem(it).is_some_and(|stem| stems.contains(&stem));
     let texts = texts(folder, &files);
     let is_main = |it: &&PathBuf| {
-        let text = texts.iter().find(|(name, _)| Path::new(name) == **it);
-        text.is_some_and(|(_, text)| begins(text))
+        let file = texts.iter().find(|file| Path::new(&file.name) == **it);
+        file.is_some_and(|it| begins(&it.text))
     };
     let choose =
         |is: &dyn Fn(&&PathBuf) -> bool| files.iter().filter(|it| is(it)).collect::<Vec<_>>();
@@ -120,7 +120,7 @@ fn found(folder: &Path, files: Vec<PathBuf>, words: &[&str]) -> Found {
         (true, _) => texts,
         (false, _) => with_imports(&chosen, &programs, texts),
     };
-    let language = all.first().and_then(|(name, _)| Language::of_file(name));
+    let language = all.first().and_then(|it| Language::of_file(&it.name));
     Found {
         sources: Sources::new(all, Vec::new()),
         language,
@@ -133,18 +133,18 @@ fn found(folder: &Path, files: Vec<PathBuf>, words: &[&str]) -> Found {
 fn with_imports(
     chosen: &[&PathBuf],
     programs: &[&PathBuf],
-    texts: Vec<(String, String)>,
-) -> Vec<(String, String)> {
+    texts: Vec<SourceFile>,
+) -> Vec<SourceFile> {
     let is = |name: &str, all: &[&PathBuf]| all.iter().any(|it| it.as_path() == Path::new(name));
     let (mut taken, mut rest): (Vec<_>, Vec<_>) =
-        texts.into_iter().partition(|(name, _)| is(name, chosen));
+        texts.into_iter().partition(|it| is(&it.name, chosen));
     let mut next = 0;
     while next < taken.len() {
-        let (name, text) = taken[next].clone();
+        let SourceFile { name, text } = taken[next].clone();
         let language = Language::of_file(&name);
-        let (more, others) = rest.into_iter().partition(|(other, _)| {
-            Language::of_file(other) == language
-                && (imports(&text, other) || takes_its_folder(language) && !is(other, programs))
+        let (more, others) = rest.into_iter().partition(|SourceFile { name, .. }| {
+            Language::of_file(name) == language
+                && (imports(&text, name) || takes_its_folder(language) && !is(name, programs))
         });
         taken.extend::<Vec<_>>(more);
         (rest, next) = (others, next + 1);
@@ -239,7 +239,10 @@ fn is_of_others(path: &Path) -> bool {
 }
 
 /// Reads the files, as far as they are texts that are not too long.
-fn texts(folder: &Path, files: &[PathBuf]) -> Vec<(String, String)> {
-    let text = |it: &PathBuf| Some((it.to_str()?.to_owned(), short::text(&folder.join(it)).ok()?));
-    files.iter().filter_map(text).collect()
+fn texts(folder: &Path, files: &[PathBuf]) -> Vec<SourceFile> {
+    let file = |it: &PathBuf| {
+        let text = short::text(&folder.join(it)).ok()?;
+        Some(SourceFile::new(it.to_str()?, text))
+    };
+    files.iter().filter_map(file).collect()
 }

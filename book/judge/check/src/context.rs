@@ -2,6 +2,7 @@
 
 use std::cell::OnceCell;
 
+use interpreter::SourceFile;
 use laws::Mismatch;
 use slips::{ChapterProgram, Edition, ReaderLanguage, Slip, SlipText};
 
@@ -41,7 +42,7 @@ impl Context<'_> {
     /// earlier one has such names.
     pub(crate) fn follows_version_4(&self) -> bool {
         let has_names =
-            |(_, text): &(String, String)| text.contains("pixel_delta") || text.contains("pixel00");
+            |it: &SourceFile| it.text.contains("pixel_delta") || it.text.contains("pixel00");
         self.sources.are_of_the_chapter() || self.sources.files().iter().any(has_names)
     }
 

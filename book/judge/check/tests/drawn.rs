@@ -5,7 +5,7 @@ use check::answer::{Row, RowKind};
 use check::context::Context;
 use check::judge;
 use check::reading::Reading;
-use check::sources::Sources;
+use check::sources::{SourceFile, Sources};
 use check::task::Task;
 use slips::{Chapter, ChapterProgram, Edit, ReaderLanguage};
 
@@ -99,7 +99,7 @@ function hitSphere(center, radius, r) {
             "b / b - 4.0 * a" => TYPED.replace("b * b", "b / b"),
             _ => TYPED.replace("oc) - radius", "oc) + radius"),
         };
-        let sources = Sources::new(vec![("red.js".to_owned(), typed)], Vec::new());
+        let sources = Sources::new(vec![SourceFile::new("red.js", typed)], Vec::new());
         let rows = rows(RED_SPHERE, &picture(RED_SPHERE, right, wrong), sources);
         assert!(rows[0].text.contains(line), "{rows:#?}");
     }

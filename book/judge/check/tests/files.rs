@@ -4,7 +4,7 @@ use check::answer::{Row, RowKind};
 use check::context::Context;
 use check::judge_file;
 use check::png;
-use check::sources::Sources;
+use check::sources::{SourceFile, Sources};
 use check::task::Task;
 use check::verdict::Verdict;
 use common::rtweekend::*;
@@ -61,7 +61,8 @@ fn a_readers_line_is_named_if_the_chapter_with_it_draws_the_readers_picture() {
     ] {
         let (_, text) = Chapter::HalfBSphere.files()[0];
         let typed = text.replace(right, wrong);
-        let program = interpreter::read(&[("src/lib.rs", &typed)]).expect("it is a program");
+        let program =
+            interpreter::read(&[SourceFile::new("src/lib.rs", typed)]).expect("it is a program");
         let picture = png::encode(&program.draw(100).expect("it draws"));
         is_named_alone(&picture, old, new);
     }
@@ -183,7 +184,7 @@ fn rows(task: &Task, picture: &[u8], context: &Context) -> Vec<Row> {
 }
 
 fn in_python(text: &str) -> Context<'static> {
-    let files = vec![("main.py".to_owned(), text.to_owned())];
+    let files = vec![SourceFile::new("main.py", text)];
     Context {
         language: Some(ReaderLanguage::Python(Edition::V4)),
         sources: Sources::new(files, Vec::new()),
@@ -192,7 +193,7 @@ fn in_python(text: &str) -> Context<'static> {
 }
 
 fn in_cpp(text: &str) -> Context<'static> {
-    let files = vec![("main.cpp".to_owned(), text.to_owned())];
+    let files = vec![SourceFile::new("main.cpp", text)];
     Context {
         sources: Sources::new(files, Vec::new()),
         ..Context::default()

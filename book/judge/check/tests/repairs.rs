@@ -8,7 +8,7 @@ use check::answer::{Row, RowKind};
 use check::context::Context;
 use check::judge;
 use check::reading::Reading;
-use check::sources::Sources;
+use check::sources::{SourceFile, Sources};
 use check::task::Task;
 use check::verdict::Verdict;
 use slips::{Chapter, ChapterProgram, ReaderLanguage, steps};
@@ -217,12 +217,12 @@ fn each_mistake_is_named_by_its_line_and_by_what_was_tried() {
 /// Returns what is said instead of the line that is right.
 fn missed(&(text, right, wrong): &(Text, &str, &str)) -> Option<String> {
     let files = text.files();
-    let at = files.iter().position(|(_, it)| it.contains(right));
+    let at = files.iter().position(|it| it.text.contains(right));
     let at = at.unwrap_or_else(|| panic!("{right}"));
     let mut changed = files.clone();
-    changed[at].1 = files[at].1.replacen(right, wrong, 1);
+    changed[at].text = files[at].text.replacen(right, wrong, 1);
     let lines = |text: &str| -> HashSet<String> { text.lines().map(squeezed).collect() };
-    let (before, after) = (lines(&files[at].1), lines(&changed[at].1));
+    let (before, after) = (lines(&files[at].text), lines(&changed[at].text));
     let mut expected: Vec<String> = before.difference(&after).cloned().collect();
     if let Some((_, line)) = IN_OTHER_WORDS.iter().find(|(it, _)| *it == wrong) {
         expected = vec![(*line).to_owned()];
@@ -252,20 +252,19 @@ fn a_right_program_in_another_form_gets_no_remark() {
 }
 
 impl Text {
-    fn files(self) -> Vec<(String, String)> {
-        let owned = |&(name, text): &(&str, &str)| (name.to_owned(), text.to_owned());
-        let mut files: Vec<(String, String)> = match self.other {
-            Some(text) => vec![("src/lib.rs".to_owned(), text.to_owned())],
-            None => self.chapter.files().iter().map(owned).collect(),
+    fn files(self) -> Vec<SourceFile> {
+        let mut files = match self.other {
+            Some(text) => vec![SourceFile::new("src/lib.rs", text)],
+            None => slips::typed_files(self.chapter),
         };
         if let Some(color) = self.color {
-            let text = files[0].1.replace("0.5 * (normal + Vec3::ONE)", color);
-            files[0].1 = text.replace("let normal = (ray.at(t) - center).normalize();", "");
+            let text = files[0].text.replace("0.5 * (normal + Vec3::ONE)", color);
+            files[0].text = text.replace("let normal = (ray.at(t) - center).normalize();", "");
         }
         if self.has_a_prelude {
             let import = "mod rtweekend;\nuse crate::rtweekend";
-            files[0].1 = files[0].1.replace("use common::rtweekend", import);
-            files.push(("src/rtweekend.rs".to_owned(), PRELUDE.to_owned()));
+            files[0].text = files[0].text.replace("use common::rtweekend", import);
+            files.push(SourceFile::new("src/rtweekend.rs", PRELUDE));
         }
         files
     }
@@ -273,12 +272,9 @@ impl Text {
 
 /// The rows about a program that draws its picture in the interpreter. If it is wrong, it breaks
 /// a law where the picture is right.
-fn said(chapter: Chapter, files: &[(String, String)], is_wrong: bool) -> Vec<Row> {
-    let mut read: Vec<(&str, &str)> = files
-        .iter()
-        .map(|(name, text)| (&**name, &**text))
-        .collect();
-    read.sort_by_key(|(name, _)| *name != "src/lib.rs");
+fn said(chapter: Chapter, files: &[SourceFile], is_wrong: bool) -> Vec<Row> {
+    let mut read = files.to_vec();
+    read.sort_by_key(|it| it.name != "src/lib.rs");
     let program = interpreter::read(&read).unwrap_or_else(|faults| panic!("{}", faults[0]));
     let picture = program.draw(WIDTH).expect("it draws");
     // Step 1 of the normals shows the red sphere.

@@ -25,24 +25,43 @@ pub struct Program {
     pub(crate) refused: Arc<OnceLock<Fault>>,
 }
 
-/// Reads the files of a crate: their names, such as `src/lib.rs`, and their texts. The
-/// root is `lib.rs`, or the first.
+/// A file of a program as its author typed it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SourceFile {
+    /// The path from the folder of the program, with `/`, such as `src/lib.rs`.
+    pub name: String,
+    /// The whole text.
+    pub text: String,
+}
+
+impl SourceFile {
+    /// Makes a file of a name and a text.
+    pub fn new(name: impl Into<String>, text: impl Into<String>) -> Self {
+        Self {
+            name: name.into(),
+            text: text.into(),
+        }
+    }
+}
+
+/// Reads the files of a crate. The root is `lib.rs`, or the first.
 ///
 /// # Errors
-/// A list of all that the compiler would refuse and reading shows, and of what is not read here.
-pub fn read(files: &[(&str, &str)]) -> Result<Program, Vec<Fault>> {
+/// Returns all that the compiler would refuse, as far as reading shows it, and what the
+/// interpreter does not support.
+pub fn read(files: &[SourceFile]) -> Result<Program, Vec<Fault>> {
     // Places of an earlier text are not needed any more.
     proc_macro2::extra::invalidate_current_thread_spans();
-    let texts: Vec<String> = files.iter().map(|it| it.1.to_owned()).collect();
+    let texts: Vec<String> = files.iter().map(|it| it.text.clone()).collect();
     let refused = |mut all: Vec<Refusal>| {
         all.sort_by_key(|it| it.kind);
         let faults = all.into_iter().map(|it| it.fault(&texts));
         faults.collect::<Vec<_>>()
     };
     let (mut trees, mut faults) = (Vec::new(), Vec::new());
-    for (n, (name, text)) in files.iter().enumerate() {
-        match parsing::parse(n, text) {
-            Ok(tree) => trees.push(((*name).to_owned(), tree)),
+    for (n, file) in files.iter().enumerate() {
+        match parsing::parse(n, &file.text) {
+            Ok(tree) => trees.push((file.name.clone(), tree)),
             Err(fault) => faults.push(fault),
         }
     }

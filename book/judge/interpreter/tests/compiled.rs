@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use common::rtweekend::*;
 use course::chapter::Chapter;
-use interpreter::{Ball, Fault, FaultKind, Program};
+use interpreter::{Ball, Fault, FaultKind, Program, SourceFile};
 
 const WIDTHS: [u32; 3] = [40, 63, 100];
 
@@ -17,8 +17,10 @@ fn program_of<T: AsRef<str>>(files: &[(&str, T)]) -> Result<Program, String> {
 }
 
 fn read<T: AsRef<str>>(files: &[(&str, T)]) -> Result<Program, Fault> {
-    let files: Vec<(&str, &str)> = files.iter().map(|it| (it.0, it.1.as_ref())).collect();
-    interpreter::read(&files).map_err(|faults| faults[0].clone())
+    let files = files
+        .iter()
+        .map(|(name, text)| SourceFile::new(*name, text.as_ref()));
+    interpreter::read(&files.collect::<Vec<_>>()).map_err(|faults| faults[0].clone())
 }
 
 /// Returns the files of a chapter with the first of these words replaced.

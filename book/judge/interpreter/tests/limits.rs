@@ -2,6 +2,8 @@
 
 use std::thread;
 
+use interpreter::SourceFile;
+
 /// What opens a level, what is inside, and what closes it; and how many levels are taken.
 const NESTED: [(&str, &str, &str, usize); 19] = [
     ("(", "x", ")", 194),
@@ -36,7 +38,7 @@ fn what_is_nested_too_deep_is_refused_with_its_line() {
             let said = |n: usize| {
                 let nested = open.repeat(n) + inside + &close.repeat(n);
                 let text = format!("pub fn f(x: f64) -> f64 {{\n    {nested}\n}}\n");
-                let read = interpreter::read(&[("src/lib.rs", &text)]);
+                let read = interpreter::read(&[SourceFile::new("src/lib.rs", &*text)]);
                 read.map_or_else(|faults| faults[0].to_string(), |_| String::new())
             };
             let refused = "line 2: this page does not read what is nested more than 200 deep";
@@ -61,9 +63,10 @@ fn stopped(body: &str) -> String {
          let _ = hit_sphere(Vec3::ONE, 1.0, &Ray::new(Vec3::ONE, Vec3::ONE));\n    \
          String::from(\"P3\\n1 1\\n255\\n0 0 0\")\n}}\n"
     );
-    let program = interpreter::read(&[("src/lib.rs", &text)]).unwrap_or_else(|faults| {
-        panic!("{body}: {}", faults[0]);
-    });
+    let program =
+        interpreter::read(&[SourceFile::new("src/lib.rs", &*text)]).unwrap_or_else(|faults| {
+            panic!("{body}: {}", faults[0]);
+        });
     program
         .draw(1)
         .map_or_else(|fault| fault.message, |_| String::new())

@@ -47,7 +47,7 @@ pub use edit::Edit;
 pub use edition::Edition;
 pub use interpreter::{Ball, SphereHit};
 pub use probes::{PROBES, Probe, find as find_probe, width_line};
-pub use program::{ChapterProgram, Output, files};
+pub use program::{ChapterProgram, Output, files, typed_files};
 pub use reader_language::ReaderLanguage;
 pub use slip::{Slip, SlipText, Unseen};
 pub use trace::{TraceRow, side_by_side};

@@ -5,7 +5,7 @@ use std::fmt;
 use std::sync::LazyLock;
 
 use common::rtweekend::*;
-use interpreter::{Canvas, TracedValue};
+use interpreter::{Canvas, SourceFile, TracedValue};
 
 use crate::chapter::Chapter;
 use crate::edit::Edit;
@@ -54,16 +54,21 @@ static RIGHT: [LazyLock<ChapterProgram>; 6] = [
     LazyLock::new(|| ChapterProgram::read(Chapter::HittableList)),
 ];
 
-/// The files of the chapter's program, the root first: what the chapter has, and what of
+/// Returns the files that a reader of the chapter types, as they should be.
+pub fn typed_files(chapter: Chapter) -> Vec<SourceFile> {
+    let files = chapter.files().iter();
+    files
+        .map(|&(name, text)| SourceFile::new(name, text))
+        .collect()
+}
+
+/// Returns the files of the chapter's program, the root first: what the chapter has, and what of
 /// `common` it uses.
-pub fn files(chapter: Chapter) -> Vec<(String, String)> {
-    let chapters = chapter.files().iter();
-    let mut files: Vec<(String, String)> = chapters
-        .map(|(name, text)| ((*name).to_owned(), (*text).to_owned()))
-        .collect();
-    files.sort_by_key(|(name, _)| !name.ends_with("lib.rs"));
+pub fn files(chapter: Chapter) -> Vec<SourceFile> {
+    let mut files = typed_files(chapter);
+    files.sort_by_key(|it| !it.name.ends_with("lib.rs"));
     let mut add = |name: &str, text: &str, imported: &str| {
-        files[0].1 += &format!("\nmod {name};\n{imported}");
+        files[0].text += &format!("\nmod {name};\n{imported}");
         let own = text.lines().filter(|line| !line.starts_with("use "));
         let own = own.fold(String::new(), |text, line| text + line + "\n");
         let import = match name {
@@ -71,7 +76,7 @@ pub fn files(chapter: Chapter) -> Vec<(String, String)> {
             _ => "",
         };
         let own = format!("use common::rtweekend::*;\n{import}{own}");
-        files.push((format!("src/{name}.rs"), own));
+        files.push(SourceFile::new(format!("src/{name}.rs"), own));
     };
     add("file", FILE, "");
     if chapter > Chapter::BuildTest {
@@ -119,9 +124,7 @@ impl ChapterProgram {
     }
 
     fn read(chapter: Chapter) -> Self {
-        let files = files(chapter);
-        let files: Vec<(&str, &str)> = files.iter().map(|it| (&*it.0, &*it.1)).collect();
-        let code = interpreter::read(&files)
+        let code = interpreter::read(&files(chapter))
             .unwrap_or_else(|faults| panic!("the text of {chapter:?} is read: {}", faults[0]));
         Self {
             chapter,

@@ -181,8 +181,8 @@ impl Slip {
     pub fn source(&self) -> Option<String> {
         let chapter = self.chapters().next()?;
         let mut files = files(chapter).into_iter();
-        let (name, _) = files.find(|(_, text)| self.stands_in(text))?;
-        Some(source(chapter, &name))
+        let file = files.find(|it| self.stands_in(&it.text))?;
+        Some(source(chapter, &file.name))
     }
 
     fn stands_in(&self, text: &str) -> bool {

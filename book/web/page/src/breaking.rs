@@ -80,14 +80,14 @@ impl Breakable {
     /// Lists the words for which there are edits.
     pub fn words(&self) -> Vec<Word> {
         let files = self.draft.files.iter().enumerate();
-        let all = files.flat_map(|(file, (_, text))| {
-            words(text).into_iter().map(move |(at, word)| Word {
+        let all = files.flat_map(|(file, it)| {
+            words(&it.text).into_iter().map(move |(at, word)| Word {
                 file,
                 at: at..at + word.len(),
             })
         });
         let is_word = |it: &Word| {
-            let (_, text) = &self.draft.files[it.file];
+            let text = &self.draft.files[it.file].text;
             !GLUE.contains(&&text[it.at.clone()])
         };
         all.filter(|it| is_word(it) && self.edits.iter().any(|edit| edit.changes(it)))
@@ -104,7 +104,7 @@ impl Breakable {
     /// Returns the text with the edit.
     pub fn broken(&self, edit: &WordEdit) -> Draft {
         let mut draft = self.draft.clone();
-        let (_, file) = &mut draft.files[edit.file];
+        let file = &mut draft.files[edit.file].text;
         file.replace_range(edit.at.clone(), &edit.new);
         draft
     }
@@ -120,7 +120,7 @@ impl Breakable {
 
     /// Returns what the edit replaces, and with what, as a reader sees it.
     pub fn label(&self, word: &Word, edit: &WordEdit) -> String {
-        let (_, text) = &self.draft.files[edit.file];
+        let text = &self.draft.files[edit.file].text;
         let squeezed = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
         let (old, new) = (squeezed(&text[edit.at.clone()]), squeezed(&edit.new));
         let made = match (old.as_str(), new.as_str()) {
@@ -138,7 +138,7 @@ impl Breakable {
 impl WordEdit {
     /// Makes one of an edit in one line, or of a known slip.
     fn new(draft: &Draft, edit: FileEdit, slip: Option<&'static str>) -> Option<Self> {
-        let (_, file) = &draft.files[edit.file];
+        let file = &draft.files[edit.file].text;
         let old = &file[edit.at.clone()];
         if slip.is_none() && old.contains('\n') {
             return None;
@@ -171,7 +171,7 @@ fn known(chapter: Chapter, draft: &Draft) -> Vec<(FileEdit, Option<&'static str>
     let edits = slips::all().filter(is_typed).filter_map(|slip| {
         let edit = slip.only_edit(chapter)?;
         let files = draft.files.iter().enumerate();
-        let mut made = files.filter_map(|(n, (_, text))| Some((n, text, edit.applied_to(text)?)));
+        let mut made = files.filter_map(|(n, it)| Some((n, &it.text, edit.applied_to(&it.text)?)));
         let (file, text, new) = made.next().filter(|_| made.next().is_none())?;
         let whole = FileEdit {
             file,

@@ -2,6 +2,8 @@
 //! `tar` in which each file follows a block that tells its name and its length, so that it
 //! needs no library here, and no program there.
 
+use interpreter::SourceFile;
+
 use crate::typed::Draft;
 
 /// An archive to be unpacked in the workspace: the reader's crate of the chapter in `mine`,
@@ -18,10 +20,11 @@ pub fn archive(draft: &Draft, number: u64) -> Vec<u8> {
         (".vscode/settings.json", skeletons::EDITOR.to_owned()),
     ];
     let typed = draft.files.iter().cloned();
-    let files = typed.chain(given.map(|(name, text)| (name.to_owned(), text)));
+    let files = typed.chain(given.map(|(name, text)| SourceFile::new(name, text)));
+    let path = |file: &SourceFile| format!("mine/{}/{}", chapter.name(), file.name);
     let mut archive: Vec<u8> = files
-        .filter(|(_, text)| !text.is_empty())
-        .flat_map(|(name, text)| entry(&format!("mine/{}/{name}", chapter.name()), text.as_bytes()))
+        .filter(|it| !it.text.is_empty())
+        .flat_map(|it| entry(&path(&it), it.text.as_bytes()))
         .collect();
     // Two empty blocks are its end.
     archive.resize(archive.len() + 2 * BLOCK, 0);

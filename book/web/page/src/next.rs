@@ -1,5 +1,7 @@
 //! Line diff: the first line of a chapter that is not in what a reader has typed so far.
 
+use interpreter::SourceFile;
+
 use crate::typed::Draft;
 
 /// A line of the chapter that is still to be typed.
@@ -20,7 +22,7 @@ pub struct NextLine {
 pub fn next(yours: &Draft, first: usize) -> Option<NextLine> {
     let files = yours.files.iter().enumerate();
     let mut files = files.clone().skip(first).chain(files);
-    files.find_map(|(file, (name, text))| {
+    files.find_map(|(file, SourceFile { name, text })| {
         let (_, theirs) = yours.chapter.files().iter().find(|(it, _)| it == name)?;
         missing(file, theirs, text)
     })

@@ -14,7 +14,7 @@ use check::sentences;
 use check::sources::Sources;
 use check::task::Task;
 use common::rtweekend::*;
-use interpreter::{Fault, FaultKind};
+use interpreter::{Fault, FaultKind, SourceFile};
 use laws::answers::Answers;
 use laws::{Complaint, Trial};
 use slips::{Chapter, ChapterProgram, ReaderLanguage, Slip, lawful, steps};
@@ -27,8 +27,8 @@ use crate::typing::Caret;
 pub struct Draft {
     /// The chapter that it is to be.
     pub chapter: Chapter,
-    /// Names and texts.
-    pub files: Vec<(String, String)>,
+    /// The files in the order in which they are typed: the root last.
+    pub files: Vec<SourceFile>,
     /// Where the reader is typing.
     pub caret: Option<Caret>,
 }
@@ -59,7 +59,7 @@ impl Feedback {
 pub fn beginning(chapter: Chapter) -> Vec<String> {
     let files = Draft::skeleton(chapter).files.into_iter();
     let files = files.zip(Draft::full(chapter).files);
-    let files = files.flat_map(|((name, empty), (_, full))| [name, empty, full]);
+    let files = files.flat_map(|(empty, full)| [empty.name, empty.text, full.text]);
     let steps: Vec<&str> = steps::of_chapter(chapter)
         .iter()
         .map(|step| step.says)
@@ -73,7 +73,9 @@ impl Draft {
         let files = skeletons::plain(chapter).into_iter();
         Self {
             chapter,
-            files: files.map(|(name, text)| (name.to_owned(), text)).collect(),
+            files: files
+                .map(|(name, text)| SourceFile::new(name, text))
+                .collect(),
             caret: None,
         }
     }
@@ -82,9 +84,9 @@ impl Draft {
     pub fn full(chapter: Chapter) -> Self {
         let own = |name: &str| chapter.files().iter().find(|(it, _)| *it == name);
         let files = Self::skeleton(chapter).files.into_iter();
-        let full = files.map(|(name, text)| {
-            let text = own(&name).map_or(text, |(_, full)| (*full).to_owned());
-            (name, text)
+        let full = files.map(|file| match own(&file.name) {
+            Some((name, full)) => SourceFile::new(*name, *full),
+            None => file,
         });
         Self {
             chapter,
@@ -102,10 +104,9 @@ impl Draft {
         program.map_err(|faults| self.not_compiled(&faults))
     }
 
-    /// Returns the names and texts of the files with the root first, which is typed last.
-    pub(crate) fn in_reading_order(&self) -> Vec<(&str, &str)> {
-        let files = self.files.iter();
-        let mut files: Vec<_> = files.map(|(name, text)| (&name[..], &text[..])).collect();
+    /// Returns the files with the root first, which is typed last.
+    pub(crate) fn in_reading_order(&self) -> Vec<SourceFile> {
+        let mut files = self.files.clone();
         files.rotate_right(1);
         files
     }
@@ -140,7 +141,7 @@ impl Draft {
     /// The lines that neither the picture nor the laws have run.
     fn unchecked(&self, program: &interpreter::Program) -> String {
         let lines = program.unchecked().into_iter().map(|(file, lines)| {
-            let (name, _) = &self.files[self.typed(file)];
+            let name = &self.files[self.typed(file)].name;
             match (lines.start(), lines.end()) {
                 (from, to) if from == to => format!("{name}:{from}"),
                 (from, to) => format!("{name}:{from} to {to}"),
@@ -261,7 +262,7 @@ impl Draft {
             return None;
         }
         let place = fault.place.as_ref()?;
-        let (_, text) = &self.files[self.typed(place.file)];
+        let text = &self.files[self.typed(place.file)].text;
         let line = text.lines().nth(place.line - 1)?;
         let rust = habits::in_rust(line, &place.columns)?;
         Some(format!("Rust writes {rust}"))
@@ -285,7 +286,7 @@ impl Draft {
     /// As rustc names a place: file, line and column, from 1.
     fn place(&self, fault: &Fault) -> Option<String> {
         let [file, line, column, _] = self.columns(fault)?;
-        let (name, _) = &self.files[file];
+        let name = &self.files[file].name;
         Some(format!("{name}:{line}:{}", column + 1))
     }
 

@@ -25,7 +25,7 @@ impl Draft {
     pub(crate) fn unfinished_line(&self, faults: &[Fault]) -> Option<usize> {
         let caret = self.caret?;
         let before = self.text_before(caret)?;
-        let (_, text) = &self.files[caret.file];
+        let text = &self.files[caret.file].text;
         if is_nested(before) && !is_nested(text) {
             return Some(caret.line);
         }
@@ -50,7 +50,7 @@ impl Draft {
     /// Returns the line that is being typed, if its statement is how one of the chapter begins.
     pub(crate) fn begun_line(&self) -> Option<usize> {
         let caret = self.caret?;
-        let (name, _) = self.files.get(caret.file)?;
+        let name = &self.files.get(caret.file)?.name;
         let text = self.text_before(caret)?;
         let typed = without_blanks(&text[statement(text)?]);
         let (_, theirs) = self.chapter.files().iter().find(|(it, _)| it == name)?;
@@ -64,7 +64,7 @@ impl Draft {
 
     /// Returns what is typed up to the caret.
     fn text_before(&self, caret: Caret) -> Option<&str> {
-        let (_, text) = self.files.get(caret.file)?;
+        let text = &self.files.get(caret.file)?.text;
         let lines = text.split_inclusive('\n').take(caret.line);
         Some(text[..lines.map(str::len).sum()].trim_end())
     }
@@ -74,7 +74,7 @@ impl Draft {
         let mut rest = self.clone();
         if let Some(caret) = rest.caret.take() {
             let blank = |letter| if letter == '\n' { letter } else { ' ' };
-            let (_, text) = &mut rest.files[caret.file];
+            let text = &mut rest.files[caret.file].text;
             let blank: String = text[part.clone()].chars().map(blank).collect();
             text.replace_range(part, &blank);
         }

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use interpreter::Program;
+use interpreter::{Program, SourceFile};
 
 use super::functions::functions;
 use super::mutation::mutations;
@@ -20,8 +20,8 @@ pub struct FileEdit {
     pub rank: u32,
 }
 
-/// Lists all single edits of the functions of a program whose files have these names and texts.
-pub fn edits_everywhere(program: &Program, files: &[(String, String)]) -> Vec<FileEdit> {
+/// Lists all single edits of the functions of a program that was read from these files.
+pub fn edits_everywhere(program: &Program, files: &[SourceFile]) -> Vec<FileEdit> {
     let mut all = Vec::new();
     for function in functions(program) {
         let Some((file, start)) = function.place(files) else {

@@ -1,12 +1,9 @@
 //! Functions of a program, each with its text and its tree.
 
-use interpreter::Program;
+use interpreter::{Program, SourceFile};
 
 use super::parsed::Reader;
 use super::tree::RustTree;
-
-/// The names and texts of a program's files, the root first.
-pub(super) type Files = Vec<(String, String)>;
 
 /// A function with a body.
 #[derive(Clone, Debug)]
@@ -43,9 +40,9 @@ impl ParsedFunction {
     }
 
     /// Where it stands in the files: in which, and where its text begins.
-    pub(super) fn place(&self, files: &[(String, String)]) -> Option<(usize, usize)> {
+    pub(super) fn place(&self, files: &[SourceFile]) -> Option<(usize, usize)> {
         let mut places = files.iter().enumerate();
-        places.find_map(|(n, (_, text))| Some((n, text.find(&self.text)?)))
+        places.find_map(|(n, file)| Some((n, file.text.find(&self.text)?)))
     }
 }
 
@@ -57,11 +54,12 @@ pub(super) fn functions(program: &Program) -> Vec<ParsedFunction> {
 }
 
 /// Returns the files with other texts for some functions.
-pub(super) fn with(files: &Files, changes: &[(&ParsedFunction, &str)]) -> Files {
-    let mut changed = files.clone();
+pub(super) fn with(files: &[SourceFile], changes: &[(&ParsedFunction, &str)]) -> Vec<SourceFile> {
+    let mut changed = files.to_vec();
     for (function, text) in changes {
         if let Some((file, _)) = function.place(files) {
-            changed[file].1 = changed[file].1.replacen(&function.text, text, 1);
+            let changed = &mut changed[file].text;
+            *changed = changed.replacen(&function.text, text, 1);
         }
     }
     changed

@@ -7,7 +7,7 @@
 use std::rc::Rc;
 
 use common::rtweekend::*;
-use interpreter::{Program, Sample};
+use interpreter::{Program, Sample, SourceFile};
 use laws::answers::Answers;
 use slips::{Chapter, lawful};
 
@@ -37,12 +37,8 @@ pub(super) struct Goal {
 }
 
 /// Reads a program, if the interpreter takes it.
-pub(super) fn program(files: &[(String, String)]) -> Option<Program> {
-    let files: Vec<(&str, &str)> = files
-        .iter()
-        .map(|(name, text)| (&**name, &**text))
-        .collect();
-    interpreter::read(&files).ok()
+pub(super) fn program(files: &[SourceFile]) -> Option<Program> {
+    interpreter::read(files).ok()
 }
 
 /// Returns true if the program draws this picture, by the look of so many pixels.

@@ -5,10 +5,10 @@
 
 use std::cell::Cell;
 
-use interpreter::Program;
+use interpreter::{Program, SourceFile};
 
 use super::backwards::{Fix, RepairSearch};
-use super::functions::{Files, ParsedFunction, functions, with};
+use super::functions::{ParsedFunction, functions, with};
 use super::goal::{self, Goal, program};
 use super::searched;
 use super::tree::squeezed;
@@ -22,7 +22,7 @@ pub struct Repair {
     /// What is to be changed.
     pub changes: Vec<Change>,
     /// The reader's files with all of it.
-    pub(crate) files: Files,
+    pub(crate) files: Vec<SourceFile>,
     /// True if the picture was right before.
     pub(crate) is_hidden: bool,
     /// The step of the chapter, counted from 0, for which it is right, if it is not the last.
@@ -64,7 +64,7 @@ impl Repair {
         let (yours, right) = (found.line, Correction::InOwnLanguage(found.right));
         Some(Self {
             changes: vec![Change { yours, right }],
-            files: Files::new(),
+            files: Vec::new(),
             is_hidden: false,
             step: None,
         })
@@ -133,9 +133,9 @@ impl Repair {
 
 /// Reads the program of these files, if it draws this picture, and tells whether its own loop
 /// over the pixels does.
-fn drawing(files: &Files, reading: &Reading) -> Option<(Program, bool)> {
+fn drawing(files: &[SourceFile], reading: &Reading) -> Option<(Program, bool)> {
     let yours = program(files)?;
-    let has_a_loop = files.iter().any(|(_, text)| text.contains("struct Ray"));
+    let has_a_loop = files.iter().any(|it| it.text.contains("struct Ray"));
     let draws = || {
         let picture = yours.draw(reading.width);
         picture.is_ok_and(|it| it == reading.picture())
@@ -161,10 +161,10 @@ fn with_one_of_the_chapter<'a>(
 
 impl Fix<'_> {
     /// Finds the lines that are changed.
-    fn changes(&self, files: &Files) -> Vec<Change> {
-        let line = |files: &Files, function: &ParsedFunction, n: usize| {
+    fn changes(&self, files: &[SourceFile]) -> Vec<Change> {
+        let line = |files: &[SourceFile], function: &ParsedFunction, n: usize| {
             let (file, start) = function.place(files).unwrap_or_default();
-            let (name, text) = &files[file];
+            let SourceFile { name, text } = &files[file];
             let before = text[..start].matches('\n').count();
             SourceLine {
                 file: name.clone(),

@@ -9,6 +9,8 @@ use std::fmt;
 use language::{Language, Role, Statement, Tree, canonical, functions, normal, statements};
 use slips::{Chapter, Edition, Slip};
 
+pub use interpreter::SourceFile;
+
 use crate::task::Task;
 
 pub(crate) use lines::{CorrectedLine, LineComparison, StatementDiff, Transplant};
@@ -16,8 +18,8 @@ pub(crate) use lines::{CorrectedLine, LineComparison, StatementDiff, Transplant}
 /// What a reader wrote, and the chapter as it should be.
 #[derive(Clone, Debug, Default)]
 pub struct Sources {
-    yours: Vec<(String, String)>,
-    chapter: Vec<(String, String)>,
+    yours: Vec<SourceFile>,
+    chapter: Vec<SourceFile>,
     typed: Vec<TypedStatement>,
     /// What was said of slips in scenes, which is asked again and again.
     said: RefCell<BTreeMap<Key, (LineStatus, Option<CorrectedLine>)>>,
@@ -65,18 +67,15 @@ const STATEMENT: usize = 6;
 impl Sources {
     /// The files by their names and texts: the reader's, and those of the chapter if the
     /// reader types just these.
-    pub fn new(yours: Vec<(String, String)>, chapter: Vec<(String, String)>) -> Self {
+    pub fn new(yours: Vec<SourceFile>, chapter: Vec<SourceFile>) -> Self {
         // Some editors begin a file with a byte order mark.
-        let without_mark = |(name, text): (String, String)| {
-            let text = text.trim_start_matches('\u{feff}').to_owned();
-            (name, text)
+        let without_mark = |file: SourceFile| SourceFile {
+            text: file.text.trim_start_matches('\u{feff}').to_owned(),
+            ..file
         };
         let yours: Vec<_> = yours.into_iter().map(without_mark).collect();
         Self {
-            typed: yours
-                .iter()
-                .flat_map(|(name, text)| typed(name, text))
-                .collect(),
+            typed: yours.iter().flat_map(typed).collect(),
             yours,
             chapter,
             said: RefCell::default(),
@@ -125,9 +124,8 @@ impl Sources {
     }
 
     /// The files of a reader who types the chapter, beside its own.
-    pub fn of_chapter(yours: Vec<(String, String)>, chapter: Chapter) -> Self {
-        let owned = |&(name, text): &(&str, &str)| (name.to_owned(), text.to_owned());
-        Self::new(yours, chapter.files().iter().map(owned).collect())
+    pub fn of_chapter(yours: Vec<SourceFile>, chapter: Chapter) -> Self {
+        Self::new(yours, slips::typed_files(chapter))
     }
 
     /// Returns true if they are those of the chapter and no other program.
@@ -136,16 +134,15 @@ impl Sources {
     }
 
     /// Returns those in Rust but for the program's own, the root first.
-    pub(crate) fn in_rust(&self) -> Vec<(String, String)> {
-        let is_read =
-            |(name, _): &&(String, String)| name.ends_with(".rs") && !name.ends_with("main.rs");
+    pub(crate) fn in_rust(&self) -> Vec<SourceFile> {
+        let is_read = |it: &&SourceFile| it.name.ends_with(".rs") && !it.name.ends_with("main.rs");
         let mut files: Vec<_> = self.yours.iter().filter(is_read).cloned().collect();
-        files.sort_by_key(|(name, _)| !name.ends_with("lib.rs"));
+        files.sort_by_key(|it| !it.name.ends_with("lib.rs"));
         files
     }
 
     /// Returns all of them, by their names and texts.
-    pub(crate) fn files(&self) -> &[(String, String)] {
+    pub(crate) fn files(&self) -> &[SourceFile] {
         &self.yours
     }
 
@@ -164,7 +161,7 @@ impl Sources {
     pub(crate) fn is_written(&self) -> bool {
         let [chapter, yours] = [&self.chapter, &self.yours].map(|files| {
             let files = files.iter();
-            files.map(|(_, text)| functions(text)).collect::<Vec<_>>()
+            files.map(|it| functions(&it.text)).collect::<Vec<_>>()
         });
         let is_of_chapter = |name: &str| chapter.iter().flatten().any(|(it, _)| *it == name);
         // A prelude has none of the chapter's functions, and `start` gives a sky.
@@ -180,7 +177,8 @@ impl Sources {
 }
 
 /// Reads the statements of a file, if its language is known.
-fn typed(name: &str, text: &str) -> Vec<TypedStatement> {
+fn typed(file: &SourceFile) -> Vec<TypedStatement> {
+    let SourceFile { name, text } = file;
     let Some(language) = Language::of_file(name) else {
         return Vec::new();
     };

@@ -44,7 +44,7 @@ extern "C" fn alternatives(word: usize) -> usize {
 
 /// A part of a file as a script counts it: in halves of long letters.
 fn place(draft: &Draft, file: usize, at: &Range<usize>) -> String {
-    let (_, text) = &draft.files[file];
+    let text = &draft.files[file].text;
     let count = |at: usize| text[..at].encode_utf16().count();
     format!("{file} {} {}", count(at.start), count(at.end))
 }

@@ -6,7 +6,7 @@
 use std::cell::RefCell;
 
 use common::rtweekend::Picture;
-use interpreter::Program;
+use interpreter::{Program, SourceFile};
 use slips::Chapter;
 
 use super::{given::given, keep};
@@ -89,10 +89,10 @@ pub(super) fn draft() -> Draft {
     let given = String::from_utf8_lossy(&given);
     let fields: Vec<String> = given.split('\0').map(str::to_owned).collect();
     let (files, _) = fields[1..].as_chunks();
-    let pair = |[name, text]: &[String; 2]| (name.clone(), text.clone());
+    let file = |[name, text]: &[String; 2]| SourceFile::new(name, text);
     Draft {
         chapter: Chapter::find(&fields[0]).expect("a page names its chapter"),
-        files: files.iter().map(pair).collect(),
+        files: files.iter().map(file).collect(),
         caret: None,
     }
 }
