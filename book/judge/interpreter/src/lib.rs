@@ -25,7 +25,7 @@ mod types;
 
 pub use asked::{Ball, SphereHit};
 pub use canvas::{Canvas, TracedValue, number};
-pub use program::{Program, Sample, SourceFile, read};
+pub use program::{ExpectedPixel, Program, SourceFile, UncheckedLines, read};
 pub use refusal::{Fault, FaultKind, Place};
 
 /// The sentence that an answer adds where it calls a text right: only the compiler sees the rest.

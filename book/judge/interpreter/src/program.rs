@@ -15,8 +15,23 @@ use crate::refusal::{Fault, FaultKind, Refusal, lines};
 use crate::types::Int;
 use crate::{lower, read as parsing};
 
-/// Pixels, each by its number from the top and the left, with the levels that it should have.
-pub type Sample = [(u32, [u8; 3])];
+/// A pixel and the color that it should have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ExpectedPixel {
+    /// The number of the pixel: `j * width + i` in column `i` and row `j`, from 0 at the top left.
+    pub index: u32,
+    /// The levels of red, green and blue, 0 to 255.
+    pub levels: [u8; 3],
+}
+
+/// Lines of a file that never ran, so that their types are not checked.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UncheckedLines {
+    /// The number of the file among those that were read, from 0.
+    pub file: usize,
+    /// The first line and the last, counted from 1.
+    pub lines: RangeInclusive<usize>,
+}
 
 /// A text that can be run.
 #[derive(Clone, Debug)]
@@ -117,15 +132,15 @@ impl Program {
     ///
     /// # Errors
     /// As for the picture.
-    pub fn matches(&self, width: u32, pixels: &Rc<Sample>) -> Result<usize, Fault> {
+    pub fn matches(&self, width: u32, pixels: &[ExpectedPixel]) -> Result<usize, Fault> {
         // A reader's own loop over all pixels can't be asked for some.
         let canvas = match self.code.names.own_ray {
             Some(_) => self.by_ray_color(width)?,
             None => self.canvas(width)?,
         };
         let (width, height) = canvas.size();
-        for (n, (at, right)) in pixels.iter().enumerate() {
-            if *at >= width * height || canvas.levels(at % width, at / width)? != *right {
+        for (n, &ExpectedPixel { index, levels }) in pixels.iter().enumerate() {
+            if index >= width * height || canvas.levels(index % width, index / width)? != levels {
                 return Ok(n);
             }
         }
@@ -137,21 +152,21 @@ impl Program {
         self.refused.get()
     }
 
-    /// Lists the lines that never ran, whose types are not checked: each with the number of its
-    /// file, from 0, and the lines, from 1.
-    pub fn unchecked(&self) -> Vec<(usize, RangeInclusive<usize>)> {
+    /// Lists the lines that neither a picture nor a call has run so far, in the order of files and
+    /// lines; lines that follow each other are joined. Empty if each line has run.
+    pub fn unchecked(&self) -> Vec<UncheckedLines> {
         let marks = self.code.functions.iter().flat_map(|it| &it.marks);
         let unrun = marks.filter(|it| !it.has_run.load(Relaxed));
         let lines = unrun.filter_map(|it| lines(&self.code.texts, it.at));
         let mut lines: Vec<_> = lines.collect();
-        lines.sort_by_key(|it| (it.0, *it.1.start()));
-        let mut joined: Vec<(usize, RangeInclusive<usize>)> = Vec::new();
-        for (file, lines) in lines {
+        lines.sort_by_key(|it| (it.file, *it.lines.start()));
+        let mut joined: Vec<UncheckedLines> = Vec::new();
+        for UncheckedLines { file, lines } in lines {
             match joined.last_mut() {
-                Some((last, known)) if *last == file && *lines.start() <= known.end() + 1 => {
-                    *known = *known.start()..=*known.end().max(lines.end());
+                Some(last) if last.file == file && *lines.start() <= last.lines.end() + 1 => {
+                    last.lines = *last.lines.start()..=*last.lines.end().max(lines.end());
                 }
-                _ => joined.push((file, lines)),
+                _ => joined.push(UncheckedLines { file, lines }),
             }
         }
         joined

@@ -1,7 +1,9 @@
 //! What is wrong with a text, and where: in bytes until it is said, in lines and columns then.
 
 use std::fmt;
-use std::ops::{Range, RangeInclusive};
+use std::ops::Range;
+
+use crate::program::UncheckedLines;
 
 /// A reason why a text does not run, with its place and words.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -157,11 +159,14 @@ pub(crate) fn place(texts: &[String], at: At) -> Option<Place> {
 }
 
 /// Finds from which line of which file to which a part of a text goes.
-pub(crate) fn lines(texts: &[String], at: At) -> Option<(usize, RangeInclusive<usize>)> {
+pub(crate) fn lines(texts: &[String], at: At) -> Option<UncheckedLines> {
     let first = place(texts, at)?;
     let said = texts[first.file].get(at.start as usize..at.end as usize)?;
     let last = first.line + said.trim_end().matches('\n').count();
-    Some((first.file, first.line..=last))
+    Some(UncheckedLines {
+        file: first.file,
+        lines: first.line..=last,
+    })
 }
 
 impl fmt::Display for Fault {

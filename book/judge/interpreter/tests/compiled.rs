@@ -287,8 +287,8 @@ fn said_here(files: &[(&'static str, String)]) -> Option<(String, usize, String)
     let fault = match drawn {
         Err(fault) => fault,
         Ok(program) => {
-            let (file, lines) = program.unchecked().into_iter().next()?;
-            return there(file, *lines.start(), "unchecked");
+            let it = program.unchecked().into_iter().next()?;
+            return there(it.file, *it.lines.start(), "unchecked");
         }
     };
     let place = fault.place.unwrap_or_default();

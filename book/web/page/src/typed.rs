@@ -140,8 +140,9 @@ impl Draft {
 
     /// The lines that neither the picture nor the laws have run.
     fn unchecked(&self, program: &interpreter::Program) -> String {
-        let lines = program.unchecked().into_iter().map(|(file, lines)| {
-            let name = &self.files[self.typed(file)].name;
+        let lines = program.unchecked().into_iter().map(|it| {
+            let name = &self.files[self.typed(it.file)].name;
+            let lines = it.lines;
             match (lines.start(), lines.end()) {
                 (from, to) if from == to => format!("{name}:{from}"),
                 (from, to) => format!("{name}:{from} to {to}"),

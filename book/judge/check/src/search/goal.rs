@@ -4,10 +4,8 @@
 //! Pixels alone take some nonsense for right. The questions of the laws, which no pixel asks,
 //! settle it, and find what the picture hides.
 
-use std::rc::Rc;
-
 use common::rtweekend::*;
-use interpreter::{Program, Sample, SourceFile};
+use interpreter::{ExpectedPixel, Program, SourceFile};
 use laws::answers::Answers;
 use slips::{Chapter, lawful};
 
@@ -27,8 +25,8 @@ const ASKED: usize = 3;
 /// What a right program does.
 pub(super) struct Goal {
     width: u32,
-    sample: Rc<Sample>,
-    all: Rc<Sample>,
+    sample: Vec<ExpectedPixel>,
+    all: Vec<ExpectedPixel>,
     chapter: Chapter,
     /// What the chapter answers; nothing where it is not asked.
     answers: Answers,
@@ -43,14 +41,12 @@ pub(super) fn program(files: &[SourceFile]) -> Option<Program> {
 
 /// Returns true if the program draws this picture, by the look of so many pixels.
 pub(super) fn draws(program: &Program, reading: &Reading, count: u32) -> bool {
-    let pixel = |n: u32| {
-        (
-            n,
-            reading.pixels[n as usize].map(|it| it.clamp(0, 255) as u8),
-        )
+    let pixel = |index: u32| ExpectedPixel {
+        index,
+        levels: reading.pixels[index as usize].map(|it| it.clamp(0, 255) as u8),
     };
     let sample = spread(count, reading.pixels.len() as u32);
-    let sample: Rc<Sample> = sample.map(pixel).collect();
+    let sample: Vec<ExpectedPixel> = sample.map(pixel).collect();
     program.matches(reading.width, &sample).ok() == Some(sample.len())
 }
 
@@ -58,11 +54,14 @@ impl Goal {
     /// Takes the right picture, and so many of its pixels.
     pub(super) fn new(chapter: Chapter, right: &Picture, reading: &Reading) -> Self {
         let (width, total) = (right.width(), right.width() * right.height());
-        let level = |n: u32| <[u8; 3]>::try_from(&right.rgb()[3 * n as usize..][..3]);
-        let pixel = |n: u32| (n, level(n).expect("three levels"));
+        let rgb = right.rgb();
+        let pixel = |index: u32| ExpectedPixel {
+            index,
+            levels: [0, 1, 2].map(|it| rgb[3 * index as usize + it]),
+        };
         let has_same_shape = (reading.width, reading.height) == (width, right.height());
         let is_wrong = |n: &u32| {
-            let right = pixel(*n).1.map(i16::from);
+            let right = pixel(*n).levels.map(i16::from);
             !has_same_shape || reading.pixels[*n as usize] != right
         };
         let (wrong, fine): (Vec<u32>, Vec<u32>) = (0..total).partition(is_wrong);
@@ -106,8 +105,9 @@ impl Goal {
 
     /// Returns true if the program is right, by its answers and by what it draws.
     pub(super) fn is_met_by(&self, program: &Program) -> bool {
-        let has =
-            |sample: &Rc<Sample>| program.matches(self.width, sample).ok() == Some(sample.len());
+        let has = |sample: &[ExpectedPixel]| {
+            program.matches(self.width, sample).ok() == Some(sample.len())
+        };
         let loops = |small: &Picture| program.draw(SMALL).is_ok_and(|it| it == *small);
         has(&self.sample)
             && self.small.as_ref().is_none_or(loops)
