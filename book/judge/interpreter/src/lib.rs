@@ -26,7 +26,7 @@ mod types;
 pub use asked::{Ball, SphereHit};
 pub use canvas::{Canvas, TracedValue, number};
 pub use program::{ExpectedPixel, Program, SourceFile, UncheckedLines, read};
-pub use refusal::{Fault, FaultKind, Place};
+pub use refusal::{Fault, FaultKind, SourceSpan};
 
 /// The sentence that an answer adds where it calls a text right: only the compiler sees the rest.
 pub const UNCHECKED: &str = "Moves and borrows are not checked here: cargo does that.";

@@ -9,7 +9,7 @@ use crate::program::UncheckedLines;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault {
     /// Its place, if it has one in the text.
-    pub place: Option<Place>,
+    pub place: Option<SourceSpan>,
     /// The message, in the words of the compiler where it has some.
     pub message: String,
     /// The words below the place, or none.
@@ -35,7 +35,7 @@ pub enum FaultKind {
 
 /// A place in a text.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Place {
+pub struct SourceSpan {
     /// The number of the file, counted from 0.
     pub file: usize,
     /// The line, counted from 1.
@@ -141,7 +141,7 @@ impl Refusal {
 }
 
 /// Finds the line and the columns of a place, as far as its first line goes.
-pub(crate) fn place(texts: &[String], at: At) -> Option<Place> {
+pub(crate) fn place(texts: &[String], at: At) -> Option<SourceSpan> {
     let text = texts.get(at.file as usize).filter(|_| at.end > 0)?;
     let before = text.get(..at.start as usize)?;
     let said = text.get(at.start as usize..at.end as usize)?;
@@ -151,7 +151,7 @@ pub(crate) fn place(texts: &[String], at: At) -> Option<Place> {
     } else {
         start + said.chars().count().max(1)
     };
-    Some(Place {
+    Some(SourceSpan {
         file: at.file as usize,
         line: before.matches('\n').count() + 1,
         columns: start..end,
