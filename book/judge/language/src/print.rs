@@ -1,8 +1,8 @@
 //! Pretty-printing: an expression in the spelling of a language, and a line of our Rust in it.
 
 use crate::Language;
-use crate::normal::function;
-use crate::parse::{Parser, REAL};
+use crate::normal::{REAL, function, is_in};
+use crate::parse::Parser;
 use crate::tree::{Op, Tree};
 
 /// How functions are spelled in Rust and in the book: `.name` is a field, `.name()` a method,
@@ -110,7 +110,7 @@ impl Language {
         // These languages turn one number into another without a word.
         if let (Op::Call(name), [value]) = (&tree.op, &tree.parts[..])
             && matches!(self, Self::Python | Self::JavaScript)
-            && REAL.contains(&name.as_str())
+            && is_in(REAL, name)
         {
             return self.within(value, least);
         }
@@ -187,7 +187,7 @@ impl Language {
             return self.print(&Tree::new(sign, vec![one.clone(), other.clone()]));
         }
         if let [value] = parts
-            && REAL.contains(&name)
+            && is_in(REAL, name)
         {
             return self.cast(value);
         }

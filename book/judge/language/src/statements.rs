@@ -236,8 +236,9 @@ fn target(parser: &Parser) -> Option<usize> {
 /// Returns true if a type and a new name stand before the bracket: C++'s `ray r(…)`.
 fn is_made(parser: &Parser, bracket: usize) -> bool {
     let words = &parser.tokens[parser.next..bracket];
-    let is_named =
-        |it: &crate::tokens::Token| it.kind == crate::tokens::Kind::Word && !is_keyword(it.text);
+    let is_named = |it: &crate::tokens::Token| {
+        it.kind == crate::tokens::TokenKind::Word && !is_keyword(it.text)
+    };
     parser.language == Language::Cpp
         && words.len() > 1
         && words[words.len() - 2..].iter().all(is_named)
@@ -250,7 +251,7 @@ fn names(parser: &Parser, first: usize, end: usize) -> Vec<String> {
     let colon = target.iter().position(|it| it.text == ":");
     let target = &target[..colon.unwrap_or(target.len())];
     let parts = target.split(|it| it.text == ",");
-    let is_word = |it: &&crate::tokens::Token| it.kind == crate::tokens::Kind::Word;
+    let is_word = |it: &&crate::tokens::Token| it.kind == crate::tokens::TokenKind::Word;
     let name = |part: &[crate::tokens::Token]| {
         let indexed = part
             .iter()

@@ -6,7 +6,7 @@ use crate::Language;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Token<'a> {
     pub(crate) text: &'a str,
-    pub(crate) kind: Kind,
+    pub(crate) kind: TokenKind,
     /// Where it begins.
     pub(crate) at: usize,
     /// True if it is the first of its line.
@@ -14,7 +14,7 @@ pub(crate) struct Token<'a> {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum TokenKind {
     Word,
     Number,
     Text,
@@ -71,23 +71,23 @@ fn skipped(rest: &str, language: Language, is_first: bool) -> usize {
     }
 }
 
-fn token(rest: &str, first: char, language: Language) -> (Kind, usize) {
+fn token(rest: &str, first: char, language: Language) -> (TokenKind, usize) {
     let is_word = |c: char| c.is_alphanumeric() || c == '_';
     let end = |is: &dyn Fn(char) -> bool| rest.find(|c| !is(c)).unwrap_or(rest.len());
     let next = rest.chars().nth(1).unwrap_or_default();
     match first {
-        '0'..='9' => (Kind::Number, number(rest)),
-        '.' if next.is_ascii_digit() => (Kind::Number, 1 + number(&rest[1..])),
-        c if is_word(c) || c == '$' => (Kind::Word, end(&|c| is_word(c) || c == '$')),
-        '"' | '`' => (Kind::Text, quoted(rest, first)),
+        '0'..='9' => (TokenKind::Number, number(rest)),
+        '.' if next.is_ascii_digit() => (TokenKind::Number, 1 + number(&rest[1..])),
+        c if is_word(c) || c == '$' => (TokenKind::Word, end(&|c| is_word(c) || c == '$')),
+        '"' | '`' => (TokenKind::Text, quoted(rest, first)),
         // In Rust a lifetime has no second quote.
         '\'' if language != Language::Rust || rest.chars().nth(2) == Some('\'') || next == '\\' => {
-            (Kind::Text, quoted(rest, first))
+            (TokenKind::Text, quoted(rest, first))
         }
         c => {
             let mut signs = SIGNS.iter();
             let sign = signs.find(|it| rest.starts_with(**it));
-            (Kind::Sign, sign.map_or(c.len_utf8(), |it| it.len()))
+            (TokenKind::Sign, sign.map_or(c.len_utf8(), |it| it.len()))
         }
     }
 }

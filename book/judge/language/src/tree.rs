@@ -56,7 +56,12 @@ impl Tree {
         Self::new(Op::Call(name.to_owned()), parts)
     }
 
-    /// Makes a number that stands nowhere.
+    /// Makes a variable or a constant at no place.
+    pub fn name_of(name: &str) -> Self {
+        Self::new(Op::Name(name.to_owned()), Vec::new())
+    }
+
+    /// Makes a real number at no place.
     pub(crate) fn number(value: f64) -> Self {
         Self::new(Op::Number(value, false), Vec::new())
     }
