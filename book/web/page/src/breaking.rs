@@ -10,48 +10,49 @@ use slips::{Chapter, ReaderLanguage};
 use crate::typed::Draft;
 use crate::words::words;
 
-/// So many edits are offered for a word.
+/// The largest number of edits that the page offers for one word.
 const MOST: usize = 8;
-/// What only holds others together is no word to be chosen.
+/// Signs that only hold others together: a reader cannot choose them as words to break.
 const GLUE: [&str; 12] = ["(", ")", "[", "]", "{", "}", ".", ",", ";", "::", "?", "|"];
-/// So wide a picture shows what a compiler would refuse.
+/// The width, in pixels, of the trial picture that shows if a compiler would refuse an edited text.
 const WIDTH: u32 = 24;
 
-/// The text of a chapter, and the edits that can be made in it.
+/// A chapter's own text, with all edits that a reader can make in it by choosing a word.
 pub struct Breakable {
     draft: Draft,
     edits: Vec<WordEdit>,
 }
 
-/// An edit that is offered.
+/// An edit that the page offers for a word: a stretch of one file, and the text for its place.
 #[derive(Clone, Debug)]
 pub struct WordEdit {
-    /// The place of its file among those of the reader.
+    /// The index of the edited file in [`Draft::files`].
     pub file: usize,
-    /// The bytes that it replaces: whole words, and no more than differ.
+    /// The range of bytes that the edit replaces in that file: whole words, no more than change.
     pub at: Range<usize>,
-    /// The text that takes their place.
+    /// The text that takes the place of the range; empty if the words are deleted.
     pub new: String,
-    /// The name of a known slip, if it is one.
+    /// The name of the known slip that this edit makes, or `None` if it is only a possible mistake.
     pub slip: Option<&'static str>,
-    /// The likeliest have the lowest.
+    /// The order in which edits are offered: known slips first, then those that replace the fewest
+    /// words.
     rank: (bool, usize, u32),
 }
 
-/// A word that can be chosen.
+/// A word of a chapter's text that a reader can choose to break.
 #[derive(Clone, Debug)]
 pub struct Word {
-    /// The place of its file among those of the reader.
+    /// The index of the word's file in [`Draft::files`].
     pub file: usize,
-    /// The bytes of the word.
+    /// The range of bytes that the word fills in that file.
     pub at: Range<usize>,
 }
 
 impl Breakable {
-    /// Reads a chapter and finds all edits.
+    /// Reads the text of a chapter and finds all edits of its words, each of them once.
     ///
     /// # Panics
-    /// If the chapter's own text can't be read.
+    /// If the interpreter cannot read the chapter's own text.
     pub fn new(chapter: Chapter) -> Self {
         let draft = Draft::full(chapter);
         let program = draft.read().unwrap_or_else(|said| panic!("{}", said.rest));
@@ -72,12 +73,12 @@ impl Breakable {
         Self { draft, edits }
     }
 
-    /// Returns the chapter's own text.
+    /// Returns the chapter's own text, without an edit.
     pub fn draft(&self) -> &Draft {
         &self.draft
     }
 
-    /// Lists the words for which there are edits.
+    /// Lists the words that at least one edit changes, file by file and from the top.
     pub fn words(&self) -> Vec<Word> {
         let files = self.draft.files.iter().enumerate();
         let all = files.flat_map(|(file, it)| {
@@ -94,14 +95,14 @@ impl Breakable {
             .collect()
     }
 
-    /// Lists the edits of a word that draw something: known slips first, and then those that
-    /// change least.
+    /// Lists at most eight edits that change `word` and leave a program that compiles: known slips
+    /// first, then those that replace the fewest words. The list is empty if there are none.
     pub fn edits(&self, word: &Word) -> Vec<&WordEdit> {
         let all = self.edits.iter().filter(|it| it.changes(word));
         all.filter(|it| self.is_drawn(it)).take(MOST).collect()
     }
 
-    /// Returns the text with the edit.
+    /// Returns the chapter's text after `edit`.
     pub fn broken(&self, edit: &WordEdit) -> Draft {
         let mut draft = self.draft.clone();
         let file = &mut draft.files[edit.file].text;
@@ -109,6 +110,8 @@ impl Breakable {
         draft
     }
 
+    /// Returns true if the interpreter reads and draws the text after `edit`, or it compiles and
+    /// stops.
     fn is_drawn(&self, edit: &WordEdit) -> bool {
         let broken = self.broken(edit);
         let program = interpreter::read(&broken.in_reading_order());
@@ -118,7 +121,8 @@ impl Breakable {
         })
     }
 
-    /// Returns what the edit replaces, and with what, as a reader sees it.
+    /// Returns the words on the button of `edit`: the new text, or both the old and the new one if
+    /// the edit replaces more than `word`, and the name of a known slip.
     pub fn label(&self, word: &Word, edit: &WordEdit) -> String {
         let text = &self.draft.files[edit.file].text;
         let squeezed = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -136,7 +140,8 @@ impl Breakable {
 }
 
 impl WordEdit {
-    /// Makes one of an edit in one line, or of a known slip.
+    /// Narrows an edit to the words that differ. Returns `None` if none do, or if an edit that is
+    /// no known slip starts from more than one line.
     fn new(draft: &Draft, edit: FileEdit, slip: Option<&'static str>) -> Option<Self> {
         let file = &draft.files[edit.file].text;
         let old = &file[edit.at.clone()];
@@ -158,12 +163,14 @@ impl WordEdit {
         })
     }
 
+    /// Returns true if the edit replaces at least a part of `word`.
     fn changes(&self, word: &Word) -> bool {
         self.file == word.file && self.at.start < word.at.end && word.at.start < self.at.end
     }
 }
 
-/// Lists the known slips that are one edit of one place of the chapter's text.
+/// Lists the known slips that are one edit of one place of the chapter's text, each as an edit of a
+/// whole file, with the slip's name.
 fn known(chapter: Chapter, draft: &Draft) -> Vec<(FileEdit, Option<&'static str>)> {
     let is_typed = |slip: &&slips::Slip| {
         slip.is_typed_in(chapter) && slip.is_possible_in_language(ReaderLanguage::Rust)
@@ -184,8 +191,9 @@ fn known(chapter: Chapter, draft: &Draft) -> Vec<(FileEdit, Option<&'static str>
     edits.collect()
 }
 
-/// Returns the words of the old text that the new one has otherwise, and what that has there: with
-/// the next word, or the last, where only something is added.
+/// Returns the range of bytes of `old` that differs from `new`, in whole words and with brackets in
+/// pairs, and the words that `new` has there. Where `new` only adds words, the range is a neighbor
+/// of these. Returns `None` if both texts have the same words.
 fn differing<'n>(old: &str, new: &'n str) -> Option<(Range<usize>, &'n str)> {
     let (olds, news) = (words(old), words(new));
     let same = olds
@@ -228,7 +236,7 @@ fn differing<'n>(old: &str, new: &'n str) -> Option<(Range<usize>, &'n str)> {
     Some((place(&olds), &new[place(&news)]))
 }
 
-/// Counts the brackets that are closed and were not opened, and those that stay open.
+/// Counts the brackets that close without having been opened, and those that stay open.
 fn unmatched(words: &[(usize, &str)]) -> (usize, usize) {
     words
         .iter()

@@ -18,42 +18,44 @@ use slips::{Chapter, Edition, PROBES, Probe, Slip};
 
 use crate::rgba;
 
-/// What a reader says of a picture.
+/// The words with which a reader hands in a picture to be checked.
 #[derive(Clone, Debug, Default)]
 pub struct CheckRequest {
-    /// What its file is called.
+    /// The name of the picture's file, for the sentences of the answer.
     pub name: String,
-    /// The chapter, or it is guessed.
+    /// The chapter that the picture is said to be of, or `None` if it is to be guessed.
     pub chapter: Option<Chapter>,
-    /// The probe that was made.
+    /// The probe (a small change of the scene that a page proposes) that the reader made, if any.
     pub probe: Option<Probe>,
-    /// The only edition that will do.
+    /// The only edition of the book whose picture counts as right, or `None` if all do.
     pub edition: Option<Edition>,
 }
 
-/// A picture, and what is said of it.
+/// The verdict on a picture, with all that the page shows of it.
 pub struct CheckResponse {
-    /// A line of facts for the script, with tabs between them; the verdict on a line; and
-    /// below it the rest, as HTML.
+    /// Three parts, each on a new line: facts for the script, separated by tabs (chapter, probe,
+    /// cause, `width height column row` with the first wrong pixel, and the number of wrong
+    /// pixels); the headline; all the rest. The last two are HTML.
     pub text: String,
-    /// The pictures, if there is one to see.
+    /// The right picture and the reader's, or `None` if the file could not be read.
     pictures: Option<Pictures>,
-    /// The reader's numbers, and the programs beside which they are shown.
+    /// The reader's levels and the programs whose numbers are shown for a pixel.
     traced: Option<Traced>,
 }
 
-/// What the numbers of a pixel are asked of.
+/// The picture and the programs that [`CheckResponse::inspect`] compares at a pixel.
 struct Traced {
     reading: Reading,
-    /// The scene by the edition that the picture is judged by.
+    /// The scene of the right picture, in the edition that the reader's picture was compared with.
     task: Task,
-    /// The mistake that draws the picture, if one is known.
+    /// The slips that draw the reader's picture, or `None` if no known ones do.
     mistake: Option<Vec<&'static Slip>>,
 }
 
 impl CheckRequest {
-    /// The name of a file, and places in the lists of [`choices`], counted from 1: 0 says
-    /// nothing. Between them are zero bytes.
+    /// Reads a request from four fields with zero bytes between them: the name of a file, and
+    /// places in the lists of [`choices`] (chapter, probe, edition), counted from 1. A field that
+    /// is 0, missing or no number says nothing.
     pub fn read(text: &str) -> Self {
         let mut fields = text.split('\0');
         let name = fields.next().unwrap_or_default().to_owned();
@@ -66,7 +68,8 @@ impl CheckRequest {
         }
     }
 
-    /// The scene that is asked for. A probe for which the chapter has no room is none.
+    /// Returns the scene that the request asks for; the chapter is guessed from `reading` if the
+    /// request names none. A probe for which the chapter has no room is left out.
     fn task(&self, reading: Option<&Reading>) -> Task {
         let plain = match (self.chapter, reading) {
             (None, Some(reading)) => guess::task(reading),
@@ -79,7 +82,8 @@ impl CheckRequest {
     }
 }
 
-/// Returns what the script can offer, a line each: which list, what it is called, and what it is.
+/// Returns all that a reader can choose in the page's form, a line each, with tabs between the name
+/// of the list (`chapter`, `probe` or `edition`), the words that are shown, and the value.
 pub fn choices() -> String {
     let chapters = Chapter::OF_THE_BOOK.map(|it| format!("chapter\t{}\t{0}", it.name()));
     let probes = PROBES.map(|it| format!("probe\t{}\t{0}", it.name));
@@ -87,7 +91,8 @@ pub fn choices() -> String {
     [&chapters[..], &probes, &editions].concat().join("\n")
 }
 
-/// Judges the bytes of a file.
+/// Judges the bytes of a picture file, as the command `check` does. A file that is no picture gets
+/// a response that says why.
 pub fn answer(request: CheckRequest, bytes: &[u8]) -> CheckResponse {
     match reading::read(bytes) {
         Ok(reading) => judged(request, reading, None),
@@ -95,14 +100,17 @@ pub fn answer(request: CheckRequest, bytes: &[u8]) -> CheckResponse {
     }
 }
 
-/// Returns what is said of a file that is too large to be read.
+/// Returns the response to a file that is too large to be read.
 pub fn too_large(request: CheckRequest) -> CheckResponse {
     refused(request, Cause::too_large())
 }
 
-/// Judges what a browser shows of a file that only it can read: four bytes a pixel. `why`
-/// are the first bytes of the file. Where the format loses levels in ways of its own, only a
-/// right picture is judged: what differs may be the file's fault.
+/// Judges a file that only the browser can read, as the browser shows it: `rgba` has four bytes a
+/// pixel, row by row from the top, and `why` the first bytes of the file.
+///
+/// Where the format loses levels in ways of its own (JPEG, WebP), only a right picture is judged: a
+/// difference may be the file's fault. If the number of bytes does not fit the size, the file is
+/// refused.
 pub fn decoded(
     request: CheckRequest,
     why: &[u8],
@@ -128,7 +136,8 @@ pub fn decoded(
     judged(request, reading, Some(cause))
 }
 
-/// `foreign` says why only the browser can read the file.
+/// Judges a picture that has been read; `foreign` says why only the browser could read its file, if
+/// so.
 fn judged(request: CheckRequest, reading: Reading, foreign: Option<Cause>) -> CheckResponse {
     let context = Context::default();
     let wanted = request.task(Some(&reading));
@@ -176,6 +185,7 @@ fn judged(request: CheckRequest, reading: Reading, foreign: Option<Cause>) -> Ch
     }
 }
 
+/// Returns the response to a file that cannot be judged, for this cause.
 fn refused(request: CheckRequest, cause: Cause) -> CheckResponse {
     let answer = sentences::refused(&request.name, "not a picture", &cause);
     CheckResponse {
@@ -185,8 +195,8 @@ fn refused(request: CheckRequest, cause: Cause) -> CheckResponse {
     }
 }
 
-/// The facts that the script asks for: chapter, probe, cause, the size with the first pixel that
-/// differs, and how many differ.
+/// Writes the facts for the script: chapter, probe, cause, the size with the first pixel that
+/// differs, and the number of pixels that differ.
 fn facts(task: &Task, verdict: &Verdict, reading: &Reading) -> String {
     let difference = verdict.finding().and_then(|it| it.difference.as_ref());
     let (column, row) = difference.map_or((0, 0), |it| it.first);
@@ -200,8 +210,8 @@ fn facts(task: &Task, verdict: &Verdict, reading: &Reading) -> String {
     facts.join("\t")
 }
 
-/// The facts in the first line, the verdict in the second, since it is announced before the rest
-/// is read, and the rest below.
+/// Puts the facts on the first line, the headline on the second, since the page announces it before
+/// the rest is read, and the rest below.
 fn laid_out(facts: &str, answer: &Answer) -> String {
     let (headline, below) = (
         headline(&answer.headline),
@@ -210,7 +220,7 @@ fn laid_out(facts: &str, answer: &Answer) -> String {
     format!("{facts}\n{headline}\n{below}")
 }
 
-/// Said below a picture that `check` can't read.
+/// Returns the HTML paragraph below the verdict on a file that only the browser could read.
 fn read_by_browser(cause: &Cause) -> String {
     format!(
         "<p>Your browser has read this file: {}. It was judged as what the browser shows.</p>",
@@ -219,8 +229,9 @@ fn read_by_browser(cause: &Cause) -> String {
 }
 
 impl CheckResponse {
-    /// The right picture, the reader's, or the difference, as a canvas has them: four bytes
-    /// a pixel. Nothing if there is none.
+    /// Returns a picture as a canvas takes it, four bytes a pixel, row by row from the top: the
+    /// right one (0), the reader's (1), or the difference (2). Returns no bytes if there is no such
+    /// picture.
     pub fn rgba(&self, which: usize) -> Vec<u8> {
         match (&self.pictures, which) {
             (Some(it), 0) => rgba(&it.right),
@@ -237,8 +248,9 @@ impl CheckResponse {
         }
     }
 
-    /// The numbers of a pixel, a line each: what it is, as it should be, and if a mistake is
-    /// known, as that has it; and in the last line the reader's levels.
+    /// Returns the numbers behind a pixel (column and row from the top left), a line each: the name
+    /// of the number, its right value, and, if a mistake is known, its value with the mistake. The
+    /// last line has the reader's levels, 0–255. Returns an empty text if there is no picture.
     pub fn inspect(&self, column: u32, row: u32) -> String {
         let (Some(it), Some(_)) = (&self.traced, &self.pictures) else {
             return String::new();

@@ -1,7 +1,8 @@
 //! Exports: the functions that the scripts of the pages call.
 //!
-//! A script calls a function, and reads the answer, as long as that one says, where [`place`]
-//! says. It stays there until the next call.
+//! An exported function leaves its answer, bytes or UTF-8 text, in one buffer and returns its
+//! length. The script then reads that many bytes from the address that [`place`] returns, before it
+//! makes the next call.
 
 #[cfg(feature = "judge")]
 mod breaking;
@@ -20,13 +21,13 @@ thread_local! {
     static ANSWER: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
 }
 
-/// Where the last answer is.
+/// Returns the address of the last answer.
 #[unsafe(no_mangle)]
 extern "C" fn place() -> *const u8 {
     ANSWER.with_borrow(Vec::as_ptr)
 }
 
-/// Keeps an answer; returns its length in bytes.
+/// Keeps an answer for the script; returns its length in bytes.
 fn keep(answer: impl Into<Vec<u8>>) -> usize {
     ANSWER.set(answer.into());
     ANSWER.with_borrow(Vec::len)

@@ -4,8 +4,9 @@ use std::ops::Range;
 
 use crate::words::words;
 
-/// What is typed, and what Rust writes instead. In the first `x` and `y` stand for names, `X` for
-/// one that begins with a capital, and `…` for anything; in the second they are these.
+/// Pairs of words that readers type out of habit, and the Rust for them. In the first text, `x` and
+/// `y` stand for names, `X` for a name with a capital, and `…` for any words; in the second, they
+/// are replaced by the names that were typed.
 const HABITS: &[(&str, &str)] = &[
     ("for ( int …", "`for n in 0..count { … }`"),
     ("for ( … :", "`for object in &objects { … }`"),
@@ -73,14 +74,15 @@ const HABITS: &[(&str, &str)] = &[
     ("=>", "`>=`"),
 ];
 
-/// Names have these words around them in Rust, too.
+/// Keywords of Rust that may stand beside a name, and so are no names themselves.
 const KEYWORDS: [&str; 24] = [
     "as", "break", "const", "continue", "dyn", "else", "enum", "fn", "for", "if", "impl", "in",
     "let", "loop", "match", "mod", "mut", "pub", "return", "self", "struct", "trait", "use",
     "while",
 ];
 
-/// Returns what Rust writes where a line has a habit at these columns.
+/// Returns the Rust for the habit that a line shows where `columns` begin, or `None` if there is
+/// none.
 pub(crate) fn in_rust(line: &str, columns: &Range<usize>) -> Option<String> {
     let (at, _) = line.char_indices().nth(columns.start)?;
     let words = words(line);
@@ -98,8 +100,8 @@ pub(crate) fn in_rust(line: &str, columns: &Range<usize>) -> Option<String> {
     })
 }
 
-/// Returns how many of the words the pattern takes from the first on, and adds the names to those
-/// that stand for them.
+/// Matches a pattern of [`HABITS`] with the first words. Returns the number of words that it takes,
+/// and appends the names that stand for `x`, `y` and `X`; returns `None` if it does not fit.
 fn matched<'a>(
     pattern: &[&'static str],
     words: &[(usize, &'a str)],
@@ -127,7 +129,7 @@ fn matched<'a>(
     Some(1 + matched(rest, &words[1..], names)?)
 }
 
-/// Puts names in the place of the words that stand for them.
+/// Puts the matched names in the place of `x`, `y` and `X`.
 fn with_names(rust: &str, names: &[(&str, &str)]) -> String {
     let name = |word: &str| {
         let found = names.iter().rev().find(|(it, _)| *it == word);

@@ -1,13 +1,13 @@
-//! The crate that `start` would have made, with what was typed in a page, as an archive: a
-//! `tar` in which each file follows a block that tells its name and its length, so that it
-//! needs no library here, and no program there.
+//! A tar archive (POSIX.1-1988, ustar) of the crate that `start` would have made, with the files
+//! that a reader typed in a page. Each file follows a block with its name and its length, so
+//! writing it needs no library.
 
 use interpreter::SourceFile;
 
 use crate::typed::Draft;
 
-/// An archive to be unpacked in the workspace: the reader's crate of the chapter in `mine`,
-/// with a number that no other crate has.
+/// Returns a tar archive to be unpacked in the workspace: the reader's crate of the draft's
+/// chapter, in the folder `mine`. `number` makes the crate's name unlike that of any other.
 pub fn archive(draft: &Draft, number: u64) -> Vec<u8> {
     let chapter = draft.chapter;
     let manifest = skeletons::manifest(chapter, false, "../..", number);
@@ -31,9 +31,11 @@ pub fn archive(draft: &Draft, number: u64) -> Vec<u8> {
     archive
 }
 
+/// The size of a block of an archive, in bytes.
 const BLOCK: usize = 512;
 
-/// A plain file in an archive (POSIX.1-1988, ustar): its block, and its bytes in blocks.
+/// Returns a plain file as it stands in an archive: its header block, and its bytes, filled up to
+/// whole blocks.
 fn entry(name: &str, bytes: &[u8]) -> Vec<u8> {
     let mut block = vec![0; BLOCK];
     let mut put =

@@ -1,9 +1,9 @@
-//! What the pages call, compiled to WebAssembly: bytes and numbers in; words and pixels out.
+//! The functions that the pages call, compiled to WebAssembly: bytes and numbers in; words and
+//! pixels out.
 //!
-//! Nothing is computed here that is not computed elsewhere: the live figures are those of
-//! [`figures`], a picture is [`checked`] by the package `check`, and a text that is [`typed`] is
-//! run by `interpreter`. `.ci/live` builds the modules that the scripts in `book/notes/live`
-//! load.
+//! All that they answer is computed elsewhere: the live figures by [`figures`], the verdict on a
+//! picture ([`checked`]) by the package `check`, and the picture of a text that is [`typed`] by
+//! `interpreter`. `.ci/live` builds the modules that the scripts in `book/notes/live` load.
 
 pub mod breaking;
 pub mod checked;
@@ -18,7 +18,8 @@ mod words;
 
 use common::rtweekend::Picture;
 
-/// The bytes of a picture as a canvas has them: four a pixel.
+/// Returns the pixels of a picture as a canvas takes them: red, green, blue and 255, row by row
+/// from the top.
 fn rgba(picture: &Picture) -> Vec<u8> {
     let (pixels, _) = picture.rgb().as_chunks();
     let opaque = |&[r, g, b]: &[u8; 3]| [r, g, b, u8::MAX];

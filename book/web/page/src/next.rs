@@ -1,24 +1,25 @@
-//! Line diff: the first line of a chapter that is not in what a reader has typed so far.
+//! Line diff: finds the first line of a chapter that a reader's draft lacks.
 
 use interpreter::SourceFile;
 
 use crate::typed::Draft;
 
-/// A line of the chapter that is still to be typed.
+/// The first line of a chapter that a draft lacks, and its place in the draft.
 #[derive(Debug, PartialEq, Eq)]
 pub struct NextLine {
-    /// The place of its file among those of the reader.
+    /// The index of its file in [`Draft::files`].
     pub file: usize,
-    /// The reader's line that it goes above, from 0.
+    /// The line of the draft, counted from 0, above which it goes.
     pub above: usize,
-    /// The line, as far indented as it should be.
+    /// The line itself, indented as in the chapter, without an end of line.
     pub text: &'static str,
-    /// True if the line takes the place of the one at `above`, a `todo!()`, of which it is the
-    /// last: false if it is inserted above that.
+    /// True if it goes in the place of the line at `above`, a `todo!()`, rather than above it.
     pub replaces_todo: bool,
 }
 
-/// The next line to type, in the file in that place, and then in the others in their order.
+/// Returns the first line of the chapter that the draft lacks, searched in the file with the index
+/// `first` and those after it, then in all from the first on. Returns `None` if no line is missing.
+/// Comments, attributes and empty lines do not count.
 pub fn next(yours: &Draft, first: usize) -> Option<NextLine> {
     let files = yours.files.iter().enumerate();
     let mut files = files.clone().skip(first).chain(files);
@@ -28,7 +29,7 @@ pub fn next(yours: &Draft, first: usize) -> Option<NextLine> {
     })
 }
 
-/// The first line of theirs that is not in yours, and where it goes.
+/// Returns the first line of the text `theirs` that the text `yours` lacks.
 fn missing(file: usize, theirs: &'static str, yours: &str) -> Option<NextLine> {
     let mut left: &[(usize, &str)] = &code(yours).collect::<Vec<_>>();
     let mut theirs = code(theirs).map(|(_, line)| line).peekable();
@@ -52,15 +53,15 @@ fn missing(file: usize, theirs: &'static str, yours: &str) -> Option<NextLine> {
     None
 }
 
-/// Where the line is among those that are left of the same function: lines of the reader's
-/// own may stand before it.
+/// Returns the index in `left` of the chapter's line `line`, if the reader's function has it: other
+/// lines of the reader may stand before it.
 fn found(left: &[(usize, &str)], line: &str) -> Option<usize> {
     let end = left.iter().position(|(_, it)| is_end_of_item(it));
     let of_function = &left[..end.map_or(left.len(), |end| end + 1)];
     of_function.iter().position(|(_, it)| is_same(it, line))
 }
 
-/// Returns true if both are the same, or say the same name in other words.
+/// Returns true if both lines are the same, or both give a value to the same name by `let`.
 fn is_same(yours: &str, theirs: &str) -> bool {
     let name = |line: &str| {
         let mut words = line.split_whitespace();
@@ -73,15 +74,17 @@ fn is_same(yours: &str, theirs: &str) -> bool {
     yours.trim() == theirs.trim() || name(theirs).is_some_and(|it| name(yours) == Some(it))
 }
 
+/// Returns true for a line that begins with a closing brace.
 fn is_end(line: &str) -> bool {
     line.trim_start().starts_with('}')
 }
 
+/// Returns true for a closing brace that is not indented, with which a function or type ends.
 fn is_end_of_item(line: &str) -> bool {
     line.starts_with('}')
 }
 
-/// The lines that are more than a comment or an attribute, with their places.
+/// Returns the lines that are not empty and no comment or attribute, with their index from 0.
 fn code(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let is_code = |line: &str| {
         !["//", "#"]

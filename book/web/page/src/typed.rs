@@ -1,8 +1,8 @@
-//! What the editor of a page asks: texts in; pixels and words out.
+//! The judge behind the editor of a page: texts in; pixels and words out.
 //!
-//! [`interpreter`] reads and draws what a reader types, [`laws`] ask its functions, and [`check`]
-//! says what it has come to, in the words that `watch` has for the same crate. Here these only
-//! become HTML.
+//! [`interpreter`] reads and draws the text that a reader types, [`laws`] try its functions, and
+//! [`check`] judges it in the words that `watch` has for a crate on disk. This module turns the
+//! verdict into HTML.
 
 use check::answer::{Answer, Attempt, Commands, Grade, LawsStatus, Row, RowKind};
 use check::context::Context;
@@ -22,29 +22,30 @@ use slips::{Chapter, ChapterProgram, ReaderLanguage, Slip, lawful, steps};
 use crate::habits;
 use crate::typing::Caret;
 
-/// What a reader has typed, by the names of the files.
+/// A chapter as a reader has typed it so far in a page.
 #[derive(Clone, Debug)]
 pub struct Draft {
-    /// The chapter that it is to be.
+    /// The chapter that the reader types.
     pub chapter: Chapter,
     /// The files in the order in which they are typed: the root last.
     pub files: Vec<SourceFile>,
-    /// Where the reader is typing.
+    /// The end of the line in which the reader is typing, or `None` if the text counts as finished.
     pub caret: Option<Caret>,
 }
 
-/// What is said of a text.
+/// The answer of the page to a draft.
 #[derive(Debug)]
 pub struct Feedback {
-    /// The places that it is about: file and line, and from which to which column.
+    /// The places in the draft to be underlined, with the index of the file in [`Draft::files`].
     pub places: Vec<[usize; 4]>,
-    /// A line of HTML, to be announced.
+    /// The verdict as one line of HTML, which the page reads aloud.
     pub headline: String,
-    /// The rest, as HTML.
+    /// All below the headline, as HTML.
     pub rest: String,
 }
 
 impl Feedback {
+    /// Lays out an answer as HTML, beside these places.
     fn new(answer: &Answer, places: Vec<[usize; 4]>) -> Self {
         Self {
             places,
@@ -54,8 +55,8 @@ impl Feedback {
     }
 }
 
-/// Returns what an editor begins with: of each file of the chapter its name, with nothing in its
-/// functions, and in full. After them the steps.
+/// Returns the texts with which an editor begins: for each file of the chapter its name, its text
+/// with empty functions, and its full text. A last text has the chapter's steps, a line each.
 pub fn beginning(chapter: Chapter) -> Vec<String> {
     let files = Draft::skeleton(chapter).files.into_iter();
     let files = files.zip(Draft::full(chapter).files);
@@ -68,7 +69,7 @@ pub fn beginning(chapter: Chapter) -> Vec<String> {
 }
 
 impl Draft {
-    /// The text of a chapter with nothing in its functions.
+    /// Returns the files of a chapter with `todo!()` in place of each function's body.
     pub fn skeleton(chapter: Chapter) -> Self {
         let files = skeletons::plain(chapter).into_iter();
         Self {
@@ -80,7 +81,7 @@ impl Draft {
         }
     }
 
-    /// The chapter's own text, in the files of the skeleton.
+    /// Returns the chapter's own files, complete.
     pub fn full(chapter: Chapter) -> Self {
         let own = |name: &str| chapter.files().iter().find(|(it, _)| *it == name);
         let files = Self::skeleton(chapter).files.into_iter();
@@ -95,26 +96,27 @@ impl Draft {
         }
     }
 
-    /// Reads it, or says what keeps it from being a program.
+    /// Parses and checks the draft, so that it can be drawn.
     ///
     /// # Errors
-    /// What a compiler would complain of.
+    /// Returns the feedback on a text that a compiler would refuse, or that the interpreter can't
+    /// read.
     pub fn read(&self) -> Result<interpreter::Program, Feedback> {
         let program = interpreter::read(&self.in_reading_order());
         program.map_err(|faults| self.not_compiled(&faults))
     }
 
-    /// Returns the files with the root first, which is typed last.
+    /// Returns the files with the crate's root first: readers type that file last.
     pub(crate) fn in_reading_order(&self) -> Vec<SourceFile> {
         let mut files = self.files.clone();
         files.rotate_right(1);
         files
     }
 
-    /// Draws what was read.
+    /// Draws the program that was read, `width` pixels wide.
     ///
     /// # Errors
-    /// What stops the program.
+    /// Returns the feedback on a program that panics, or that a compiler would refuse.
     pub fn draw(&self, program: &interpreter::Program, width: u32) -> Result<Picture, Feedback> {
         program.draw(width).map_err(|fault| match fault.kind {
             FaultKind::Stopped => self.stopped(&fault),
@@ -122,7 +124,7 @@ impl Draft {
         })
     }
 
-    /// Judges it by its picture.
+    /// Judges the draft, read as `program`, by its picture, its functions and its lines.
     pub fn judged(&self, program: interpreter::Program, picture: &Picture) -> Feedback {
         let mut answer = self.answer(&program, picture);
         // A line that the picture never runs is run by the laws.
@@ -138,7 +140,7 @@ impl Draft {
         Feedback::new(&answer, Vec::new())
     }
 
-    /// The lines that neither the picture nor the laws have run.
+    /// Names the lines that ran neither for the picture nor for the laws: a sentence, or nothing.
     fn unchecked(&self, program: &interpreter::Program) -> String {
         let lines = program.unchecked().into_iter().map(|it| {
             let name = &self.files[self.typed(it.file)].name;
@@ -154,15 +156,13 @@ impl Draft {
         }
     }
 
-    /// The chapter's program with what was typed in the place of its code.
+    /// Returns the chapter's program with the typed code in the place of ours.
     fn in_place_of_ours(&self, typed: &interpreter::Program) -> ChapterProgram {
         ChapterProgram::typed(self.chapter, typed.clone())
     }
 
-    /// Judges the picture, the laws and the typed lines together.
-    ///
-    /// # Panics
-    /// Never: without a probe each chapter is a scene.
+    /// Judges the picture, tries the laws on the functions, and compares the typed lines with the
+    /// chapter's.
     pub fn answer(&self, program: &interpreter::Program, picture: &Picture) -> Answer {
         let task =
             Task::new(self.chapter, None).expect("every chapter can be drawn without a probe");
@@ -208,12 +208,13 @@ impl Draft {
         attempt.answer(judge(&task, &reading, 0, &context))
     }
 
-    /// Returns what the compiler would refuse and was seen only when the laws asked.
+    /// Returns the feedback on a fault of compilation that only came to light when the laws ran.
     fn refused(&self, program: &interpreter::Program) -> Option<Feedback> {
         let fault = program.refused()?;
         Some(self.not_compiled(std::slice::from_ref(fault)))
     }
 
+    /// Returns the feedback on faults of compilation: calm, if the reader is still typing the line.
     fn not_compiled(&self, faults: &[Fault]) -> Feedback {
         if let Some(line) = self.unfinished_line(faults) {
             let so_far = faults
@@ -246,7 +247,7 @@ impl Draft {
         }
     }
 
-    /// Returns the words of a compiler, and what Rust writes where there is a habit.
+    /// Returns the message of a fault, its label, and its help, with colons between them.
     fn in_words(&self, fault: &Fault) -> String {
         let habit = self.habit(fault);
         let help = habit.as_ref().unwrap_or(&fault.help);
@@ -255,8 +256,8 @@ impl Draft {
         parts.join(": ")
     }
 
-    /// Returns what Rust writes in place of a habit from another language that stands there,
-    /// where nothing else helps.
+    /// Returns help for a fault that comes from a habit of another language, if it has no better
+    /// help.
     fn habit(&self, fault: &Fault) -> Option<String> {
         let is_poor = ["", "cargo may"].contains(&&*fault.help);
         if !is_poor && !fault.help.starts_with("there is") {
@@ -269,6 +270,7 @@ impl Draft {
         Some(format!("Rust writes {rust}"))
     }
 
+    /// Returns the feedback on a program that stopped while it was drawn.
     fn stopped(&self, fault: &Fault) -> Feedback {
         match self.place(fault) {
             Some(place) if fault.message.starts_with(NOT_WRITTEN) => {
@@ -284,42 +286,42 @@ impl Draft {
         }
     }
 
-    /// As rustc names a place: file, line and column, from 1.
+    /// Returns the place of a fault as rustc writes it: `file:line:column`, both counted from 1.
     fn place(&self, fault: &Fault) -> Option<String> {
         let [file, line, column, _] = self.columns(fault)?;
         let name = &self.files[file].name;
         Some(format!("{name}:{line}:{}", column + 1))
     }
 
-    /// The file as it is typed, the line from 1, and the columns from 0.
+    /// Returns the place of a fault with the index of its file in [`Draft::files`].
     fn columns(&self, fault: &Fault) -> Option<[usize; 4]> {
         let place = fault.place.as_ref()?;
         let file = self.typed(place.file);
         Some([file, place.line, place.columns.start, place.columns.end])
     }
 
-    /// The number that a file has here: the root is read first, and typed last.
+    /// Returns the index in [`Draft::files`] of the file that has this index in reading order.
     pub(crate) fn typed(&self, file: usize) -> usize {
         (file + self.files.len() - 1) % self.files.len()
     }
 }
 
-/// The verdict on a text whose statement in this line has no end yet.
+/// Returns the answer while the reader is typing the statement in this line.
 fn being_typed(line: usize) -> Answer {
     let said = format!("Not finished: line {line} is being typed.");
     Answer::sentence(Grade::OnTheWay, said)
 }
 
-/// What a panic says that comes of `todo!()`.
+/// The beginning of the message of a panic in `todo!()`.
 const NOT_WRITTEN: &str = "not yet implemented";
-/// So many faults are shown: later ones often come from the first.
+/// The largest number of faults that are shown: later ones often come from the first.
 const MOST_FAULTS: usize = 5;
-/// After so many answers that a program would not give, no more are counted.
+/// The number of answers unlike a program's at which counting stops.
 const MOST_UNLIKE: usize = 60;
-/// A tree is walked a hundred times as slowly as a compiled program runs.
+/// The number of cases for each law: the interpreter is a hundred times slower than compiled code.
 const CASES: u32 = 100;
 
-/// Returns true if the laws hold for what a program computes, if it hits something.
+/// Tries the laws on the program's functions. Returns `None` for the chapters without a sphere.
 fn laws_of(program: &ChapterProgram) -> Option<LawsStatus> {
     if program.chapter <= Chapter::Gradient {
         return None;

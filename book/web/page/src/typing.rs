@@ -1,5 +1,5 @@
-//! Incremental reading: a statement at whose end the caret stands is still being typed, and what
-//! it lacks is not wrong yet.
+//! Incremental reading: a statement at whose end the caret stands is still being typed, so that its
+//! faults may be missing words and not mistakes.
 
 use std::ops::Range;
 
@@ -7,21 +7,22 @@ use interpreter::{Fault, FaultKind};
 
 use crate::typed::Draft;
 
-/// The end of a line, where a reader types.
+/// The end of the line in which a reader is typing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Caret {
-    /// The place of the file among those of the reader.
+    /// The index of the file in [`Draft::files`].
     pub file: usize,
     /// The line, counted from 1.
     pub line: usize,
 }
 
-/// So wide a picture shows what the compiler would refuse.
+/// The width, in pixels, of the trial picture that shows if a compiler would refuse the text.
 const WIDTH: u32 = 16;
 
 impl Draft {
-    /// Returns the line that is being typed, if these faults may come only from what is missing
-    /// at its end: a bracket; or they are all in its statement, or without that there are none.
+    /// Returns the caret's line if the faults may come only from missing words at its end: a
+    /// bracket is not yet closed, all faults lie in the caret's statement, or the text without it
+    /// has none.
     pub(crate) fn unfinished_line(&self, faults: &[Fault]) -> Option<usize> {
         let caret = self.caret?;
         let before = self.text_before(caret)?;
@@ -47,7 +48,7 @@ impl Draft {
         is_alone.then_some(caret.line)
     }
 
-    /// Returns the line that is being typed, if its statement is how one of the chapter begins.
+    /// Returns the caret's line if its statement is the beginning of one of the chapter's.
     pub(crate) fn begun_line(&self) -> Option<usize> {
         let caret = self.caret?;
         let name = &self.files.get(caret.file)?.name;
@@ -62,14 +63,14 @@ impl Draft {
             .then_some(caret.line)
     }
 
-    /// Returns what is typed up to the caret.
+    /// Returns the caret's file up to the end of its line, or `None` if there is no such file.
     fn text_before(&self, caret: Caret) -> Option<&str> {
         let text = &self.files.get(caret.file)?.text;
         let lines = text.split_inclusive('\n').take(caret.line);
         Some(text[..lines.map(str::len).sum()].trim_end())
     }
 
-    /// Returns true if the compiler refuses nothing of the text without this part of it.
+    /// Returns true if a compiler would take the caret's file with `part` of it blanked out.
     fn is_read_without(&self, part: Range<usize>) -> bool {
         let mut rest = self.clone();
         if let Some(caret) = rest.caret.take() {
@@ -87,14 +88,15 @@ impl Draft {
     }
 }
 
-/// Returns where the statement stands with which the text ends, if it has no end yet.
+/// Returns the range of bytes of the last statement, if no `;`, `{` or `}` ends it.
 fn statement(text: &str) -> Option<Range<usize>> {
     let start = text.rfind([';', '{', '}']).map_or(0, |at| at + 1);
     let start = text.len() - text[start..].trim_start().len();
     (start < text.len()).then_some(start..text.len())
 }
 
-/// Returns true if each bracket that closes belongs to the last open one.
+/// Returns true if each closing bracket belongs to the last one that was opened; some may stay
+/// open.
 fn is_nested(text: &str) -> bool {
     let code = text
         .lines()
@@ -118,6 +120,7 @@ fn is_nested(text: &str) -> bool {
     true
 }
 
+/// Returns the text without blanks and line breaks.
 fn without_blanks(text: &str) -> String {
     text.split_whitespace().collect()
 }

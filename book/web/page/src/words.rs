@@ -1,12 +1,12 @@
-//! Tokens of a text that need not be Rust: names, numbers and signs.
+//! A lexer for text that need not be Rust: it splits a line into names, numbers and signs.
 
-/// Signs of two letters.
+/// Signs of two characters.
 const PAIRS: [&str; 15] = [
     "->", "=>", "==", "!=", "<=", ">=", "&&", "||", "::", "..", "+=", "-=", "*=", "/=", "//",
 ];
 
-/// Returns the names, numbers and signs of a text, without its comments, each with the byte where
-/// it begins.
+/// Splits a text into names, numbers and signs, each with the byte at which it begins. Blanks and
+/// `//` comments are left out.
 pub(crate) fn words(text: &str) -> Vec<(usize, &str)> {
     let mut words = Vec::new();
     let mut at = 0;
@@ -31,11 +31,12 @@ pub(crate) fn words(text: &str) -> Vec<(usize, &str)> {
     words
 }
 
+/// Returns true for a letter, a digit or `_`.
 fn is_word(letter: char) -> bool {
     letter.is_alphanumeric() || letter == '_'
 }
 
-/// Returns how long the number is with which the text begins.
+/// Returns the length in bytes of the number with which the text begins.
 fn number(text: &str) -> usize {
     let digits = |text: &str| text.find(|it| !is_word(it)).unwrap_or(text.len());
     let whole = digits(text);

@@ -1,4 +1,4 @@
-//! What a worker calls for an editor in which words are broken.
+//! Exports for the worker of an editor in which a reader breaks words of a chapter.
 
 use std::cell::RefCell;
 use std::ops::Range;
@@ -11,8 +11,8 @@ thread_local! {
     static BREAKABLE: RefCell<Option<(Breakable, Vec<Word>)>> = const { RefCell::new(None) };
 }
 
-/// Lists the words of the chapter whose name was given that can be broken: of each the file, and
-/// where it begins and ends.
+/// Lists the words that can be broken, of the chapter whose name was given: a line each, with the
+/// index of its file, and the positions where it begins and ends.
 #[unsafe(no_mangle)]
 extern "C" fn breakable_words() -> usize {
     let breakable = Breakable::new(draft().chapter);
@@ -25,8 +25,8 @@ extern "C" fn breakable_words() -> usize {
     keep(lines.join("\n"))
 }
 
-/// Lists what may stand in the place of that word, three parts each: its label; the file and
-/// where what it replaces begins and ends; and the new text.
+/// Lists the edits of the word at this index in [`breakable_words`], three fields each with zero
+/// bytes between them: label; file, start and end of the replaced text; and the new text.
 #[unsafe(no_mangle)]
 extern "C" fn alternatives(word: usize) -> usize {
     let lines = BREAKABLE.with_borrow(|it| {
@@ -42,7 +42,7 @@ extern "C" fn alternatives(word: usize) -> usize {
     keep(lines)
 }
 
-/// A part of a file as a script counts it: in halves of long letters.
+/// Writes the index of a file and a range of it as a script counts: in UTF-16 units.
 fn place(draft: &Draft, file: usize, at: &Range<usize>) -> String {
     let text = &draft.files[file].text;
     let count = |at: usize| text[..at].encode_utf16().count();

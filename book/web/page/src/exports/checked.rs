@@ -1,4 +1,4 @@
-//! What the worker of the page *Check your picture* calls.
+//! Exports for the worker of the page *Check your picture*.
 
 use std::cell::RefCell;
 
@@ -9,20 +9,21 @@ thread_local! {
     static RESPONSE: RefCell<Option<CheckResponse>> = const { RefCell::new(None) };
 }
 
-/// Judges what was given: so many bytes of what is asked, and then the file.
+/// Judges the bytes that were given: a request, `asked` bytes long, and then the file.
 #[unsafe(no_mangle)]
 extern "C" fn check(asked: usize) -> usize {
     answer(asked, checked::answer)
 }
 
-/// Returns the answer to a file whose bytes are too many to be given.
+/// Answers a request for a file with too many bytes to be given: the `asked` bytes are all there
+/// is.
 #[unsafe(no_mangle)]
 extern "C" fn too_large(asked: usize) -> usize {
     answer(asked, |request, _| checked::too_large(request))
 }
 
-/// Judges what the browser shows of a file: behind what is asked so many bytes of the file,
-/// and then the pixels.
+/// Judges a picture that the browser decoded. The bytes that were given are the request (`asked` of
+/// them), the beginning of the file (`why` of them), and the pixels, four bytes each.
 #[unsafe(no_mangle)]
 extern "C" fn decoded(asked: usize, why: usize, width: u32, height: u32) -> usize {
     answer(asked, |request, rest| {
@@ -31,24 +32,25 @@ extern "C" fn decoded(asked: usize, why: usize, width: u32, height: u32) -> usiz
     })
 }
 
-/// The right picture, the reader's, or the difference, four bytes a pixel.
+/// Returns the right picture (0), the reader's (1), or the difference (2), four bytes a pixel.
 #[unsafe(no_mangle)]
 extern "C" fn picture(which: usize) -> usize {
     of_the_answer(|it| it.rgba(which))
 }
 
-/// The numbers of a pixel.
+/// Returns the numbers behind the pixel of that column and row, from the top left.
 #[unsafe(no_mangle)]
 extern "C" fn inspect(column: u32, row: u32) -> usize {
     of_the_answer(|it| it.inspect(column, row).into())
 }
 
-/// Returns what can be asked.
+/// Returns the chapters, probes and editions that the page's form offers.
 #[unsafe(no_mangle)]
 extern "C" fn choices() -> usize {
     keep(checked::choices())
 }
 
+/// Judges the request and the file that were given, and keeps the response for later questions.
 fn answer(asked: usize, judge: impl FnOnce(CheckRequest, &[u8]) -> CheckResponse) -> usize {
     // The last response makes room before the next picture is judged.
     RESPONSE.set(None);
@@ -61,6 +63,7 @@ fn answer(asked: usize, judge: impl FnOnce(CheckRequest, &[u8]) -> CheckResponse
     length
 }
 
+/// Keeps a part of the last response for the script: nothing, if there was none.
 fn of_the_answer(what: impl FnOnce(&CheckResponse) -> Vec<u8>) -> usize {
     let said = RESPONSE.with_borrow(|response| response.as_ref().map(what));
     keep(said.unwrap_or_default())

@@ -1,7 +1,7 @@
-//! What the script calls of a live figure.
+//! Exports for the script of the live figures.
 //!
-//! It sets the numbers one by one, calls what changes or draws, and reads them back, since a
-//! figure may have confined them.
+//! The script sets the parameters of a figure one by one, calls a function that changes or draws
+//! the figure, and reads the parameters back, since they may have been confined to their ranges.
 
 use std::cell::RefCell;
 
@@ -10,33 +10,34 @@ use glam::DVec2;
 
 use super::keep;
 
-/// The figures of this module.
+/// The figures of this module; the script names a figure by its index in the list.
 static FIGURES: &[&dyn Movable] = if cfg!(feature = "accuracy") {
     ACCURACY
 } else {
     LESSON
 };
 
-/// No figure has more numbers.
+/// The largest number of parameters that a figure may have.
 const MOST: usize = 16;
 
 thread_local! {
     static NUMBERS: RefCell<[f64; MOST]> = const { RefCell::new([0.0; MOST]) };
 }
 
-/// Sets the number in that place.
+/// Sets the parameter at this index.
 #[unsafe(no_mangle)]
 extern "C" fn set(place: usize, value: f64) {
     NUMBERS.with_borrow_mut(|numbers| numbers[place] = value);
 }
 
-/// The number in that place.
+/// Returns the parameter at this index.
 #[unsafe(no_mangle)]
 extern "C" fn get(place: usize) -> f64 {
     NUMBERS.with_borrow(|numbers| numbers[place])
 }
 
-/// Drags a handle of a figure to a place on the sheet.
+/// Drags a handle of a figure to the point (x, y) of the drawing, in units of its viewBox, and
+/// changes the parameters accordingly.
 #[unsafe(no_mangle)]
 extern "C" fn drag(figure: usize, handle: usize, x: f64, y: f64) {
     with(figure, |live, numbers| {
@@ -44,13 +45,13 @@ extern "C" fn drag(figure: usize, handle: usize, x: f64, y: f64) {
     });
 }
 
-/// Does what a button of a figure says.
+/// Changes the parameters as a button of a figure says.
 #[unsafe(no_mangle)]
 extern "C" fn act(figure: usize, action: usize) {
     with(figure, |live, numbers| live.act(action, numbers));
 }
 
-/// Draws a figure.
+/// Draws a figure with the current parameters, confined to their ranges: see [`Movable::text`].
 #[unsafe(no_mangle)]
 extern "C" fn answer(figure: usize) -> usize {
     with(figure, |live, numbers| {
@@ -59,6 +60,7 @@ extern "C" fn answer(figure: usize) -> usize {
     })
 }
 
+/// Calls `act` with a figure and its parameters.
 fn with<T>(figure: usize, act: impl FnOnce(&dyn Movable, &mut [f64]) -> T) -> T {
     let live = FIGURES[figure];
     NUMBERS.with_borrow_mut(|numbers| act(live, &mut numbers[..live.parameters().len()]))

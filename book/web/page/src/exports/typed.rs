@@ -1,7 +1,7 @@
-//! What the workers of an editor call.
+//! Exports for the workers of an editor in which a reader types a chapter.
 //!
-//! What is given is the name of a chapter, and then the name and the text of each file, with a
-//! zero byte between them.
+//! The bytes that a worker gives are the name of a chapter, and then the name and the text of each
+//! file, with a zero byte between them.
 
 use std::cell::RefCell;
 
@@ -15,8 +15,8 @@ use crate::typed::{Draft, Feedback};
 use crate::typing::Caret;
 use crate::{home, next, typed};
 
-/// The files of the chapter whose name was given: of each its name, with nothing in its
-/// functions, and in full. After them the steps.
+/// Returns the files with which an editor begins, of the chapter whose name was given: see
+/// [`typed::beginning`]. Zero bytes stand between the texts.
 #[unsafe(no_mangle)]
 extern "C" fn begin() -> usize {
     keep(typed::beginning(draft().chapter).join("\0"))
@@ -26,9 +26,12 @@ thread_local! {
     static DRAWN: RefCell<Option<(Draft, Program, Picture)>> = const { RefCell::new(None) };
 }
 
-/// Draws the text: the height of the picture, whose pixels are the answer; or 0, and the answer
-/// is what is said of a text that is no program, or that stops. The reader is typing at the end of
-/// this line of this file; at none, if the line is 0.
+/// Draws the draft that was given, `width` pixels wide. Returns the height of the picture, whose
+/// pixels are the answer, four bytes each; or 0 if the draft is no program or stops, and then the
+/// answer is the feedback on it.
+///
+/// The reader is typing at the end of `line`, counted from 1, of the file with the index `file`;
+/// nowhere, if `line` is 0.
 #[unsafe(no_mangle)]
 extern "C" fn draw(width: u32, file: usize, line: usize) -> u32 {
     let draft = Draft {
@@ -53,21 +56,22 @@ extern "C" fn draw(width: u32, file: usize, line: usize) -> u32 {
     }
 }
 
-/// How long the answer is.
+/// Returns the length of the last answer in bytes, for a call that returned something else.
 #[unsafe(no_mangle)]
 extern "C" fn length() -> usize {
     super::ANSWER.with_borrow(Vec::len)
 }
 
-/// Judges what was drawn last, once.
+/// Judges the picture that was drawn last; it is then forgotten.
 #[unsafe(no_mangle)]
 extern "C" fn judge() -> usize {
     let (draft, program, picture) = DRAWN.take().expect("it was drawn");
     keep(lines(&draft.judged(program, &picture)))
 }
 
-/// The next line to type, from that file on: its file, what it goes above, whether it takes that
-/// place, and the line itself. Nothing if all is there.
+/// Returns the next line to type, searched from the file with the index `first` on: the index of
+/// its file, the line it goes above (from 0), 1 if it replaces that line, and its text, with tabs
+/// between them. Returns nothing if no line is missing.
 #[unsafe(no_mangle)]
 extern "C" fn next_line(first: usize) -> usize {
     let next = next::next(&draft(), first);
@@ -78,12 +82,14 @@ extern "C" fn next_line(first: usize) -> usize {
     keep(next.unwrap_or_default())
 }
 
-/// The archive of the crate, with a number that no other has.
+/// Returns an archive of the draft as a crate of its own; `number` tells that crate from all
+/// others.
 #[unsafe(no_mangle)]
 extern "C" fn take_home(number: f64) -> usize {
     keep(home::archive(&draft(), number as u64))
 }
 
+/// Reads the draft from the bytes that were given.
 pub(super) fn draft() -> Draft {
     let given = given();
     let given = String::from_utf8_lossy(&given);
@@ -97,7 +103,8 @@ pub(super) fn draft() -> Draft {
     }
 }
 
-/// The places on a line, the headline on one, and then the rest.
+/// Writes feedback for the script: the places on the first line, the headline on the second, and
+/// then the rest.
 fn lines(feedback: &Feedback) -> String {
     let place = |place: &[usize; 4]| place.map(|it| it.to_string()).join(" ");
     let places: Vec<String> = feedback.places.iter().map(place).collect();
