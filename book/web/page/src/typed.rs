@@ -14,7 +14,7 @@ use check::sentences;
 use check::sources::Sources;
 use check::task::Task;
 use common::rtweekend::*;
-use interpreter::{Fault, FaultKind, SourceFile};
+use interpreter::{Fault, FaultKind, SourceFile, SourceSpan};
 use laws::answers::Answers;
 use laws::{Complaint, Trial};
 use slips::{Chapter, ChapterProgram, ReaderLanguage, Slip, lawful, steps};
@@ -37,7 +37,7 @@ pub struct Draft {
 #[derive(Debug)]
 pub struct Feedback {
     /// The places in the draft to be underlined, with the index of the file in [`Draft::files`].
-    pub places: Vec<[usize; 4]>,
+    pub places: Vec<SourceSpan>,
     /// The verdict as one line of HTML, which the page reads aloud.
     pub headline: String,
     /// All below the headline, as HTML.
@@ -45,10 +45,10 @@ pub struct Feedback {
 }
 
 impl Feedback {
-    /// Lays out an answer as HTML, beside these places.
-    fn new(answer: &Answer, places: Vec<[usize; 4]>) -> Self {
+    /// Lays out an answer as HTML, with no place to be underlined.
+    fn new(answer: &Answer) -> Self {
         Self {
-            places,
+            places: Vec::new(),
             headline: html::headline(&answer.headline),
             rest: html::below(answer, HostPage::Book),
         }
@@ -137,7 +137,7 @@ impl Draft {
         } else if let Some(line) = self.begun_line() {
             answer = being_typed(line);
         }
-        Feedback::new(&answer, Vec::new())
+        Feedback::new(&answer)
     }
 
     /// Names the lines that ran neither for the picture nor for the laws: a sentence, or nothing.
@@ -222,7 +222,7 @@ impl Draft {
                 .take(1)
                 .map(|it| format!("So far: {}", self.in_words(it)));
             let rows = so_far.map(|words| Row::new(RowKind::Printed, words));
-            return Feedback::new(&being_typed(line).with(rows), Vec::new());
+            return Feedback::new(&being_typed(line).with(rows));
         }
         let line = |fault: &Fault| {
             let place = self.place(fault).map_or(String::new(), |it| it + "  ");
@@ -233,16 +233,19 @@ impl Draft {
                 let number = fault.place.as_ref().map_or(0, |it| it.line);
                 let said = format!("This page cannot read line {number}; cargo may.");
                 let answer = Answer::sentence(Grade::OnTheWay, said).with([line(fault)]);
-                Feedback::new(&answer, Vec::new())
+                Feedback::new(&answer)
             }
             [fault, ..] if fault.kind == FaultKind::Unfinished => {
                 let said = format!("Not finished: {}.", fault.help);
-                Feedback::new(&Answer::sentence(Grade::OnTheWay, said), Vec::new())
+                Feedback::new(&Answer::sentence(Grade::OnTheWay, said))
             }
             _ => {
                 let first = faults.iter().take(MOST_FAULTS).map(line).collect();
-                let places = faults.iter().filter_map(|it| self.columns(it)).collect();
-                Feedback::new(&sentences::not_compiled(faults.len(), first), places)
+                let places = faults.iter().filter_map(|it| self.span(it)).collect();
+                Feedback {
+                    places,
+                    ..Feedback::new(&sentences::not_compiled(faults.len(), first))
+                }
             }
         }
     }
@@ -275,29 +278,34 @@ impl Draft {
         match self.place(fault) {
             Some(place) if fault.message.starts_with(NOT_WRITTEN) => {
                 let answer = sentences::not_written(self.chapter, &place, &[]);
-                Feedback::new(&answer, Vec::new())
+                Feedback::new(&answer)
             }
             place => {
                 let place = place.map_or(String::new(), |place| format!(" at {place}"));
                 let said = format!("The program stopped{place}: {}.", fault.message);
                 let answer = Answer::sentence(Grade::Wrong, said).then(&fault.help);
-                Feedback::new(&answer, self.columns(fault).into_iter().collect())
+                Feedback {
+                    places: self.span(fault).into_iter().collect(),
+                    ..Feedback::new(&answer)
+                }
             }
         }
     }
 
     /// Returns the place of a fault as rustc writes it: `file:line:column`, both counted from 1.
     fn place(&self, fault: &Fault) -> Option<String> {
-        let [file, line, column, _] = self.columns(fault)?;
-        let name = &self.files[file].name;
-        Some(format!("{name}:{line}:{}", column + 1))
+        let place = self.span(fault)?;
+        let name = &self.files[place.file].name;
+        Some(format!("{name}:{}:{}", place.line, place.columns.start + 1))
     }
 
     /// Returns the place of a fault with the index of its file in [`Draft::files`].
-    fn columns(&self, fault: &Fault) -> Option<[usize; 4]> {
+    fn span(&self, fault: &Fault) -> Option<SourceSpan> {
         let place = fault.place.as_ref()?;
-        let file = self.typed(place.file);
-        Some([file, place.line, place.columns.start, place.columns.end])
+        Some(SourceSpan {
+            file: self.typed(place.file),
+            ..place.clone()
+        })
     }
 
     /// Returns the index in [`Draft::files`] of the file that has this index in reading order.

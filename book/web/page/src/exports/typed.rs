@@ -6,7 +6,7 @@
 use std::cell::RefCell;
 
 use common::rtweekend::Picture;
-use interpreter::{Program, SourceFile};
+use interpreter::{Program, SourceFile, SourceSpan};
 use slips::Chapter;
 
 use super::{given::given, keep};
@@ -106,12 +106,11 @@ pub(super) fn draft() -> Draft {
 /// Writes feedback for the script: the places on the first line, the headline on the second, and
 /// then the rest.
 fn lines(feedback: &Feedback) -> String {
-    let place = |place: &[usize; 4]| place.map(|it| it.to_string()).join(" ");
+    let place = |it: &SourceSpan| {
+        let columns = &it.columns;
+        format!("{} {} {} {}", it.file, it.line, columns.start, columns.end)
+    };
     let places: Vec<String> = feedback.places.iter().map(place).collect();
-    format!(
-        "{}\n{}\n{}",
-        places.join("\t"),
-        feedback.headline,
-        feedback.rest
-    )
+    let (places, headline, rest) = (places.join("\t"), &feedback.headline, &feedback.rest);
+    format!("{places}\n{headline}\n{rest}")
 }
