@@ -13,8 +13,8 @@ use clap::builder::NonEmptyStringValueParser;
 use common::engine::output;
 use slips::{Chapter, steps};
 
+use crate::limited;
 use crate::reader_crates::{ReaderCrates, TYPED};
-use crate::short;
 use crate::wrap::hanging;
 
 /// The words behind `cargo rtrace done`.
@@ -118,7 +118,7 @@ impl Done {
 
     /// Returns what the reader has made of it; nothing, if there is no list yet.
     fn text(&self) -> io::Result<String> {
-        match short::bytes(&self.file, MOST_BYTES) {
+        match limited::read_bytes(&self.file, MOST_BYTES) {
             Ok(bytes) => Ok(String::from_utf8_lossy(&bytes).into_owned()),
             Err(cause) if cause.kind() == io::ErrorKind::NotFound => Ok(String::new()),
             Err(cause) => Err(self.named(&cause)),

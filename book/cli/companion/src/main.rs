@@ -17,7 +17,7 @@ use std::process::ExitCode;
 use std::thread;
 
 use launcher::command_line::{Command, CommandLine, Companion};
-use launcher::{book, chapter, files, misuse, short, show, terminal};
+use launcher::{book, chapter, files, limited, misuse, show, terminal};
 
 /// Reads the words behind each command.
 struct Here;

@@ -10,7 +10,7 @@ use check::sources::{SourceFile, Sources};
 use language::Language;
 use slips::{Chapter, Edition, ReaderLanguage};
 
-use crate::short;
+use crate::limited;
 
 /// What was found of a program.
 #[derive(Default)]
@@ -241,7 +241,7 @@ fn is_of_others(path: &Path) -> bool {
 /// Reads the files, as far as they are texts that are not too long.
 fn texts(folder: &Path, files: &[PathBuf]) -> Vec<SourceFile> {
     let file = |it: &PathBuf| {
-        let text = short::text(&folder.join(it)).ok()?;
+        let text = limited::read_text(&folder.join(it)).ok()?;
         Some(SourceFile::new(it.to_str()?, text))
     };
     files.iter().filter_map(file).collect()

@@ -12,8 +12,8 @@ use std::{fs, io};
 use common::engine::output;
 use course::names::{companion_command, escaped_name, name_from_here};
 
+use crate::limited;
 use crate::misuse::misuse;
-use crate::short;
 
 /// Files by their names as seen from a folder, with a slash between parts.
 pub type Files = Vec<(String, Vec<u8>)>;
@@ -80,8 +80,9 @@ fn is_missing(folder: &Path, name: &str) -> bool {
 fn is_ours(folder: &Path, name: &str, list: &List) -> bool {
     let path = folder.join(name);
     let is_file = path.symlink_metadata().is_ok_and(|it| it.is_file());
-    let is_listed =
-        || short::bytes(&path, LONGEST).is_ok_and(|bytes| list.contains(&line(name, &bytes)));
+    let is_listed = || {
+        limited::read_bytes(&path, LONGEST).is_ok_and(|bytes| list.contains(&line(name, &bytes)))
+    };
     is_file && has_no_link(folder, name) && is_listed()
 }
 
@@ -150,7 +151,7 @@ const LONGEST: u64 = 1 << 26;
 fn ours(folder: &Path, kind: &str) -> Result<List, Box<dyn Error>> {
     let list = folder.join(LIST);
     if let Ok(found) = list.symlink_metadata() {
-        let text = short::bytes(&list, MOST_BYTES)
+        let text = limited::read_bytes(&list, MOST_BYTES)
             .ok()
             .filter(|_| found.is_file());
         let text = text.and_then(|bytes| String::from_utf8(bytes).ok());

@@ -9,9 +9,9 @@ pub mod chapter;
 pub mod command_line;
 pub mod draw;
 pub mod files;
+pub mod limited;
 pub mod misuse;
 pub mod save;
-pub mod short;
 pub mod show;
 pub mod terminal;
 

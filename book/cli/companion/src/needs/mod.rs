@@ -21,8 +21,8 @@ use measure::scene_file::{self, WIDEST};
 use measure::wrong_pixels;
 use speed_vs_accuracy::{METHODS, Precision, Scene};
 
+use crate::limited;
 use crate::misuse::misuse;
-use crate::short;
 
 /// The words behind `cargo rtrace needs`.
 #[derive(Args)]
@@ -123,7 +123,7 @@ fn progress() -> impl Fn(usize, usize) + Sync {
 /// If it can't be read; or its first mistake, with line and column.
 fn read(path: &Path) -> Result<Scene, Box<dyn Error>> {
     let shown = names::escaped_name(path);
-    let text = short::text(path).map_err(|cause| {
+    let text = limited::read_text(path).map_err(|cause| {
         misuse(&format!(
             "cannot read {shown}: {cause}\nA scene is a TOML file; --help shows an example."
         ))

@@ -10,7 +10,7 @@ use interpreter::nesting;
 use skeletons::{How, source};
 use slips::Chapter;
 
-use crate::short;
+use crate::limited;
 
 /// The crate that a reader wrote for a chapter.
 pub(super) struct Written {
@@ -24,7 +24,7 @@ pub(super) struct Written {
 
 impl Written {
     pub(super) fn read(folder: &Path) -> Self {
-        let text = short::text(&folder.join("src/lib.rs"));
+        let text = limited::read_text(&folder.join("src/lib.rs"));
         let items = text.map_err(|cause| format!("src/lib.rs: {cause}"));
         let chapter = folder.file_name().unwrap_or_default();
         Self {

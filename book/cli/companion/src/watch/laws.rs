@@ -10,7 +10,7 @@ use ::laws::{Complaint, Outcome};
 use check::answer::LawsStatus;
 use slips::{Chapter, ReaderLanguage, lawful};
 
-use crate::short;
+use crate::limited;
 use crate::subprocess::{self, End};
 
 /// The result of the test of a reader's crate.
@@ -28,7 +28,7 @@ pub(super) struct Asked {
 /// Reads the file of answers that the test has written, and removes it.
 fn answered(file: &Path) -> String {
     const MOST_BYTES: u64 = 1 << 26;
-    let bytes = short::bytes(file, MOST_BYTES).unwrap_or_default();
+    let bytes = limited::read_bytes(file, MOST_BYTES).unwrap_or_default();
     let _ = fs::remove_file(file);
     String::from_utf8_lossy(&bytes).into_owned()
 }

@@ -13,8 +13,8 @@ pub const MOST_BYTES: u64 = 1 << 17;
 /// # Errors
 /// If it is no file, such as a folder or a pipe, if it has more than [`MOST_BYTES`], if it is no
 /// text, and if it can't be read.
-pub fn text(path: &Path) -> io::Result<String> {
-    io::read_to_string(&*bytes(path, MOST_BYTES)?)
+pub fn read_text(path: &Path) -> io::Result<String> {
+    io::read_to_string(&*read_bytes(path, MOST_BYTES)?)
 }
 
 /// Reads a file.
@@ -22,7 +22,7 @@ pub fn text(path: &Path) -> io::Result<String> {
 /// # Errors
 /// If it is no file, such as a folder or a pipe, if it has more than `most` bytes, and if it can't
 /// be read.
-pub fn bytes(path: &Path, most: u64) -> io::Result<Vec<u8>> {
+pub fn read_bytes(path: &Path, most: u64) -> io::Result<Vec<u8>> {
     let mut options = OpenOptions::new();
     #[cfg(unix)]
     {
