@@ -10,13 +10,13 @@ use common::engine::output;
 use slips::Chapter;
 use slips::PROBES;
 
-use crate::chapter::OneOf;
+use crate::chapter::ChapterParser;
 
 /// The words behind `cargo rtrace probes`.
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// The chapter that you are at
-    #[arg(value_name = "CHAPTER", value_parser = OneOf(&Chapter::OF_THE_BOOK), default_value = "hittable_list")]
+    #[arg(value_name = "CHAPTER", value_parser = ChapterParser(&Chapter::OF_THE_BOOK), default_value = "hittable_list")]
     chapter: Chapter,
 }
 

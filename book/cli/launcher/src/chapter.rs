@@ -10,9 +10,9 @@ use course::chapter::Chapter;
 
 /// Takes one of these chapters.
 #[derive(Clone)]
-pub struct OneOf(pub &'static [Chapter]);
+pub struct ChapterParser(pub &'static [Chapter]);
 
-impl TypedValueParser for OneOf {
+impl TypedValueParser for ChapterParser {
     type Value = Chapter;
 
     fn parse_ref(&self, cmd: &Command, arg: Option<&Arg>, typed: &OsStr) -> Result<Chapter, Error> {
@@ -31,7 +31,7 @@ impl TypedValueParser for OneOf {
 
 /// A chapter of the book, or a picture where none is named.
 #[derive(Clone)]
-pub enum First {
+pub enum ChapterOrPicture {
     /// The chapter.
     Chapter(Chapter),
     /// The picture.
@@ -40,17 +40,22 @@ pub enum First {
 
 /// Takes a chapter of the book, or what looks like a file.
 #[derive(Clone)]
-pub struct ChapterOrPicture;
+pub struct ChapterOrPictureParser;
 
-impl TypedValueParser for ChapterOrPicture {
-    type Value = First;
+impl TypedValueParser for ChapterOrPictureParser {
+    type Value = ChapterOrPicture;
 
-    fn parse_ref(&self, cmd: &Command, arg: Option<&Arg>, typed: &OsStr) -> Result<First, Error> {
+    fn parse_ref(
+        &self,
+        cmd: &Command,
+        arg: Option<&Arg>,
+        typed: &OsStr,
+    ) -> Result<ChapterOrPicture, Error> {
         let path = Path::new(typed);
-        match OneOf(&Chapter::OF_THE_BOOK).parse_ref(cmd, arg, typed) {
-            Ok(chapter) => Ok(First::Chapter(chapter)),
+        match ChapterParser(&Chapter::OF_THE_BOOK).parse_ref(cmd, arg, typed) {
+            Ok(chapter) => Ok(ChapterOrPicture::Chapter(chapter)),
             Err(_) if typed == "-" || path.extension().is_some() || path.is_file() => {
-                Ok(First::Picture(path.to_owned()))
+                Ok(ChapterOrPicture::Picture(path.to_owned()))
             }
             Err(error) => Err(error),
         }
@@ -58,12 +63,14 @@ impl TypedValueParser for ChapterOrPicture {
 
     fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
         Some(Box::new(
-            OneOf(&Chapter::OF_THE_BOOK).names().map(PossibleValue::new),
+            ChapterParser(&Chapter::OF_THE_BOOK)
+                .names()
+                .map(PossibleValue::new),
         ))
     }
 }
 
-impl OneOf {
+impl ChapterParser {
     fn names(&self) -> impl Iterator<Item = &'static str> + use<> {
         self.0.iter().map(|chapter| chapter.name())
     }
@@ -80,7 +87,7 @@ fn is_meant(typed: &OsStr, chapter: Chapter) -> bool {
 
 /// Makes a parser that takes the name of one of these things. Of those that share a name, the first
 /// is meant.
-pub fn named<T>(
+pub fn parser_of_names<T>(
     things: impl IntoIterator<Item = (&'static str, T)>,
 ) -> impl TypedValueParser<Value = T>
 where

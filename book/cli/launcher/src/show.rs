@@ -10,7 +10,7 @@ use common::rtweekend::Picture;
 use course::chapter::Chapter;
 use course::names;
 
-use crate::chapter::OneOf;
+use crate::chapter::ChapterParser;
 use crate::draw;
 use crate::misuse::misuse;
 use crate::save::{Format, save};
@@ -20,7 +20,7 @@ use crate::terminal::{self, Palette};
 #[derive(Args)]
 pub struct Arguments {
     /// Which picture
-    #[arg(value_name = "CHAPTER", value_parser = OneOf(&Chapter::ALL))]
+    #[arg(value_name = "CHAPTER", value_parser = ChapterParser(&Chapter::ALL))]
     chapter: Chapter,
 
     /// Width in pixels [default: as in the book]

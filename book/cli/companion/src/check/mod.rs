@@ -24,7 +24,7 @@ use slips::{Chapter, Edition, PROBES, Probe, Slip};
 
 use input::Source;
 
-use crate::chapter::{ChapterOrPicture, First, named};
+use crate::chapter::{ChapterOrPicture, ChapterOrPictureParser, parser_of_names};
 use crate::misuse::complain;
 use crate::sources::Found;
 use crate::wrap::laid_out;
@@ -34,8 +34,8 @@ use crate::{files, sources};
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// Which picture it should be; without it, the one that comes nearest
-    #[arg(value_name = "CHAPTER", value_parser = ChapterOrPicture, required_unless_present = "program")]
-    first: Option<First>,
+    #[arg(value_name = "CHAPTER", value_parser = ChapterOrPictureParser, required_unless_present = "program")]
+    first: Option<ChapterOrPicture>,
 
     /// Your picture: a .ppm (P3 or P6) or .png file, or - for standard input
     #[arg(value_name = "PICTURE")]
@@ -138,15 +138,17 @@ impl Arguments {
     fn chapter_and_source(&self) -> Result<(Option<Chapter>, Source<'_>), Box<dyn Error>> {
         let program = Source::Program(&self.program);
         match (&self.first, &self.picture) {
-            (Some(First::Chapter(chapter)), Some(path)) => Ok((Some(*chapter), Source::of(path))),
-            (Some(First::Chapter(_)), None) if self.program.is_empty() => {
+            (Some(ChapterOrPicture::Chapter(chapter)), Some(path)) => {
+                Ok((Some(*chapter), Source::of(path)))
+            }
+            (Some(ChapterOrPicture::Chapter(_)), None) if self.program.is_empty() => {
                 Err("your picture is missing, or your program after --".into())
             }
-            (Some(First::Chapter(chapter)), None) => Ok((Some(*chapter), program)),
-            (Some(First::Picture(path)), None) if self.program.is_empty() => {
+            (Some(ChapterOrPicture::Chapter(chapter)), None) => Ok((Some(*chapter), program)),
+            (Some(ChapterOrPicture::Picture(path)), None) if self.program.is_empty() => {
                 Ok((None, Source::of(path)))
             }
-            (Some(First::Picture(path)), _) => Err(format!(
+            (Some(ChapterOrPicture::Picture(path)), _) => Err(format!(
                 "{} is no chapter, and there is more than one picture",
                 names::escaped_name(path)
             )
@@ -224,9 +226,9 @@ pub(crate) fn seconds(text: &str) -> Result<Duration, String> {
 }
 
 fn edition_parser() -> impl TypedValueParser<Value = Edition> {
-    named(Edition::ALL.map(|edition| (edition.name(), edition)))
+    parser_of_names(Edition::ALL.map(|edition| (edition.name(), edition)))
 }
 
 pub(crate) fn probe_parser() -> impl TypedValueParser<Value = Probe> {
-    named(PROBES.map(|probe| (probe.name, probe)))
+    parser_of_names(PROBES.map(|probe| (probe.name, probe)))
 }

@@ -20,7 +20,7 @@ use common::rtweekend::*;
 use language::Language;
 use slips::{Chapter, Edition, ReaderLanguage, lawful};
 
-use crate::chapter::OneOf;
+use crate::chapter::ChapterParser;
 use crate::check::seconds;
 use crate::reader_crates::shell_word;
 use crate::sources;
@@ -30,7 +30,7 @@ use dialogue::{Dialogue, Failure};
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// Whose intersection of a ray and a sphere it is
-    #[arg(value_name = "CHAPTER", value_parser = OneOf(&ASKED))]
+    #[arg(value_name = "CHAPTER", value_parser = ChapterParser(&ASKED))]
     chapter: Chapter,
 
     /// Your own program: it reads a line of numbers, center, radius, origin, direction (in chapter

@@ -16,7 +16,7 @@ use clap::Args;
 use common::engine::output;
 use slips::{Chapter, steps};
 
-use crate::chapter::OneOf;
+use crate::chapter::ChapterParser;
 use crate::misuse::misuse;
 use crate::reader_crates::{ReaderCrates, TYPED};
 use crate::wrap::hanging;
@@ -25,7 +25,7 @@ use crate::wrap::hanging;
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// The chapter that you are about to type
-    #[arg(value_name = "CHAPTER", value_parser = OneOf(&TYPED))]
+    #[arg(value_name = "CHAPTER", value_parser = ChapterParser(&TYPED))]
     chapter: Chapter,
 
     /// Where your crates are to be [default: mine]

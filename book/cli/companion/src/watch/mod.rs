@@ -26,7 +26,7 @@ use common::engine::output;
 use common::rtweekend::Picture;
 use slips::{Chapter, ChapterProgram, Probe, ReaderLanguage, Slip, lawful, steps};
 
-use crate::chapter::OneOf;
+use crate::chapter::ChapterParser;
 use crate::check::{probe_parser, seconds};
 use crate::done::Done;
 use crate::laws::ASKED;
@@ -43,7 +43,7 @@ use laws::Asked;
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// Which picture it should be
-    #[arg(value_name = "CHAPTER", value_parser = OneOf(&Chapter::OF_THE_BOOK))]
+    #[arg(value_name = "CHAPTER", value_parser = ChapterParser(&Chapter::OF_THE_BOOK))]
     chapter: Chapter,
 
     /// Your own program, which prints the picture; the current folder is watched
