@@ -16,13 +16,13 @@ mod wrap;
 use std::process::ExitCode;
 use std::thread;
 
-use launcher::command_line::{Command, CommandLine, Companion};
+use launcher::command_line::{ArgumentTypes, Command, CommandLine};
 use launcher::{book, chapter, files, limited, misuse, show, terminal};
 
 /// Reads the words behind each command.
-struct Here;
+struct ReadArguments;
 
-impl Companion for Here {
+impl ArgumentTypes for ReadArguments {
     type Check = check::Arguments;
     type Start = start::Arguments;
     type Watch = watch::Arguments;
@@ -48,7 +48,7 @@ fn main() -> ExitCode {
 }
 
 fn run() -> ExitCode {
-    let done = match misuse::command_line::<CommandLine<Here>>().command {
+    let done = match misuse::command_line::<CommandLine<ReadArguments>>().command {
         None => return misuse::exit_code_of(launcher::run_without_command()),
         Some(Command::Book(arguments)) => return misuse::exit_code_of(book::book(&arguments)),
         Some(Command::Show(arguments)) => show::show(&arguments),

@@ -12,7 +12,7 @@ use crate::{book, show};
 /// PPM files, and weaves the book into target/book.
 #[derive(Parser)]
 #[command(name = "rtrace", bin_name = companion_command())]
-pub struct CommandLine<C: Companion> {
+pub struct CommandLine<C: ArgumentTypes> {
     /// A command, if there is one.
     #[command(subcommand)]
     pub command: Option<Command<C>>,
@@ -21,7 +21,7 @@ pub struct CommandLine<C: Companion> {
 /// The types that read the words behind the companion's commands.
 ///
 /// The companion has one for each; the launcher hands all words on unread.
-pub trait Companion {
+pub trait ArgumentTypes {
     /// Reads the words behind `check`.
     type Check: Args;
     /// Reads the words behind `start`.
@@ -42,7 +42,7 @@ pub trait Companion {
 
 /// A command, with the words behind it.
 #[derive(Subcommand)]
-pub enum Command<C: Companion> {
+pub enum Command<C: ArgumentTypes> {
     /// Weave the book: the notes with the code, the pictures and the figures
     Book(book::Arguments),
     /// Draw one picture: in the terminal, into a file, or into a viewer

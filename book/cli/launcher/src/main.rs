@@ -8,27 +8,27 @@ use std::process::ExitCode;
 
 use clap::Args;
 use launcher::cargo::{COMPANION, become_program};
-use launcher::command_line::{Command, CommandLine, Companion};
+use launcher::command_line::{ArgumentTypes, Command, CommandLine};
 use launcher::{book, misuse, show};
 
 /// Hands all words on to the companion.
-struct HandOn;
+struct HandedOn;
 
-impl Companion for HandOn {
-    type Check = Words;
-    type Start = Words;
-    type Watch = Words;
-    type Laws = Words;
-    type Done = Words;
-    type Hit = Words;
-    type Needs = Words;
-    type Probes = Words;
+impl ArgumentTypes for HandedOn {
+    type Check = UnreadWords;
+    type Start = UnreadWords;
+    type Watch = UnreadWords;
+    type Laws = UnreadWords;
+    type Done = UnreadWords;
+    type Hit = UnreadWords;
+    type Needs = UnreadWords;
+    type Probes = UnreadWords;
 }
 
 /// Words that are for the companion to read.
 #[derive(Args)]
 #[command(disable_help_flag = true)]
-struct Words {
+struct UnreadWords {
     #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
     _words: Vec<OsString>,
 }
@@ -40,7 +40,7 @@ fn main() -> ExitCode {
 }
 
 fn run() -> Result<ExitCode, Box<dyn Error>> {
-    match misuse::command_line::<CommandLine<HandOn>>().command {
+    match misuse::command_line::<CommandLine<HandedOn>>().command {
         None => launcher::run_without_command(),
         Some(Command::Book(arguments)) => book::book(&arguments),
         Some(Command::Show(arguments)) => show::show(&arguments).map(|()| ExitCode::SUCCESS),
