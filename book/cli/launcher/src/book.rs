@@ -32,7 +32,7 @@ pub fn book(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
     let usual = || workspace.join("target/book");
     let folder = arguments.output.clone().unwrap_or_else(usual);
     let source = workspace.join("book");
-    let woven = WEAVER.built()?.args([&source, &folder]).status();
+    let woven = WEAVER.built_program()?.args([&source, &folder]).status();
     let woven = woven.map_err(|cause| format!("the weaver does not start: {cause}"))?;
     if !woven.success() {
         let code = woven.code().and_then(|code| u8::try_from(code).ok());

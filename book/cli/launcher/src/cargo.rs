@@ -38,10 +38,10 @@ impl Package {
     ///
     /// # Errors
     /// If the workspace or cargo is missing, or it can't be built.
-    pub fn built(&self) -> Result<Command, Box<dyn Error>> {
+    pub fn built_program(&self) -> Result<Command, Box<dyn Error>> {
         let workspace = draw::workspace()?;
-        let (target, programs) = places(workspace);
-        let mut build = Command::new(cargo());
+        let (target, programs) = build_folders(workspace);
+        let mut build = Command::new(program_name());
         build
             .args(["build", "--package", self.name, "--bin", self.program])
             // What the tests stand on has the features that they ask for: it is built once.
@@ -55,7 +55,7 @@ impl Package {
             .arg("--target-dir")
             .arg(target);
         let name = self.name;
-        let built = run(build, self.says)
+        let built = run_cargo(build, self.says)
             .map_err(|cause| format!("cargo, which builds `{name}`, does not start: {cause}"))?;
         if !built.status.success() {
             return Err(format!("cargo has not built `{name}`: {}", built.said.trim_end()).into());
@@ -69,7 +69,7 @@ impl Package {
 
 /// Where cargo puts all that it builds, and where this program is among that; or else, if it
 /// is installed, the usual places.
-fn places(workspace: &Path) -> (PathBuf, PathBuf) {
+fn build_folders(workspace: &Path) -> (PathBuf, PathBuf) {
     let beside = || {
         let programs = env::current_exe().ok()?.parent()?.to_owned();
         // Cargo keeps there what it knows of its compiler.
@@ -84,12 +84,12 @@ fn places(workspace: &Path) -> (PathBuf, PathBuf) {
 }
 
 /// Returns the name of cargo: of the one that runs this program, if it does.
-pub fn cargo() -> OsString {
+pub fn program_name() -> OsString {
     env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
 }
 
 /// A run of cargo that has ended.
-pub struct Run {
+pub struct CargoRun {
     /// Its exit status.
     pub status: ExitStatus,
     /// Its standard output.
@@ -103,7 +103,7 @@ pub struct Run {
 ///
 /// # Errors
 /// If it does not start, or can't be read from.
-pub fn run(mut cargo: Command, first: &str) -> io::Result<Run> {
+pub fn run_cargo(mut cargo: Command, first: &str) -> io::Result<CargoRun> {
     cargo.env("CARGO_TERM_COLOR", "never").stdin(Stdio::null());
     let mut child = cargo
         .stdout(Stdio::piped())
@@ -111,9 +111,9 @@ pub fn run(mut cargo: Command, first: &str) -> io::Result<Run> {
         .spawn()?;
     let errors = child.stderr.take();
     thread::scope(|scope| {
-        let said = scope.spawn(|| errors.map(|errors| show(BufReader::new(errors), first)));
+        let said = scope.spawn(|| errors.map(|errors| show_work(BufReader::new(errors), first)));
         let output = child.wait_with_output()?;
-        Ok(Run {
+        Ok(CargoRun {
             status: output.status,
             printed: output.stdout,
             said: said.join().ok().flatten().unwrap_or_default(),
@@ -122,8 +122,8 @@ pub fn run(mut cargo: Command, first: &str) -> io::Result<Run> {
 }
 
 /// Reads to the end what cargo says, and shows it from the first line on that tells of work.
-pub fn show(errors: impl BufRead, first: &str) -> String {
-    listen(errors, |line, is_first| {
+pub fn show_work(errors: impl BufRead, first: &str) -> String {
+    listen_for_work(errors, |line, is_first| {
         if is_first {
             complain(first);
         }
@@ -133,7 +133,7 @@ pub fn show(errors: impl BufRead, first: &str) -> String {
 
 /// Reads to the end what cargo says. From the first line on that tells of work, each is heard,
 /// with whether it is the first.
-pub fn listen(errors: impl BufRead, mut heard: impl FnMut(&str, bool)) -> String {
+pub fn listen_for_work(errors: impl BufRead, mut heard: impl FnMut(&str, bool)) -> String {
     let mut said = String::new();
     let mut is_heard = false;
     for line in errors.split(b'\n').map_while(Result::ok) {

@@ -50,7 +50,7 @@ fn run() -> Result<ExitCode, Box<dyn Error>> {
 
 /// Becomes the companion, with the same words.
 fn hand_on() -> Result<ExitCode, Box<dyn Error>> {
-    let mut companion = COMPANION.built()?;
+    let mut companion = COMPANION.built_program()?;
     companion.args(env::args_os().skip(1));
     become_program(companion)
 }

@@ -43,7 +43,7 @@ impl Background {
                     complain(MEANWHILE);
                 }
             };
-            thread::spawn(move || cargo::listen(BufReader::new(errors), say));
+            thread::spawn(move || cargo::listen_for_work(BufReader::new(errors), say));
         }
     }
 

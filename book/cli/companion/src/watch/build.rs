@@ -52,7 +52,7 @@ pub(super) enum Stop {
 /// # Errors
 /// If it can't be built, or `is_old` says that there is a newer save.
 pub(super) fn build(folder: &Path, is_old: &mut dyn FnMut() -> bool) -> Result<Built, Stop> {
-    let show = |errors| cargo::show(errors, PRELUDE);
+    let show = |errors| cargo::show_work(errors, PRELUDE);
     let messages = cargo_says(folder, &["build"], show, is_old)?;
     let missing = "the crate has no program: src/main.rs is missing";
     let problem = || Stop::NotBuilt(problem(&[], missing));
@@ -75,8 +75,8 @@ pub(super) fn laws(
     let works = Arc::new(AtomicBool::new(false));
     let heard = Arc::clone(&works);
     let listen = move |errors| match waits {
-        true => cargo::show(errors, LAWS),
-        false => cargo::listen(errors, |_, _| heard.store(true, Relaxed)),
+        true => cargo::show_work(errors, LAWS),
+        false => cargo::listen_for_work(errors, |_, _| heard.store(true, Relaxed)),
     };
     let gives_up = || !waits && works.load(Relaxed);
     let test = ["test", "--no-run", "--test", "laws"];
@@ -88,7 +88,7 @@ pub(super) fn laws(
 
 /// Makes the command that has cargo do `words` for the crate in `folder`.
 pub(super) fn command(folder: &Path, words: &[&str]) -> Command {
-    let mut command = Command::new(cargo::cargo());
+    let mut command = Command::new(cargo::program_name());
     command.args(words).current_dir(folder);
     command
         .env("CARGO_TERM_COLOR", "never")
