@@ -28,7 +28,7 @@ pub struct Arguments {
 /// # Errors
 /// If it can't be built or opened. What the weaver complains of, it says itself.
 pub fn book(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
-    let workspace = draw::workspace()?;
+    let workspace = draw::find_workspace()?;
     let usual = || workspace.join("target/book");
     let folder = arguments.output.clone().unwrap_or_else(usual);
     let source = workspace.join("book");

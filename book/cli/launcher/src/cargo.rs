@@ -39,7 +39,7 @@ impl Package {
     /// # Errors
     /// If the workspace or cargo is missing, or it can't be built.
     pub fn built_program(&self) -> Result<Command, Box<dyn Error>> {
-        let workspace = draw::workspace()?;
+        let workspace = draw::find_workspace()?;
         let (target, programs) = build_folders(workspace);
         let mut build = Command::new(program_name());
         build

@@ -9,15 +9,15 @@ use common::engine::output;
 use course::chapter::Chapter;
 use course::names::name_from_here;
 
-use crate::save::{Format, save};
+use crate::save::{PictureFormat, save};
 
 /// Draws every picture at the book's size, as PNG and as PPM, and says where
 /// it is, how large, and how long it took to trace.
 ///
 /// # Errors
 /// If a file can't be written, or there is no workspace.
-pub fn all() -> Result<(), Box<dyn Error>> {
-    let folder = folder()?;
+pub fn draw_all() -> Result<(), Box<dyn Error>> {
+    let folder = pictures_folder()?;
     let mut report = format!("The pictures are in {}\n", name_from_here(&folder));
     for chapter in Chapter::ALL {
         report += &draw(chapter, &folder)?;
@@ -29,8 +29,8 @@ pub fn all() -> Result<(), Box<dyn Error>> {
 ///
 /// # Errors
 /// If it can't be made, or there is no workspace.
-pub fn folder() -> Result<PathBuf, Box<dyn Error>> {
-    let folder = workspace()?.join("target").join("pictures");
+pub fn pictures_folder() -> Result<PathBuf, Box<dyn Error>> {
+    let folder = find_workspace()?.join("target").join("pictures");
     fs::create_dir_all(&folder).map_err(|cause| {
         format!(
             "cannot create the folder {}: {cause}\n\
@@ -45,7 +45,7 @@ pub fn folder() -> Result<PathBuf, Box<dyn Error>> {
 ///
 /// # Errors
 /// If it is not there any more.
-pub fn workspace() -> Result<&'static Path, Box<dyn Error>> {
+pub fn find_workspace() -> Result<&'static Path, Box<dyn Error>> {
     course::workspace::workspace().ok_or_else(|| {
         "the workspace that this program was built from is not there any more\n\
          Run this in another clone of it."
@@ -65,7 +65,7 @@ fn draw(chapter: Chapter, folder: &Path) -> Result<String, Box<dyn Error>> {
         picture.height(),
         1e3 * traced.as_secs_f64()
     );
-    for format in [Format::Png, Format::Ppm] {
+    for format in [PictureFormat::Png, PictureFormat::Ppm] {
         let path = folder
             .join(chapter.name())
             .with_extension(format.extension());

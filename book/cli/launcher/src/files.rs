@@ -16,19 +16,19 @@ use crate::limited;
 use crate::misuse::misuse;
 
 /// Files by their names as seen from a folder, with a slash between parts.
-pub type Files = Vec<(String, Vec<u8>)>;
+pub type FolderFiles = Vec<(String, Vec<u8>)>;
 
 /// Lines, each with the checksum of a file and its name.
-type List = BTreeSet<String>;
+type ManifestLines = BTreeSet<String>;
 
 /// Makes `folder` hold these `files`, which are a `kind` of thing, in the place of an earlier
 /// one. All else in it stays.
 ///
 /// # Errors
 /// If one of the files would take the place of a reader's, or can't be written.
-pub fn fill(folder: &Path, kind: &str, files: &Files) -> Result<(), Box<dyn Error>> {
+pub fn fill_folder(folder: &Path, kind: &str, files: &FolderFiles) -> Result<(), Box<dyn Error>> {
     let old = ours(folder, kind)?;
-    let new: List = files
+    let new: ManifestLines = files
         .iter()
         .map(|(name, bytes)| line(name, bytes))
         .collect();
@@ -56,7 +56,7 @@ pub fn fill(folder: &Path, kind: &str, files: &Files) -> Result<(), Box<dyn Erro
     let is_left = |line: &&String| {
         name(line).is_some_and(|it| !names.contains(it) && !is_missing(folder, it))
     };
-    let left: List = old.iter().filter(is_left).cloned().collect();
+    let left: ManifestLines = old.iter().filter(is_left).cloned().collect();
     Ok(write_list(folder, kind, new.union(&left))?)
 }
 
@@ -77,7 +77,7 @@ fn is_missing(folder: &Path, name: &str) -> bool {
 }
 
 /// Returns true if a file is there that is on the list, and no link on the way to it.
-fn is_ours(folder: &Path, name: &str, list: &List) -> bool {
+fn is_ours(folder: &Path, name: &str, list: &ManifestLines) -> bool {
     let path = folder.join(name);
     let is_file = path.symlink_metadata().is_ok_and(|it| it.is_file());
     let is_listed = || {
@@ -110,7 +110,7 @@ fn name(line: &str) -> Option<&str> {
     is_inside.then_some(name)
 }
 
-/// Refuses at once a folder that [`fill`] would refuse after all files are computed.
+/// Refuses at once a folder that [`fill_folder`] would refuse after all files are computed.
 ///
 /// # Errors
 /// If the folder holds something that is not of an earlier `kind`, or can't be read.
@@ -122,8 +122,8 @@ pub fn refuse_strangers(folder: &Path, kind: &str) -> Result<(), Box<dyn Error>>
 ///
 /// # Errors
 /// If one can't be read.
-pub fn read(folder: &Path) -> io::Result<Files> {
-    let mut files = Files::new();
+pub fn read_folder(folder: &Path) -> io::Result<FolderFiles> {
+    let mut files = FolderFiles::new();
     let mut folders = vec![String::new()];
     while let Some(above) = folders.pop() {
         for entry in fs::read_dir(folder.join(&above))? {
@@ -148,7 +148,7 @@ const LONGEST: u64 = 1 << 26;
 
 /// Reads the list of files that an earlier program wrote into `folder` as a `kind` of thing. A
 /// folder without it must be new, or hold nothing but what is hidden.
-fn ours(folder: &Path, kind: &str) -> Result<List, Box<dyn Error>> {
+fn ours(folder: &Path, kind: &str) -> Result<ManifestLines, Box<dyn Error>> {
     let list = folder.join(LIST);
     if let Ok(found) = list.symlink_metadata() {
         let text = limited::read_bytes(&list, MOST_BYTES)
@@ -160,7 +160,7 @@ fn ours(folder: &Path, kind: &str) -> Result<List, Box<dyn Error>> {
         return Ok(lines.lines().map(str::to_owned).collect());
     }
     let entries = match fs::read_dir(folder) {
-        Err(cause) if cause.kind() == io::ErrorKind::NotFound => return Ok(List::new()),
+        Err(cause) if cause.kind() == io::ErrorKind::NotFound => return Ok(ManifestLines::new()),
         entries => entries
             .map_err(|cause| format!("cannot look into {}: {cause}", name_from_here(folder)))?,
     };
@@ -169,7 +169,7 @@ fn ours(folder: &Path, kind: &str) -> Result<List, Box<dyn Error>> {
         .map(|entry| escaped_name(entry.file_name()));
     match names.filter(|name| !name.starts_with('.')).min() {
         Some(name) => Err(refused(folder, kind, &name)),
-        None => Ok(List::new()),
+        None => Ok(ManifestLines::new()),
     }
 }
 

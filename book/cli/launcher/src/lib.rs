@@ -23,6 +23,6 @@ use std::process::ExitCode;
 /// # Errors
 /// As those of a command.
 pub fn run_without_command() -> Result<ExitCode, Box<dyn Error>> {
-    draw::all()?;
+    draw::draw_all()?;
     book::book(&book::Arguments::default())
 }

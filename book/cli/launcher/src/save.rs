@@ -9,14 +9,14 @@ use png::{BitDepth, ColorType, Compression, Filter};
 
 /// The format of a picture file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
+pub enum PictureFormat {
     /// Compressed, for viewers and pages.
     Png,
     /// The book's own: P3, a text of numbers.
     Ppm,
 }
 
-impl Format {
+impl PictureFormat {
     /// Returns the format that the name of a file asks for.
     pub fn of(path: &Path) -> Option<Self> {
         let extension = path.extension()?.to_ascii_lowercase();
@@ -38,10 +38,10 @@ impl Format {
 ///
 /// # Errors
 /// If it can't be written.
-pub fn save(picture: &Picture, format: Format, path: &Path) -> io::Result<()> {
+pub fn save(picture: &Picture, format: PictureFormat, path: &Path) -> io::Result<()> {
     output::to_file(path, |out| match format {
-        Format::Png => write_png(picture, out),
-        Format::Ppm => picture.write_p3(out),
+        PictureFormat::Png => write_png(picture, out),
+        PictureFormat::Ppm => picture.write_p3(out),
     })
 }
 

@@ -13,7 +13,7 @@ use course::names;
 use crate::chapter::ChapterParser;
 use crate::draw;
 use crate::misuse::misuse;
-use crate::save::{Format, save};
+use crate::save::{PictureFormat, save};
 use crate::terminal::{self, Palette};
 
 /// The words behind `cargo rtrace show`.
@@ -57,8 +57,10 @@ pub fn show(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
         Some(Destination::Stdout) => Ok(output::to_stdout(|out| picture().write_p3(out))?),
         Some(Destination::File(path, format)) => save_and_say(&picture(), *format, path, *open),
         None if *open => {
-            let path = draw::folder()?.join(chapter.name()).with_extension("png");
-            save_and_say(&picture(), Format::Png, &path, true)
+            let path = draw::pictures_folder()?
+                .join(chapter.name())
+                .with_extension("png");
+            save_and_say(&picture(), PictureFormat::Png, &path, true)
         }
         None => {
             let palette = Palette::of_stdout().ok_or_else(|| {
@@ -68,7 +70,7 @@ pub fn show(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
                 )
             })?;
             Ok(output::to_stdout(|out| {
-                terminal::show(&picture(), palette, out)
+                terminal::show_picture(&picture(), palette, out)
             })?)
         }
     }
@@ -78,12 +80,12 @@ pub fn show(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 #[derive(Clone, Debug)]
 enum Destination {
     Stdout,
-    File(PathBuf, Format),
+    File(PathBuf, PictureFormat),
 }
 
 fn save_and_say(
     picture: &Picture,
-    format: Format,
+    format: PictureFormat,
     path: &Path,
     open: bool,
 ) -> Result<(), Box<dyn Error>> {
@@ -111,7 +113,7 @@ fn destination_parser() -> impl TypedValueParser<Value = Destination> {
             return Ok(Destination::Stdout);
         }
         let path = PathBuf::from(name);
-        Format::of(&path)
+        PictureFormat::of(&path)
             .map(|format| Destination::File(path, format))
             .ok_or("the name must end in .png or .ppm, or be - for standard output")
     })

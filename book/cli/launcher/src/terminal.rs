@@ -58,21 +58,21 @@ impl Palette {
 ///
 /// # Errors
 /// If it can't be written to `out`.
-pub fn show(picture: &Picture, palette: Palette, out: &mut dyn Write) -> io::Result<()> {
+pub fn show_picture(picture: &Picture, palette: Palette, out: &mut dyn Write) -> io::Result<()> {
     let (columns, terminal_lines) = terminal_size::terminal_size()
         .map_or((80, 24), |(width, height)| {
             (width.0.into(), height.0.into())
         });
     // The prompt wants a line of its own below the picture.
     let rows = 2 * u32::saturating_sub(terminal_lines, 1);
-    for line in lines(picture, palette, columns, rows) {
+    for line in picture_lines(picture, palette, columns, rows) {
         writeln!(out, "{line}")?;
     }
     Ok(())
 }
 
 /// Returns the lines that show `picture`, reduced to at most `columns` × `rows` pixels.
-pub fn lines(picture: &Picture, palette: Palette, columns: u32, rows: u32) -> Vec<String> {
+pub fn picture_lines(picture: &Picture, palette: Palette, columns: u32, rows: u32) -> Vec<String> {
     let pixels = reduced(picture, columns, rows);
     let line = |rows: &[Vec<[u8; 3]>]| {
         let character = |i: usize| {

@@ -34,7 +34,7 @@ fn replace(source: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
     output::forget_partials(&new);
     let woven = output::partial(&new)?;
     fs::create_dir_all(&woven).map_err(|cause| format!("cannot write {folder:?}: {cause}"))?;
-    let read = weave::weave(source, &woven).and_then(|()| Ok(files::read(&woven)?));
+    let read = weave::weave(source, &woven).and_then(|()| Ok(files::read_folder(&woven)?));
     fs::remove_dir_all(&woven)?;
-    files::fill(folder, KIND, &read?)
+    files::fill_folder(folder, KIND, &read?)
 }

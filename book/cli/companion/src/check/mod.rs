@@ -129,7 +129,7 @@ fn report(folder: &Path, chapter: Chapter, answer: &Answer) -> Result<PathBuf, B
         // The book lies elsewhere.
         remarks: &html::below(answer, HostPage::Report),
     };
-    files::fill(folder, REPORT, &report.files())?;
+    files::fill_folder(folder, REPORT, &report.files())?;
     Ok(folder.join("index.html"))
 }
 

@@ -77,7 +77,7 @@ fn pictures(answer: &Answer) -> Vec<String> {
     }
     let (columns, rows) = PICTURE;
     let [yours, right] =
-        [&it.yours, &it.right].map(|it| terminal::lines(it, palette, columns, 2 * rows));
+        [&it.yours, &it.right].map(|it| terminal::picture_lines(it, palette, columns, 2 * rows));
     let both = yours.iter().zip(&right);
     let lines = both.map(|(yours, right)| format!("{yours}  {right}"));
     let label = format!("{:<34}{}", "yours", "what it should be");
