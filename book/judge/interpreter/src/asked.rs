@@ -4,8 +4,8 @@ use common::rtweekend::*;
 
 use crate::machine::value::{Data, Value};
 use crate::program::{Program, u32_value};
-use crate::refusal::At;
-use crate::types::Head;
+use crate::refusal::Span;
+use crate::types::Ctor;
 
 /// A sphere.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -92,7 +92,7 @@ impl Program {
             None => {
                 let kind = self.code.names.kind("HittableList")?;
                 machine
-                    .default(&Head::Own(kind).into(), At::default())
+                    .default(&Ctor::Own(kind).into(), Span::default())
                     .ok()?
             }
         };
@@ -165,7 +165,7 @@ impl Program {
         let Data::Own(kind, _) = value.data else {
             return None;
         };
-        Some(value.part(self.code.names.kinds[kind as usize].field(name)?))
+        Some(value.part(self.code.names.structs[kind as usize].field(name)?))
     }
 }
 

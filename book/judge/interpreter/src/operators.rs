@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Sign {
+pub(crate) enum ArithOp {
     Plus,
     Minus,
     Times,
@@ -13,7 +13,7 @@ pub(crate) enum Sign {
 
 /// How two values are compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Order {
+pub(crate) enum CompareOp {
     Equal,
     Unequal,
     Less,
@@ -25,28 +25,28 @@ pub(crate) enum Order {
 /// An operator: of arithmetic, which may change its left side, of a comparison or of truths.
 #[derive(Clone, Copy)]
 pub(crate) enum Operator {
-    Arithmetic(Sign, bool),
-    Compare(Order),
+    Arithmetic(ArithOp, bool),
+    Compare(CompareOp),
     And,
     Or,
 }
 
 /// Returns what the operator with that sign does, if chapters have it.
 pub(crate) fn operator(sign: &str) -> Option<Operator> {
-    let order = Order::ALL.iter().find(|it| it.1 == sign);
+    let order = CompareOp::ALL.iter().find(|it| it.1 == sign);
     match sign {
         "&&" => Some(Operator::And),
         "||" => Some(Operator::Or),
         _ if order.is_some() => order.map(|it| Operator::Compare(it.0)),
         _ => {
             let plain = sign.trim_end_matches('=');
-            let row = Sign::ALL.iter().find(|it| it.1 == plain)?;
+            let row = ArithOp::ALL.iter().find(|it| it.1 == plain)?;
             Some(Operator::Arithmetic(row.0, plain != sign))
         }
     }
 }
 
-impl Sign {
+impl ArithOp {
     /// Each with how it is written, its trait, and the compiler's verb.
     const ALL: [(Self, &str, &str, &str); 5] = [
         (Self::Plus, "+", "Add", "add"),
@@ -87,7 +87,7 @@ impl Sign {
     }
 }
 
-impl Order {
+impl CompareOp {
     const ALL: [(Self, &str); 6] = [
         (Self::Equal, "=="),
         (Self::Unequal, "!="),

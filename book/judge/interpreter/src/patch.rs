@@ -3,8 +3,8 @@
 use std::sync::{Arc, PoisonError};
 
 use crate::lower;
-use crate::machine::{Code, Function};
-use crate::names::collect::Inside;
+use crate::machine::{Code, CompiledFunction};
+use crate::names::collect::ItemBody;
 use crate::program::Program;
 use crate::refusal::{Fault, FaultKind};
 
@@ -94,12 +94,13 @@ impl Program {
 impl Code {
     /// Returns the number of the function of that name.
     pub(crate) fn number_of(&self, function: &str) -> Option<usize> {
-        let is_it = |it: &Arc<Function>| it.written.as_ref().is_some_and(|it| it.name == function);
+        let is_it =
+            |it: &Arc<CompiledFunction>| it.written.as_ref().is_some_and(|it| it.name == function);
         self.functions.iter().position(is_it)
     }
 
     /// Reads a function from another text.
-    fn read_anew(&self, n: usize, text: &str) -> Result<Arc<Function>, Fault> {
+    fn read_anew(&self, n: usize, text: &str) -> Result<Arc<CompiledFunction>, Fault> {
         let mut read = self.read.lock().unwrap_or_else(PoisonError::into_inner);
         let key = (n, text.to_owned());
         if let Some(known) = read.get(&key) {
@@ -113,7 +114,7 @@ impl Code {
         if item.sig.inputs.len() != signature.parameters.len() {
             return Err(missing("change of the parameters"));
         }
-        let inside = Inside::Function(&item.sig, &item.block);
+        let inside = ItemBody::Function(&item.sig, &item.block);
         let lowered = lower::lower(&self.names, text, signature, Some(inside));
         let lowered = Arc::new(lowered.map_err(|it| it.fault(&[]))?);
         if read.len() > MOST {

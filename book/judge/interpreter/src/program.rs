@@ -229,14 +229,14 @@ impl Program {
         }
     }
 
-    /// Makes one of the reader's kinds, by the names of its fields; what has other names keeps the
+    /// Makes one of the reader's structs, by the names of its fields; what has other names keeps the
     /// order.
     pub(crate) fn own<'n>(
         &self,
         kind: u32,
         parts: impl Iterator<Item = (&'n str, Value)>,
     ) -> Value {
-        let known = &self.code.names.kinds[kind as usize];
+        let known = &self.code.names.structs[kind as usize];
         let mut fields = vec![Value::default(); known.fields.len()];
         for (n, (name, value)) in parts.enumerate() {
             let place = known.field(name).unwrap_or(n);
@@ -251,7 +251,7 @@ impl Program {
         let Data::Own(kind, fields) = &value.data else {
             return Some(value.vec3());
         };
-        let known = &self.code.names.kinds[*kind as usize];
+        let known = &self.code.names.structs[*kind as usize];
         let parts = ["x", "y", "z"].into_iter().enumerate().map(|(n, name)| {
             let place = known.field(name).unwrap_or(n);
             match fields.get(place)?.data {

@@ -2,23 +2,23 @@
 
 use std::ops::Range;
 
-use proc_macro2::{LexError, Span, TokenStream};
+use proc_macro2::{LexError, TokenStream};
 use syn::spanned::Spanned;
 
 use crate::nesting::{self, DEEPEST};
-use crate::refusal::{At, Refusal};
+use crate::refusal::{Refusal, Span};
 
 /// Returns where a part of a tree stands.
-pub(crate) fn at(file: u32, it: &impl Spanned) -> At {
+pub(crate) fn at(file: u32, it: &impl Spanned) -> Span {
     at_span(file, it.span())
 }
 
-pub(crate) fn at_span(file: u32, span: Span) -> At {
+pub(crate) fn at_span(file: u32, span: proc_macro2::Span) -> Span {
     at_bytes(file, span.byte_range())
 }
 
-fn at_bytes(file: u32, bytes: Range<usize>) -> At {
-    At {
+fn at_bytes(file: u32, bytes: Range<usize>) -> Span {
+    Span {
         file,
         start: bytes.start as u32,
         end: bytes.end as u32,
@@ -26,13 +26,13 @@ fn at_bytes(file: u32, bytes: Range<usize>) -> At {
 }
 
 /// Returns where an expression stands, without making its words anew as `span` would.
-pub(crate) fn at_expr(file: u32, it: &syn::Expr) -> At {
-    let end = |outer: At, last: Span| At {
+pub(crate) fn at_expr(file: u32, it: &syn::Expr) -> Span {
+    let end = |outer: Span, last: proc_macro2::Span| Span {
         end: at_span(file, last).end,
         ..outer
     };
     match it {
-        syn::Expr::Binary(it) => At {
+        syn::Expr::Binary(it) => Span {
             end: at_expr(file, &it.right).end,
             ..at_expr(file, &it.left)
         },
@@ -44,11 +44,11 @@ pub(crate) fn at_expr(file: u32, it: &syn::Expr) -> At {
             at_span(file, it.path.segments[0].ident.span())
         }
         syn::Expr::Lit(it) => at_span(file, it.lit.span()),
-        syn::Expr::Unary(it) => At {
+        syn::Expr::Unary(it) => Span {
             start: at(file, &it.op).start,
             ..at_expr(file, &it.expr)
         },
-        syn::Expr::Reference(it) => At {
+        syn::Expr::Reference(it) => Span {
             start: at_span(file, it.and_token.span).start,
             ..at_expr(file, &it.expr)
         },
@@ -57,7 +57,7 @@ pub(crate) fn at_expr(file: u32, it: &syn::Expr) -> At {
                 Some((_, other)) => at_expr(file, other),
                 None => at_span(file, it.then_branch.brace_token.span.close()),
             };
-            At {
+            Span {
                 start: at_span(file, it.if_token.span).start,
                 ..last
             }
@@ -76,9 +76,9 @@ pub(crate) fn at_expr(file: u32, it: &syn::Expr) -> At {
 }
 
 /// Returns where a statement stands.
-pub(crate) fn at_statement(file: u32, it: &syn::Stmt) -> At {
+pub(crate) fn at_statement(file: u32, it: &syn::Stmt) -> Span {
     match it {
-        syn::Stmt::Local(it) => At {
+        syn::Stmt::Local(it) => Span {
             end: at_span(file, it.semi_token.span).end,
             ..at_span(file, it.let_token.span)
         },
@@ -118,10 +118,10 @@ fn plain(text: &str) -> String {
 }
 
 /// Says what stands where a token should begin.
-fn no_token(file: u32, text: &str, code: &str, span: Span) -> Refusal {
+fn no_token(file: u32, text: &str, code: &str, span: proc_macro2::Span) -> Refusal {
     let at = at_span(file, span);
     let sign = text[at.start as usize..].chars().next().unwrap_or(' ');
-    let place = At {
+    let place = Span {
         end: at.start + sign.len_utf8() as u32,
         ..at
     };
@@ -145,7 +145,7 @@ fn no_token(file: u32, text: &str, code: &str, span: Span) -> Refusal {
 }
 
 /// Says that a bracket closes another than the last open one, which is named, or none.
-fn no_bracket(sign: char, place: At, before: &str) -> Refusal {
+fn no_bracket(sign: char, place: Span, before: &str) -> Refusal {
     let open: Result<TokenStream, LexError> = before.parse();
     let Err(open) = open else {
         let message = format!("unexpected closing delimiter: `{sign}`");

@@ -46,7 +46,7 @@ pub struct SourceSpan {
 
 /// A place in the texts: the file, and the bytes.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct At {
+pub(crate) struct Span {
     pub(crate) file: u32,
     pub(crate) start: u32,
     pub(crate) end: u32,
@@ -55,7 +55,7 @@ pub(crate) struct At {
 /// A fault, whose place is in bytes so far.
 #[derive(Clone, Debug)]
 pub(crate) struct Refusal {
-    at: At,
+    at: Span,
     message: String,
     label: String,
     help: String,
@@ -64,7 +64,7 @@ pub(crate) struct Refusal {
 
 impl Refusal {
     /// Makes one of what the compiler refuses.
-    pub(crate) fn new(at: At, message: impl Into<String>, label: &str, help: &str) -> Self {
+    pub(crate) fn new(at: Span, message: impl Into<String>, label: &str, help: &str) -> Self {
         Self {
             at,
             message: message.into(),
@@ -83,7 +83,7 @@ impl Refusal {
     }
 
     /// Makes one of what the compiler may take, and is not read here.
-    pub(crate) fn unread(at: At, what: &str) -> Self {
+    pub(crate) fn unread(at: Span, what: &str) -> Self {
         Self {
             kind: FaultKind::Unread,
             ..Self::new(
@@ -96,7 +96,7 @@ impl Refusal {
     }
 
     /// Says that a call has too many arguments, or too few.
-    pub(crate) fn miscounted(is_method: bool, wanted: usize, count: usize, at: At) -> Self {
+    pub(crate) fn miscounted(is_method: bool, wanted: usize, count: usize, at: Span) -> Self {
         let what = if is_method { "method" } else { "function" };
         let several = |n: usize| if n == 1 { "argument" } else { "arguments" };
         let was = if count == 1 { "was" } else { "were" };
@@ -109,7 +109,7 @@ impl Refusal {
     }
 
     /// Finds whether it is about this place.
-    pub(crate) fn is_at(&self, at: At) -> bool {
+    pub(crate) fn is_at(&self, at: Span) -> bool {
         (self.at.file, self.at.start, self.at.end) == (at.file, at.start, at.end)
     }
 
@@ -122,7 +122,7 @@ impl Refusal {
     }
 
     /// Says that a program that has begun stops.
-    pub(crate) fn stop(at: At, message: &str, help: &str) -> Self {
+    pub(crate) fn stop(at: Span, message: &str, help: &str) -> Self {
         Self {
             kind: FaultKind::Stopped,
             ..Self::new(at, message, "the program stops here", help)
@@ -141,7 +141,7 @@ impl Refusal {
 }
 
 /// Finds the line and the columns of a place, as far as its first line goes.
-pub(crate) fn place(texts: &[String], at: At) -> Option<SourceSpan> {
+pub(crate) fn place(texts: &[String], at: Span) -> Option<SourceSpan> {
     let text = texts.get(at.file as usize).filter(|_| at.end > 0)?;
     let before = text.get(..at.start as usize)?;
     let said = text.get(at.start as usize..at.end as usize)?;
@@ -159,7 +159,7 @@ pub(crate) fn place(texts: &[String], at: At) -> Option<SourceSpan> {
 }
 
 /// Finds from which line of which file to which a part of a text goes.
-pub(crate) fn lines(texts: &[String], at: At) -> Option<UncheckedLines> {
+pub(crate) fn lines(texts: &[String], at: Span) -> Option<UncheckedLines> {
     let first = place(texts, at)?;
     let said = texts[first.file].get(at.start as usize..at.end as usize)?;
     let last = first.line + said.trim_end().matches('\n').count();

@@ -3,11 +3,11 @@
 
 /// A type, and those that it is made of.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Type(pub(crate) Head, pub(crate) Vec<Type>);
+pub(crate) struct Type(pub(crate) Ctor, pub(crate) Vec<Type>);
 
 /// A type apart from those that it is made of.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) enum Head {
+pub(crate) enum Ctor {
     /// Nothing says what it is: it fits whatever there is.
     #[default]
     Unknown,
@@ -107,28 +107,28 @@ impl Int {
     }
 }
 
-impl From<Head> for Type {
-    fn from(head: Head) -> Self {
-        Self(head, Vec::new())
+impl From<Ctor> for Type {
+    fn from(ctor: Ctor) -> Self {
+        Self(ctor, Vec::new())
     }
 }
 
 impl Type {
-    pub(crate) const UNKNOWN: Self = Self(Head::Unknown, Vec::new());
-    pub(crate) const UNIT: Self = Self(Head::Tuple, Vec::new());
-    pub(crate) const BOOL: Self = Self(Head::Bool, Vec::new());
-    pub(crate) const NEVER: Self = Self(Head::Never, Vec::new());
+    pub(crate) const UNKNOWN: Self = Self(Ctor::Unknown, Vec::new());
+    pub(crate) const UNIT: Self = Self(Ctor::Tuple, Vec::new());
+    pub(crate) const BOOL: Self = Self(Ctor::Bool, Vec::new());
+    pub(crate) const NEVER: Self = Self(Ctor::Never, Vec::new());
 
-    pub(crate) fn of(head: Head, of: Self) -> Self {
-        Self(head, vec![of])
+    pub(crate) fn of(ctor: Ctor, of: Self) -> Self {
+        Self(ctor, vec![of])
     }
 
-    pub(crate) fn is(&self, head: Head) -> bool {
-        self.0 == head
+    pub(crate) fn is(&self, ctor: Ctor) -> bool {
+        self.0 == ctor
     }
 
     pub(crate) fn is_unknown(&self) -> bool {
-        self.is(Head::Unknown)
+        self.is(Ctor::Unknown)
     }
 
     /// Returns what an `Option`, a `Box`, a list or a reference is of.
@@ -139,21 +139,21 @@ impl Type {
 
     /// Returns the type of a function of so many parameters.
     pub(crate) fn function(parameters: usize) -> Self {
-        Self(Head::Fn, vec![Self::UNKNOWN; parameters + 1])
+        Self(Ctor::Fn, vec![Self::UNKNOWN; parameters + 1])
     }
 
     /// Returns the type with another in the place of what a method is called on.
     pub(crate) fn with(&self, like: &Self) -> Self {
         match self.0 {
-            Head::Like => like.clone(),
-            head => Self(head, self.1.iter().map(|it| it.with(like)).collect()),
+            Ctor::Like => like.clone(),
+            ctor => Self(ctor, self.1.iter().map(|it| it.with(like)).collect()),
         }
     }
 
     /// Returns the type without its references and boxes.
     pub(crate) fn stripped(&self) -> &Self {
         match (self.0, self.1.first()) {
-            (Head::Ref | Head::RefMut | Head::Box, Some(inner)) => inner.stripped(),
+            (Ctor::Ref | Ctor::RefMut | Ctor::Box, Some(inner)) => inner.stripped(),
             _ => self,
         }
     }

@@ -7,15 +7,15 @@ use super::options::{chosen, copied};
 use crate::machine::iter::Iter;
 use crate::machine::value::{Data, Value};
 use crate::machine::{Eval, Machine};
-use crate::operators::Sign;
-use crate::refusal::At;
-use crate::types::Head::{self, Unknown};
+use crate::operators::ArithOp;
+use crate::refusal::Span;
+use crate::types::Ctor::{self, Unknown};
 use crate::types::{Int, Type};
 
-const USIZE: Head = Head::Int(Int::Usize);
+const USIZE: Ctor = Ctor::Int(Int::Usize);
 
 /// Returns what gives the values of a list or a range, one after the other.
-pub(crate) fn iterator(m: &mut Machine<'_>, of: &Value, at: At) -> Eval<Iter> {
+pub(crate) fn iterator(m: &mut Machine<'_>, of: &Value, at: Span) -> Eval<Iter> {
     Ok(match &of.data {
         Data::List(list) => Iter::List(Rc::clone(list), 0, of.lent.min(1)),
         Data::Range(ends, is_closed) if of.lent == 0 => match (&ends[0].data, &ends[1].data) {
@@ -48,7 +48,7 @@ fn numbered(from: i128, to: i128, int: Int) -> Iter {
     Iter::new(move |_| Ok(numbers.next().map(|it| Value::whole(it, int))))
 }
 
-fn no_iterator<T>(m: &mut Machine<'_>, of: &Value, at: At) -> Eval<T> {
+fn no_iterator<T>(m: &mut Machine<'_>, of: &Value, at: Span) -> Eval<T> {
     match of.data {
         Data::Some(_) | Data::None => m.unread(at, "loops over an `Option`"),
         _ => {
@@ -59,7 +59,7 @@ fn no_iterator<T>(m: &mut Machine<'_>, of: &Value, at: At) -> Eval<T> {
 }
 
 /// Returns all values that are left.
-pub(super) fn rest(m: &mut Machine<'_>, each: &mut Iter, at: At) -> Eval<Vec<Value>> {
+pub(super) fn rest(m: &mut Machine<'_>, each: &mut Iter, at: Span) -> Eval<Vec<Value>> {
     let mut all = Vec::new();
     while let Some(value) = each.next(m)? {
         m.turn(at)?;
@@ -74,7 +74,7 @@ fn found(
     m: &mut Machine<'_>,
     a: &[Value],
     (lent, wanted): (u8, bool),
-    at: At,
+    at: Span,
 ) -> Eval<Option<(usize, Value)>> {
     let mut each = iterator(m, &a[0], at)?;
     let mut n = 0;
@@ -89,7 +89,7 @@ fn found(
 }
 
 /// Returns the value that is on that side of all others, of equal ones the first or the last.
-fn extreme(m: &mut Machine<'_>, a: &[Value], is_least: bool, at: At) -> Eval {
+fn extreme(m: &mut Machine<'_>, a: &[Value], is_least: bool, at: Span) -> Eval {
     let mut each = iterator(m, &a[0], at)?;
     let Some(mut best) = each.next(m)? else {
         return Ok(None.into());
@@ -98,7 +98,7 @@ fn extreme(m: &mut Machine<'_>, a: &[Value], is_least: bool, at: At) -> Eval {
         m.turn(at)?;
         let given = &mut [best.clone().lent(), value.clone().lent()];
         let order = m.applied(&a[1], given, at)?;
-        let order = m.as_declared(order, &Head::Ordering.into(), at.into())?;
+        let order = m.as_declared(order, &Ctor::Ordering.into(), at.into())?;
         if order.ordering().is_gt() == is_least {
             best = value;
         }
@@ -107,7 +107,7 @@ fn extreme(m: &mut Machine<'_>, a: &[Value], is_least: bool, at: At) -> Eval {
 }
 
 /// Returns what all values come to, one after the other, from a beginning.
-fn folded(m: &mut Machine<'_>, each: &mut Iter, start: Value, f: &Value, at: At) -> Eval {
+fn folded(m: &mut Machine<'_>, each: &mut Iter, start: Value, f: &Value, at: Span) -> Eval {
     let mut sum = start;
     while let Some(value) = each.next(m)? {
         m.turn(at)?;
@@ -117,11 +117,11 @@ fn folded(m: &mut Machine<'_>, each: &mut Iter, start: Value, f: &Value, at: At)
 }
 
 /// Returns the sum or the product of all values.
-fn total(m: &mut Machine<'_>, of: &Value, sign: Sign, at: At) -> Eval {
+fn total(m: &mut Machine<'_>, of: &Value, sign: ArithOp, at: Span) -> Eval {
     let mut each = iterator(m, of, at)?;
     let Some(first) = each.next(m)? else {
         // Of nothing, only what it is declared to be would say which zero.
-        return Ok(if sign == Sign::Plus { -0.0 } else { 1.0 }.into());
+        return Ok(if sign == ArithOp::Plus { -0.0 } else { 1.0 }.into());
     };
     let mut total = first.owned();
     while let Some(value) = each.next(m)? {
@@ -135,7 +135,7 @@ fn total(m: &mut Machine<'_>, of: &Value, sign: Sign, at: At) -> Eval {
 fn made(
     m: &mut Machine<'_>,
     of: &Value,
-    at: At,
+    at: Span,
     mut next: impl FnMut(&mut Machine<'_>, &mut Iter) -> Eval<Option<Value>> + 'static,
 ) -> Eval {
     let mut of = iterator(m, of, at)?;
@@ -146,7 +146,7 @@ fn made(
 fn chosen_of(
     m: &mut Machine<'_>,
     of: &Value,
-    at: At,
+    at: Span,
     mut choose: impl FnMut(&mut Machine<'_>, Value) -> Eval<Option<Value>> + 'static,
 ) -> Eval {
     made(m, of, at, move |m, of| {
@@ -161,7 +161,7 @@ fn chosen_of(
 }
 
 library! { table:
-    [Head::Range | Head::Iterator] {
+    [Ctor::Range | Ctor::Iterator] {
         into_iter self () => |m, a, at| Ok(Value::iter(iterator(m, &a[0], at)?));
         iter self () => |m, a, at| Ok(Value::iter(iterator(m, &a[0], at)?));
         by_ref self () => |m, a, at| Ok(Value::iter(iterator(m, &a[0], at)?));
@@ -276,8 +276,8 @@ library! { table:
         };
         min_by self (Type::function(2)) => |m, a, at| extreme(m, a, true, at);
         max_by self (Type::function(2)) => |m, a, at| extreme(m, a, false, at);
-        sum self () => |m, a, at| total(m, &a[0], Sign::Plus, at);
-        product self () => |m, a, at| total(m, &a[0], Sign::Times, at);
+        sum self () => |m, a, at| total(m, &a[0], ArithOp::Plus, at);
+        product self () => |m, a, at| total(m, &a[0], ArithOp::Times, at);
         count self () => |m, a, at| {
             let mut each = iterator(m, &a[0], at)?;
             Ok(Value::usize(rest(m, &mut each, at)?.len()))
@@ -291,7 +291,7 @@ library! { table:
             Ok(Value::vector(rest(m, &mut each, at)?))
         };
     }
-    [Head::Range] {
+    [Ctor::Range] {
         contains self (Unknown) => |_, a, _| {
             let Data::Range(ends, is_closed) = &a[0].data else {
                 unreachable!("types are checked");

@@ -4,14 +4,14 @@ use std::rc::Rc;
 
 use super::iterators::{iterator, rest};
 use super::library;
-use crate::machine::value::{Data, List, Value};
+use crate::machine::value::{Data, ListValue, Value};
 use crate::machine::{Eval, Machine};
-use crate::refusal::At;
-use crate::types::Head::{self, Unknown};
+use crate::refusal::Span;
+use crate::types::Ctor::{self, Unknown};
 use crate::types::{Int, Type};
 
 /// Adds values to a list that is changed in its place.
-fn added(m: &mut Machine<'_>, to: &Value, all: Vec<Value>, at: At) -> Eval {
+fn added(m: &mut Machine<'_>, to: &Value, all: Vec<Value>, at: Span) -> Eval {
     let list = m.end_of(to).list();
     let (of, mut first) = (list.of.clone(), list.all.first().cloned());
     drop(list);
@@ -38,14 +38,14 @@ fn changed(m: &mut Machine<'_>, list: &Value, mut change: impl FnMut(&mut Vec<Va
     });
 }
 
-fn list(value: &Value) -> Rc<List> {
+fn list(value: &Value) -> Rc<ListValue> {
     value.list()
 }
 
 library! { table:
-    [Head::Vec] {
+    [Ctor::Vec] {
         new _ () => |_, _, _| Ok(Value::vector(Vec::new()));
-        with_capacity _ (Head::Int(Int::Usize)) => |_, _, _| Ok(Value::vector(Vec::new()));
+        with_capacity _ (Ctor::Int(Int::Usize)) => |_, _, _| Ok(Value::vector(Vec::new()));
         push mut (Unknown) => |m, a, at| {
             let value = std::mem::take(&mut a[1]);
             added(m, &a[0], vec![value], at)
@@ -65,12 +65,12 @@ library! { table:
             Ok(Value::default())
         };
     }
-    [Head::Vec | Head::Array(_) | Head::Slice] {
+    [Ctor::Vec | Ctor::Array(_) | Ctor::Slice] {
         len self () => |_, a, _| Ok(Value::usize(list(&a[0]).all.len()));
         is_empty self () => |_, a, _| Ok(list(&a[0]).all.is_empty().into());
         first self () => |_, a, _| Ok(list(&a[0]).all.first().cloned().map(Value::lent).into());
         last self () => |_, a, _| Ok(list(&a[0]).all.last().cloned().map(Value::lent).into());
-        get self (Head::Int(Int::Usize)) => |_, a, _| {
+        get self (Ctor::Int(Int::Usize)) => |_, a, _| {
             let part = list(&a[0]).all.get(a[1].int() as usize).cloned();
             Ok(part.map(Value::lent).into())
         };
@@ -85,7 +85,7 @@ library! { table:
             Ok(list(&a[0]).all.iter().any(|it| it.equals(&a[1])).into())
         };
     }
-    [Head::Array(_)] {
+    [Ctor::Array(_)] {
         map self (Type::function(1)) => |m, a, at| {
             let mut all = Vec::new();
             for value in &list(&a[0]).all {

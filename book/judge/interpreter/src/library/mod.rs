@@ -14,7 +14,7 @@ pub(crate) use iterators::iterator;
 pub(crate) use pictures::printed;
 
 use crate::machine::Native;
-use crate::types::Head;
+use crate::types::Ctor;
 
 static ALL: LazyLock<Vec<Native>> = LazyLock::new(|| {
     let tables = [
@@ -31,8 +31,8 @@ static ALL: LazyLock<Vec<Native>> = LazyLock::new(|| {
 
 /// Returns the function of that name before which the type's name stands, or of a name that is
 /// no type's: these are those of `!`.
-pub(crate) fn function(head: Head, name: &str) -> Option<&'static Native> {
-    ALL.iter().find(|it| it.name == name && (it.owner)(head))
+pub(crate) fn function(ctor: Ctor, name: &str) -> Option<&'static Native> {
+    ALL.iter().find(|it| it.name == name && (it.owner)(ctor))
 }
 
 /// Returns all methods of that name.
@@ -54,7 +54,7 @@ macro_rules! library {
     )*) => {
         pub(super) fn $name() -> Vec<crate::machine::Native> {
             vec![$($(crate::machine::Native {
-                owner: |head| matches!(head, $owner),
+                owner: |ctor| matches!(ctor, $owner),
                 name: stringify!($function),
                 on: crate::library::on!($on),
                 takes: vec![$(crate::types::Type::from($take)),*],
@@ -66,10 +66,10 @@ macro_rules! library {
 
 macro_rules! on {
     (self) => {
-        Some(crate::machine::On::Value)
+        Some(crate::machine::Receiver::Value)
     };
     (mut) => {
-        Some(crate::machine::On::Place)
+        Some(crate::machine::Receiver::Place)
     };
     (_) => {
         None

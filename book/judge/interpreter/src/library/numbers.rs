@@ -1,11 +1,11 @@
-//! Numbers: floats of both kinds, integers, truth and order.
+//! Numbers: floats of both structs, integers, truth and order.
 
 use super::library;
 use crate::machine::value::{Data, Value};
 use crate::machine::{Eval, Machine};
-use crate::refusal::At;
-use crate::types::Head::{Like, Unknown};
-use crate::types::{Head, Int, Type};
+use crate::refusal::Span;
+use crate::types::Ctor::{Like, Unknown};
+use crate::types::{Ctor, Int, Type};
 
 /// Computes with one, two or three floats that are equally wide.
 macro_rules! float {
@@ -38,17 +38,17 @@ macro_rules! float {
 macro_rules! floats {
     ({ $($one:ident)* } { $($two:ident)* } { $($is:ident)* } $($rest:tt)*) => {
         library! { floats:
-            [Head::F64 | Head::F32] {
+            [Ctor::F64 | Ctor::F32] {
                 $($one self () => |_, a, _| float!(a: x => x.$one());)*
                 $($two self (Like) => |_, a, _| float!(a: x y => x.$two(y));)*
                 $($is self () => |_, a, _| float!(a: x => x.$is());)*
-                powi self (Head::Int(Int::I32)) => |_, a, _| {
+                powi self (Ctor::Int(Int::I32)) => |_, a, _| {
                     let n = a[1].int() as i32;
                     float!(a: x => x.powi(n))
                 };
-                total_cmp self (Type::of(Head::Ref, Like.into())) =>
+                total_cmp self (Type::of(Ctor::Ref, Like.into())) =>
                     |_, a, _| float!(a: x y => x.total_cmp(&y));
-                partial_cmp self (Type::of(Head::Ref, Like.into())) => |_, a, _| {
+                partial_cmp self (Type::of(Ctor::Ref, Like.into())) => |_, a, _| {
                     float!(a: x y => x.partial_cmp(&y).map(Value::from))
                 };
                 mul_add self (Like, Like) => |_, a, _| float!(a: x y z => x.mul_add(y, z));
@@ -72,7 +72,7 @@ floats! {
     }
     { max min powf atan2 hypot copysign rem_euclid log }
     { is_nan is_finite is_infinite is_sign_negative is_sign_positive }
-    [Head::F64] {
+    [Ctor::F64] {
         from _ (Unknown) => |m, a, at| match a[0].data {
             Data::Int(_, int) if int == Int::Any || int.ends().1 < 1 << 32 => {
                 Ok(a[0].float().into())
@@ -81,7 +81,7 @@ floats! {
             _ => no_conversion(m, "f64", &a[0], at),
         };
     }
-    [Head::F32] {
+    [Ctor::F32] {
         from _ (Unknown) => |m, a, at| match a[0].data {
             Data::Single(_) if a[0].lent == 0 => Ok(a[0].clone()),
             Data::Int(it, Int::U8 | Int::U16 | Int::Any) => Ok((it.get() as f32).into()),
@@ -90,7 +90,7 @@ floats! {
     }
 }
 
-fn no_conversion(m: &mut Machine<'_>, to: &str, from: &Value, at: At) -> Eval {
+fn no_conversion(m: &mut Machine<'_>, to: &str, from: &Value, at: Span) -> Eval {
     let from = m.named(from);
     let message = format!("the trait bound `{to}: From<{from}>` is not satisfied");
     m.wrong(at, message, &format!("`… as {to}`"))
@@ -100,7 +100,7 @@ fn no_conversion(m: &mut Machine<'_>, to: &str, from: &Value, at: At) -> Eval {
 macro_rules! others {
     ({ $($is:ident)* } $($rest:tt)*) => {
         library! { others:
-            [Head::Ordering] {
+            [Ctor::Ordering] {
                 reverse self () => |_, a, _| Ok(a[0].ordering().reverse().into());
                 $($is self () => |_, a, _| Ok(a[0].ordering().$is().into());)*
             }
@@ -111,7 +111,7 @@ macro_rules! others {
 
 others! {
     { is_lt is_gt is_le is_ge is_eq }
-    [Head::Int(_)] {
+    [Ctor::Int(_)] {
         max self (Like) => |_, a, _| Ok(a[usize::from(a[1].int() > a[0].int())].clone().owned());
         min self (Like) => |_, a, _| Ok(a[usize::from(a[1].int() < a[0].int())].clone().owned());
         clamp self (Like, Like) => |_, a, _| {
@@ -123,10 +123,10 @@ others! {
             Data::Int(it, int) => Ok(Value::whole(it.get().abs(), int)),
             _ => unreachable!("types are checked"),
         };
-        cmp self (Type::of(Head::Ref, Like.into())) =>
+        cmp self (Type::of(Ctor::Ref, Like.into())) =>
             |_, a, _| Ok(a[0].int().cmp(&a[1].int()).into());
     }
-    [Head::Bool] {
+    [Ctor::Bool] {
         then_some self (Unknown) => |_, a, _| Ok(a[0].truth().then(|| a[1].clone()).into());
         then self (Type::function(0)) => |m, a, at| match a[0].truth() {
             true => Ok(Some(m.applied(&a[1], &mut [], at)?).into()),
@@ -134,25 +134,25 @@ others! {
         };
     }
     [
-        Head::Bool | Head::Int(_) | Head::F64 | Head::F32 | Head::Str | Head::Ordering | Head::Vec3
-        | Head::Ray | Head::Option | Head::Vec | Head::Array(_) | Head::Tuple | Head::Range
-        | Head::Iterator
+        Ctor::Bool | Ctor::Int(_) | Ctor::F64 | Ctor::F32 | Ctor::Str | Ctor::Ordering | Ctor::Vec3
+        | Ctor::Ray | Ctor::Option | Ctor::Vec | Ctor::Array(_) | Ctor::Tuple | Ctor::Range
+        | Ctor::Iterator
     ] {
         clone self () => |m, a, at| match &a[0].data {
             Data::Iter(_) => m.unread(at, "copies of iterators"),
             _ => Ok(a[0].clone().owned()),
         };
     }
-    [Head::Str] {
+    [Ctor::Str] {
         new _ () => |_, _, _| Ok(Value::str(""));
-        with_capacity _ (Head::Int(Int::Usize)) => |_, _, _| Ok(Value::str(""));
-        from _ (Type::of(Head::Ref, Head::Str.into())) => |_, a, _| Ok(a[0].clone().owned());
+        with_capacity _ (Ctor::Int(Int::Usize)) => |_, _, _| Ok(Value::str(""));
+        from _ (Type::of(Ctor::Ref, Ctor::Str.into())) => |_, a, _| Ok(a[0].clone().owned());
         to_string self () => |_, a, _| Ok(a[0].clone().owned());
         to_owned self () => |_, a, _| Ok(a[0].clone().owned());
         as_str self () => |_, a, _| Ok(a[0].clone().owned().lent());
         len self () => |_, a, _| Ok(Value::usize(a[0].text().len()));
         is_empty self () => |_, a, _| Ok(a[0].text().is_empty().into());
-        push_str mut (Type::of(Head::Ref, Head::Str.into())) =>
+        push_str mut (Type::of(Ctor::Ref, Ctor::Str.into())) =>
             |m, a, at| m.append(&a[0], &a[1].text(), at);
     }
 }

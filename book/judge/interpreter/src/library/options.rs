@@ -5,14 +5,14 @@ use std::rc::Rc;
 use super::library;
 use crate::machine::value::{Data, Value};
 use crate::machine::{Eval, Machine};
-use crate::refusal::At;
-use crate::types::Head::{self, Unknown};
+use crate::refusal::Span;
+use crate::types::Ctor::{self, Unknown};
 use crate::types::Type;
 
 /// Calls a function that comes to an option.
-pub(super) fn chosen(m: &mut Machine<'_>, f: &Value, given: &mut [Value], at: At) -> Eval {
+pub(super) fn chosen(m: &mut Machine<'_>, f: &Value, given: &mut [Value], at: Span) -> Eval {
     let value = m.applied(f, given, at)?;
-    m.as_declared(value, &Type::of(Head::Option, Type::UNKNOWN), at.into())
+    m.as_declared(value, &Type::of(Ctor::Option, Type::UNKNOWN), at.into())
 }
 
 /// Returns the value behind one reference.
@@ -32,7 +32,7 @@ fn inside(value: &Value) -> Option<Value> {
 }
 
 library! { table:
-    [Head::Option] {
+    [Ctor::Option] {
         is_some self () => |_, a, _| Ok(inside(&a[0]).is_some().into());
         is_none self () => |_, a, _| Ok(inside(&a[0]).is_none().into());
         is_some_and self (Type::function(1)) => |m, a, at| match inside(&a[0]) {
@@ -47,7 +47,7 @@ library! { table:
             Some(it) => Ok(it),
             None => m.panic(at, "called `Option::unwrap()` on a `None` value"),
         };
-        expect self (Type::of(Head::Ref, Head::Str.into())) => |m, a, at| match inside(&a[0]) {
+        expect self (Type::of(Ctor::Ref, Ctor::Str.into())) => |m, a, at| match inside(&a[0]) {
             Some(it) => Ok(it),
             None => m.panic(at, "called `Option::expect()` on a `None` value"),
         };
@@ -76,13 +76,13 @@ library! { table:
             Some(it) if m.asked(&a[1], &mut [it.clone().lent()], at)? => Ok(Some(it).into()),
             _ => Ok(None.into()),
         };
-        or self (Type::of(Head::Option, Type::UNKNOWN)) =>
+        or self (Type::of(Ctor::Option, Type::UNKNOWN)) =>
             |_, a, _| Ok(inside(&a[0]).or_else(|| inside(&a[1])).into());
         or_else self (Type::function(0)) => |m, a, at| match inside(&a[0]) {
             Some(it) => Ok(Some(it).into()),
             None => chosen(m, &a[1], &mut [], at),
         };
-        zip self (Type::of(Head::Option, Type::UNKNOWN)) => |_, a, _| {
+        zip self (Type::of(Ctor::Option, Type::UNKNOWN)) => |_, a, _| {
             let both = inside(&a[0]).zip(inside(&a[1]));
             Ok(both.map(|(one, other)| Value::tuple([one, other])).into())
         };
@@ -95,7 +95,7 @@ library! { table:
             Ok(before.owned())
         };
     }
-    [Head::Box] {
+    [Ctor::Box] {
         new _ (Unknown) => |m, a, at| {
             m.keep(&a[0], at)?;
             Ok(Data::Box(Rc::new(a[0].clone())).into())

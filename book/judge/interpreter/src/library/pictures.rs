@@ -7,9 +7,9 @@ use common::rtweekend::{Camera, Picture};
 use super::library;
 use crate::machine::Eval;
 use crate::machine::value::{Brush, Data, Value};
-use crate::types::{Head, Int, Type};
+use crate::types::{Ctor, Int, Type};
 
-const U32: Head = Head::Int(Int::U32);
+const U32: Ctor = Ctor::Int(Int::U32);
 
 /// Returns a picture whose pixels are colored when they are asked for.
 fn painted(size: (u32, u32), brush: Brush) -> Eval {
@@ -21,12 +21,12 @@ fn size(value: &Value) -> u32 {
 }
 
 library! { table:
-    [Head::Picture] {
+    [Ctor::Picture] {
         paint _ (U32, U32, Type::function(2)) => |m, a, at| {
             painted((size(&a[0]), size(&a[1])), Brush::Pixel(m.kept(&a[2]), at))
         };
     }
-    [Head::Never] {
+    [Ctor::Never] {
         render _ (U32, Type::function(1)) => |m, a, at| {
             let camera = Camera::new(size(&a[0]).max(1));
             let size = (camera.image_width, camera.image_height);

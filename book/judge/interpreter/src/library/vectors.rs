@@ -6,26 +6,26 @@ use common::rtweekend::{Ray, Vec3, sky};
 
 use super::library;
 use crate::machine::value::{Data, Value};
-use crate::types::Head::{F64, Vec3 as Vector};
-use crate::types::{Head, Type};
+use crate::types::Ctor::{F64, Vec3 as Vector};
+use crate::types::{Ctor, Type};
 
 /// Lists functions of one vector or two that come to a vector, a number or a truth.
 macro_rules! vectors {
     ({ $($one:ident)* } { $($two:ident)* } $($rest:tt)*) => {
         library! { table:
-            [Head::Vec3] {
+            [Ctor::Vec3] {
                 $($one self () => |_, a, _| Ok(a[0].vec3().$one().into());)*
                 $($two self (Vector) => |_, a, _| Ok(a[0].vec3().$two(a[1].vec3()).into());)*
                 $($rest)*
             }
-            [Head::Ray] {
+            [Ctor::Ray] {
                 new _ (Vector, Vector) => |_, a, _| {
                     Ok(Data::Ray(Rc::new(Ray::new(a[0].vec3(), a[1].vec3()))).into())
                 };
                 at self (F64) => |_, a, _| Ok(a[0].ray().at(a[1].float()).into());
             }
-            [Head::Never] {
-                sky _ (Type::of(Head::Ref, Head::Ray.into())) =>
+            [Ctor::Never] {
+                sky _ (Type::of(Ctor::Ref, Ctor::Ray.into())) =>
                     |_, a, _| Ok(sky(&a[0].ray()).into());
             }
         }
@@ -49,7 +49,7 @@ vectors! {
         |_, a, _| Ok(a[0].vec3().max(a[1].vec3()).min(a[2].vec3()).into());
     to_array self () =>
         |_, a, _| Ok(Value::array(a[0].vec3().to_array().map(Value::from).to_vec()));
-    from_array _ (Type::of(Head::Array(3), F64.into())) => |_, a, _| {
+    from_array _ (Type::of(Ctor::Array(3), F64.into())) => |_, a, _| {
         let all = &a[0].list().all;
         Ok(Vec3::new(all[0].float(), all[1].float(), all[2].float()).into())
     };

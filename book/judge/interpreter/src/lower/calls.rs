@@ -8,14 +8,14 @@ use super::declared::some;
 use super::paths::Callee;
 use super::{Expr, Lowered, Lowerer};
 use crate::machine::value::{Data, Value};
-use crate::machine::{Eval, Form, Given, Native, Run};
+use crate::machine::{Eval, ExprForm, Given, Native, Thunk};
 use crate::names::names;
-use crate::refusal::{At, Refusal};
-use crate::types::{Head, Type};
+use crate::refusal::{Refusal, Span};
+use crate::types::{Ctor, Type};
 
 impl Lowerer<'_> {
     pub(super) fn call(&mut self, it: &syn::ExprCall) -> Lowered {
-        let at = At {
+        let at = Span {
             end: self.at_span(it.paren_token.span.close()).end,
             ..self.at(&it.func)
         };
@@ -39,7 +39,7 @@ impl Lowerer<'_> {
                 self.default_of(&ty, at)
             }
             Callee::Struct(kind) => {
-                let fields = self.names.kinds[kind as usize].fields.iter();
+                let fields = self.names.structs[kind as usize].fields.iter();
                 let wanted: Vec<Type> = fields.map(|it| it.ty.clone()).collect();
                 counted(wanted.len(), it, at)?;
                 let given = self.all_given(&it.args, wanted)?;
@@ -64,7 +64,7 @@ impl Lowerer<'_> {
         }
     }
 
-    fn call_own(&mut self, function: usize, it: &syn::ExprCall, at: At) -> Lowered {
+    fn call_own(&mut self, function: usize, it: &syn::ExprCall, at: Span) -> Lowered {
         let own = &self.names.functions[function];
         if own.is_constant {
             return self.refused(at, "expected function, found a constant");
@@ -80,12 +80,12 @@ impl Lowerer<'_> {
         &mut self,
         native: &'static Native,
         all: impl IntoIterator<Item = &'s syn::Expr>,
-        at: At,
+        at: Span,
     ) -> Lowered {
         let (runs, given) = self.arguments(all, at)?;
-        if let [Run::Float(x), Run::Float(y), Run::Float(z)] = runs[..]
+        if let [Thunk::Float(x), Thunk::Float(y), Thunk::Float(z)] = runs[..]
             && native.name == "new"
-            && (native.owner)(Head::Vec3)
+            && (native.owner)(Ctor::Vec3)
         {
             // A vector of numbers is made once.
             let vector = Vec3::new(x, y, z);
@@ -96,9 +96,9 @@ impl Lowerer<'_> {
         }))
     }
 
-    fn call_value(&mut self, it: &syn::ExprCall, at: At) -> Lowered {
+    fn call_value(&mut self, it: &syn::ExprCall, at: Span) -> Lowered {
         let function = self.expr(&it.func)?;
-        if function.spot.form == Form::Open {
+        if function.spot.form == ExprForm::Open {
             return self.needs_a_type(function.spot.at);
         }
         let (runs, _) = self.arguments(&it.args, at)?;
@@ -114,8 +114,8 @@ impl Lowerer<'_> {
     pub(super) fn arguments<'s>(
         &mut self,
         all: impl IntoIterator<Item = &'s syn::Expr>,
-        at: At,
-    ) -> Lowered<(Vec<Run>, Given)> {
+        at: Span,
+    ) -> Lowered<(Vec<Thunk>, Given)> {
         let all = all.into_iter().map(|it| self.given(it, &Type::UNKNOWN));
         let all = all.collect::<Lowered<Vec<Expr>>>()?;
         let spots = all.iter().map(|it| it.spot).collect();
@@ -125,7 +125,7 @@ impl Lowerer<'_> {
 }
 
 /// Checks how many arguments a call has.
-fn counted(wanted: usize, call: &syn::ExprCall, at: At) -> Lowered<()> {
+fn counted(wanted: usize, call: &syn::ExprCall, at: Span) -> Lowered<()> {
     match call.args.len() {
         count if count == wanted => Ok(()),
         count => Err(Refusal::miscounted(false, wanted, count, at)),
@@ -133,7 +133,7 @@ fn counted(wanted: usize, call: &syn::ExprCall, at: At) -> Lowered<()> {
 }
 
 /// Makes a struct of its fields by their numbers, and of a value that has the others.
-pub(super) fn made(kind: u32, fields: Vec<(usize, Run)>, base: Option<Run>, at: At) -> Expr {
+pub(super) fn made(kind: u32, fields: Vec<(usize, Thunk)>, base: Option<Thunk>, at: Span) -> Expr {
     Expr::new(at, move |m| {
         let base = base.as_ref().map(|base| base.eval(m)).transpose()?;
         let mut all: Rc<[Value]> = match base.map(|it| it.data) {

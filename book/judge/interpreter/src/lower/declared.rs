@@ -2,10 +2,10 @@
 //! places have it, and the value is checked there.
 
 use super::{Expr, Lowered, Lowerer};
-use crate::machine::{Form, Run};
+use crate::machine::{ExprForm, Thunk};
 use crate::names::names;
-use crate::refusal::At;
-use crate::types::{Head, Type};
+use crate::refusal::Span;
+use crate::types::{Ctor, Type};
 
 impl Lowerer<'_> {
     /// Lowers an expression whose value is to have that type.
@@ -20,16 +20,16 @@ impl Lowerer<'_> {
             syn::Expr::Call(it) if is_default(it) && !ty.is_unknown() => {
                 self.default_of(ty, self.at(value))?
             }
-            syn::Expr::Call(it) if ty.is(Head::Option) && is_some(it) => {
+            syn::Expr::Call(it) if ty.is(Ctor::Option) && is_some(it) => {
                 let of = self.given(&it.args[0], ty.inner())?;
                 some(of, self.at(value))
             }
-            syn::Expr::Tuple(it) if ty.is(Head::Tuple) && it.elems.len() == ty.1.len() => {
+            syn::Expr::Tuple(it) if ty.is(Ctor::Tuple) && it.elems.len() == ty.1.len() => {
                 let all = it.elems.iter().zip(&ty.1);
                 let all = all.map(|(it, ty)| self.given(it, ty));
                 tuple(all.collect::<Lowered<_>>()?, self.at(value))
             }
-            syn::Expr::Array(it) if matches!(ty.0, Head::Array(_)) => {
+            syn::Expr::Array(it) if matches!(ty.0, Ctor::Array(_)) => {
                 self.listed(&it.elems, ty.inner(), true, self.at(value))?
             }
             value => self.expr(value)?,
@@ -42,7 +42,7 @@ impl Lowerer<'_> {
         &mut self,
         all: impl IntoIterator<Item = &'s syn::Expr>,
         types: impl IntoIterator<Item = Type>,
-    ) -> Lowered<Vec<Run>> {
+    ) -> Lowered<Vec<Thunk>> {
         let both = all.into_iter().zip(types);
         both.map(|(it, ty)| Ok(self.given(it, &ty)?.run)).collect()
     }
@@ -51,27 +51,27 @@ impl Lowerer<'_> {
 /// Checks a value when it runs, unless it shows what it is.
 pub(super) fn checked(made: Expr, ty: &Type) -> Expr {
     let is_certain = match made.spot.form {
-        Form::Never => true,
-        Form::Float => ty.is(Head::F64),
-        Form::Bool => ty.is(Head::Bool),
+        ExprForm::Never => true,
+        ExprForm::Float => ty.is(Ctor::F64),
+        ExprForm::Bool => ty.is(Ctor::Bool),
         _ => false,
     };
     if is_certain || ty.is_unknown() {
         return made;
     }
     let (ty, Expr { run, spot }) = (ty.clone(), made);
-    let check = Run::new(move |m| {
+    let check = Thunk::new(move |m| {
         let value = run.eval(m)?;
         m.as_declared(value, &ty, spot)
     });
     Expr { run: check, spot }
 }
 
-pub(super) fn some(of: Expr, at: At) -> Expr {
+pub(super) fn some(of: Expr, at: Span) -> Expr {
     Expr::new(at, move |m| Ok(Some(of.run.eval(m)?).into()))
 }
 
-pub(super) fn tuple(all: Vec<Expr>, at: At) -> Expr {
+pub(super) fn tuple(all: Vec<Expr>, at: Span) -> Expr {
     if all.is_empty() {
         return Expr::new(at, |_| Ok(crate::machine::value::Value::default()));
     }

@@ -5,11 +5,11 @@ use std::rc::Rc;
 use super::declared::tuple;
 use super::{Expr, Lowered, Lowerer};
 use crate::machine::value::{Data, Value};
-use crate::machine::{Form, Run, Stop, alike};
-use crate::names::Named;
-use crate::operators::{Operator, Sign, operator};
-use crate::refusal::At;
-use crate::types::{Head, Int, Type};
+use crate::machine::{EarlyExit, ExprForm, Thunk, alike};
+use crate::names::Meaning;
+use crate::operators::{ArithOp, Operator, operator};
+use crate::refusal::Span;
+use crate::types::{Ctor, Int, Type};
 
 impl Lowerer<'_> {
     pub(super) fn expr(&mut self, expr: &syn::Expr) -> Lowered {
@@ -74,7 +74,7 @@ impl Lowerer<'_> {
             let value = value.run.eval(m)?;
             Ok(pattern.binds(m, &value)?.into())
         });
-        Ok(test.shown(Form::Bool))
+        Ok(test.shown(ExprForm::Bool))
     }
 
     fn returned(&mut self, it: &syn::ExprReturn) -> Lowered {
@@ -85,26 +85,26 @@ impl Lowerer<'_> {
             None if result.is_unknown() || result == Type::UNIT => tuple(Vec::new(), at),
             None => return Err(self.names.mismatch(&result, &Type::UNIT, "`()`", at)),
         };
-        Ok(leave_with(value, Stop::Return))
+        Ok(leave_with(value, EarlyExit::Return))
     }
 
     fn reference(&mut self, it: &syn::ExprReference) -> Lowered {
         let at = self.at_any(&it.and_token);
         if it.mutability.is_none() {
             let of = self.expr(&it.expr)?;
-            let at = At {
+            let at = Span {
                 start: at.start,
                 ..of.spot.at
             };
             let lend = Expr::new(at, move |m| Ok(of.run.eval(m)?.lent()));
-            return Ok(lend.shown(Form::Lend));
+            return Ok(lend.shown(ExprForm::Lend));
         }
         let Some(place) = self.place(&it.expr)? else {
             let what = "`&mut` of a value without a name";
             return self.unread(self.at(&it.expr), what);
         };
         let place = self.mutable(place);
-        let at = At {
+        let at = Span {
             start: at.start,
             ..place.at
         };
@@ -117,7 +117,7 @@ impl Lowerer<'_> {
         all: impl IntoIterator<Item = &'s syn::Expr>,
         of: &Type,
         is_array: bool,
-        at: At,
+        at: Span,
     ) -> Lowered {
         let all = all.into_iter().map(|it| self.given(it, of));
         let all: Vec<Expr> = all.collect::<Lowered<_>>()?;
@@ -136,9 +136,9 @@ impl Lowerer<'_> {
     }
 
     /// Lowers a value that is there so many times.
-    pub(super) fn repeated(&mut self, it: &syn::ExprRepeat, is_array: bool, at: At) -> Lowered {
+    pub(super) fn repeated(&mut self, it: &syn::ExprRepeat, is_array: bool, at: Span) -> Lowered {
         let value = self.expr(&it.expr)?.run;
-        let count = self.given(&it.len, &Head::Int(Int::Usize).into())?.run;
+        let count = self.given(&it.len, &Ctor::Int(Int::Usize).into())?.run;
         Ok(Expr::new(at, move |m| {
             let value = value.eval(m)?;
             let count = count.eval(m)?.int() as usize;
@@ -152,21 +152,21 @@ impl Lowerer<'_> {
         Ok(match literal {
             syn::Lit::Bool(it) => {
                 let truth = it.value;
-                Expr::new(at, move |_| Ok(truth.into())).shown(Form::Bool)
+                Expr::new(at, move |_| Ok(truth.into())).shown(ExprForm::Bool)
             }
             syn::Lit::Str(it) => {
                 let text = it.value();
                 Expr::new(at, move |_| Ok(Value::str(&*text).lent()))
             }
             syn::Lit::Float(it) => {
-                let head = self.suffix(it.suffix(), "float", at)?;
+                let ctor = self.suffix(it.suffix(), "float", at)?;
                 let digits = it.base10_digits();
-                match head {
-                    Some(Head::F32) => {
+                match ctor {
+                    Some(Ctor::F32) => {
                         let number: f32 = digits.parse().unwrap_or(f32::NAN);
                         Expr::new(at, move |_| Ok(number.into()))
                     }
-                    head => float(digits.parse().unwrap_or(f64::NAN), head.is_none(), at),
+                    ctor => float(digits.parse().unwrap_or(f64::NAN), ctor.is_none(), at),
                 }
             }
             syn::Lit::Int(it) => {
@@ -174,25 +174,26 @@ impl Lowerer<'_> {
                     return self.refused(at, "integer literal is too large");
                 };
                 match self.suffix(it.suffix(), "number", at)? {
-                    Some(Head::F64) => float(value as f64, false, at),
-                    Some(Head::F32) => Expr::new(at, move |_| Ok((value as f32).into())),
-                    Some(Head::Int(int)) => Expr::new(at, move |_| Ok(Value::whole(value, int))),
-                    _ => Expr::new(at, move |_| Ok(Value::whole(value, Int::Any))).shown(Form::Int),
+                    Some(Ctor::F64) => float(value as f64, false, at),
+                    Some(Ctor::F32) => Expr::new(at, move |_| Ok((value as f32).into())),
+                    Some(Ctor::Int(int)) => Expr::new(at, move |_| Ok(Value::whole(value, int))),
+                    _ => Expr::new(at, move |_| Ok(Value::whole(value, Int::Any)))
+                        .shown(ExprForm::Int),
                 }
             }
             _ => return self.unread(at, "this kind of literal"),
         })
     }
 
-    fn suffix(&self, suffix: &str, what: &str, at: At) -> Lowered<Option<Head>> {
+    fn suffix(&self, suffix: &str, what: &str, at: Span) -> Lowered<Option<Ctor>> {
         if suffix.is_empty() {
             return Ok(None);
         }
         match self.names.found(self.context.module, &[suffix.to_owned()]) {
-            Ok(Named::Type(Type(head @ (Head::Int(_) | Head::F64 | Head::F32), _))) => {
-                Ok(Some(head))
+            Ok(Meaning::Type(Type(ctor @ (Ctor::Int(_) | Ctor::F64 | Ctor::F32), _))) => {
+                Ok(Some(ctor))
             }
-            Ok(Named::Standard(_)) => self.unread(at, &format!("`{suffix}`")),
+            Ok(Meaning::Standard(_)) => self.unread(at, &format!("`{suffix}`")),
             _ => {
                 let message = format!("invalid suffix `{suffix}` for {what} literal");
                 let label = format!("invalid suffix `{suffix}`");
@@ -224,7 +225,7 @@ impl Lowerer<'_> {
     fn tried(&mut self, it: &syn::ExprTry) -> Lowered {
         let of = self.expr(&it.expr)?.run;
         let at = self.at_any(&it.question_token);
-        if !self.result.is_unknown() && !self.result.is(Head::Option) {
+        if !self.result.is_unknown() && !self.result.is(Ctor::Option) {
             let message =
                 "the `?` operator can only be used in a function that returns `Result` or `Option`";
             let label = format!("this one returns `{}`", self.result.name(self.names));
@@ -236,7 +237,7 @@ impl Lowerer<'_> {
                 Data::Some(value) => Ok(Rc::unwrap_or_clone(value)),
                 Data::None => {
                     m.left = None.into();
-                    Err(Stop::Return)
+                    Err(EarlyExit::Return)
                 }
                 _ => {
                     let name = m.named(&value);
@@ -259,7 +260,7 @@ impl Lowerer<'_> {
                 let value = run.eval(m)?;
                 m.not(&value, at)
             }),
-            (syn::UnOp::Neg(_), Run::Float(it)) => float(-it, spot.form == Form::Float, at),
+            (syn::UnOp::Neg(_), Thunk::Float(it)) => float(-it, spot.form == ExprForm::Float, at),
             (syn::UnOp::Neg(_), run) => {
                 let negation = Expr::new(at, move |m| {
                     let value = run.eval(m)?;
@@ -272,7 +273,7 @@ impl Lowerer<'_> {
     }
 
     fn binary(&mut self, it: &syn::ExprBinary) -> Lowered {
-        let at = At {
+        let at = Span {
             end: self.at(&it.right).end,
             ..self.at(&it.left)
         };
@@ -290,7 +291,7 @@ impl Lowerer<'_> {
         }
     }
 
-    fn update(&mut self, it: &syn::ExprBinary, sign: Sign, at: At) -> Lowered {
+    fn update(&mut self, it: &syn::ExprBinary, sign: ArithOp, at: Span) -> Lowered {
         let Expr { run, spot } = self.expr(&it.right)?;
         let Some(place) = self.place(&it.left)? else {
             return self.refused(self.at(&it.left), "invalid left-hand side of assignment");
@@ -321,15 +322,15 @@ impl Lowerer<'_> {
                 other.eval(m)
             }
         });
-        Ok(both.shown(Form::Bool))
+        Ok(both.shown(ExprForm::Bool))
     }
 }
 
 /// Makes an expression of an operator between two others.
-fn operation(operator: Option<Operator>, sign: &str, [left, right]: [Expr; 2], at: At) -> Expr {
+fn operation(operator: Option<Operator>, sign: &str, [left, right]: [Expr; 2], at: Span) -> Expr {
     let spot = right.spot;
     let forms = [left.spot.form, spot.form];
-    let is_any = forms.map(|it| it == Form::Float);
+    let is_any = forms.map(|it| it == ExprForm::Float);
     let (left, right) = (left.run, right.run);
     match operator {
         Some(Operator::Arithmetic(sign, _)) => {
@@ -343,7 +344,9 @@ fn operation(operator: Option<Operator>, sign: &str, [left, right]: [Expr; 2], a
                 m.combined(sign, left, right, at)
             });
             match forms {
-                [Form::Float, Form::Float] | [Form::Int, Form::Int] => made.shown(forms[0]),
+                [ExprForm::Float, ExprForm::Float] | [ExprForm::Int, ExprForm::Int] => {
+                    made.shown(forms[0])
+                }
                 _ => made,
             }
         }
@@ -355,7 +358,7 @@ fn operation(operator: Option<Operator>, sign: &str, [left, right]: [Expr; 2], a
             let right = right.eval(m)?;
             m.compared(order, alike([left, right], is_any), (at, spot))
         })
-        .shown(Form::Bool),
+        .shown(ExprForm::Bool),
         _ => {
             let sign = sign.to_owned();
             Expr::new(at, move |m| {
@@ -368,18 +371,22 @@ fn operation(operator: Option<Operator>, sign: &str, [left, right]: [Expr; 2], a
 }
 
 /// Makes a number with a point; of some nothing says how wide they are.
-fn float(number: f64, is_any: bool, at: At) -> Expr {
-    let run = Run::Float(number);
-    let form = if is_any { Form::Float } else { Form::Other };
+fn float(number: f64, is_any: bool, at: Span) -> Expr {
+    let run = Thunk::Float(number);
+    let form = if is_any {
+        ExprForm::Float
+    } else {
+        ExprForm::Other
+    };
     let spot = at.into();
     Expr { run, spot }.shown(form)
 }
 
 /// Leaves a function or a loop with a value.
-pub(super) fn leave_with(value: Expr, stop: Stop) -> Expr {
+pub(super) fn leave_with(value: Expr, stop: EarlyExit) -> Expr {
     let leave = Expr::new(value.spot.at, move |m| {
         m.left = value.run.eval(m)?;
         Err(stop)
     });
-    leave.shown(Form::Never)
+    leave.shown(ExprForm::Never)
 }

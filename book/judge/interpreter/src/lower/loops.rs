@@ -5,8 +5,8 @@ use super::expressions::leave_with;
 use super::{Expr, Lowered, Lowerer};
 use crate::library::iterator;
 use crate::machine::value::Value;
-use crate::machine::{Form, Run, Stop};
-use crate::refusal::At;
+use crate::machine::{EarlyExit, ExprForm, Thunk};
+use crate::refusal::Span;
 use crate::types::Type;
 
 impl Lowerer<'_> {
@@ -71,17 +71,17 @@ impl Lowerer<'_> {
         if let Some(is_left) = self.loops.last_mut() {
             *is_left = true;
         }
-        Ok(leave_with(value, Stop::Break))
+        Ok(leave_with(value, EarlyExit::Break))
     }
 
     pub(super) fn next_turn(&mut self, it: &syn::ExprContinue) -> Lowered {
         let at = self.at_any(it);
         self.inside_a_loop(at, "continue", it.label.as_ref())?;
-        Ok(Expr::new(at, |_| Err(Stop::Continue)).shown(Form::Never))
+        Ok(Expr::new(at, |_| Err(EarlyExit::Continue)).shown(ExprForm::Never))
     }
 
     /// Lowers the body of a loop, and finds whether it ever leaves the loop.
-    fn looped(&mut self, body: &syn::Block, label: Option<&syn::Label>) -> Lowered<(Run, bool)> {
+    fn looped(&mut self, body: &syn::Block, label: Option<&syn::Label>) -> Lowered<(Thunk, bool)> {
         if let Some(label) = label {
             return self.unread(self.at_any(label), "labels of loops");
         }
@@ -90,7 +90,7 @@ impl Lowerer<'_> {
         Ok((body.run, self.loops.pop().unwrap_or_default()))
     }
 
-    fn inside_a_loop(&self, at: At, word: &str, label: Option<&syn::Lifetime>) -> Lowered<()> {
+    fn inside_a_loop(&self, at: Span, word: &str, label: Option<&syn::Lifetime>) -> Lowered<()> {
         if self.loops.is_empty() {
             return self.refused(at, format!("`{word}` outside of a loop"));
         }

@@ -6,8 +6,8 @@ use syn::punctuated::Punctuated;
 use super::declared::some;
 use super::{Expr, Lowered, Lowerer};
 use crate::machine::value::{Data, Value};
-use crate::machine::{Form, Machine, Run};
-use crate::refusal::{At, Refusal};
+use crate::machine::{ExprForm, Machine, Thunk};
+use crate::refusal::{Refusal, Span};
 use crate::types::Type;
 
 impl Lowerer<'_> {
@@ -57,7 +57,7 @@ impl Lowerer<'_> {
 
     /// Lowers an expression and the mutants that may run in its place, behind the number of the
     /// first. One that is refused is lost, and no other with it.
-    fn mutants(&mut self, arguments: &[syn::Expr], at: At) -> Lowered {
+    fn mutants(&mut self, arguments: &[syn::Expr], at: Span) -> Lowered {
         let number = |it: &syn::Expr| match it {
             syn::Expr::Lit(it) => match &it.lit {
                 syn::Lit::Int(it) => it.base10_parse::<u32>().ok(),
@@ -80,23 +80,23 @@ impl Lowerer<'_> {
             self.loops = loops;
             all.push(lowered.unwrap_or_else(|_| panic("no program", at)).run);
         }
-        let run = Run::new(move |m| {
+        let run = Thunk::new(move |m| {
             let n = m.code.mutant.checked_sub(first);
             let mutant = n.and_then(|n| all.get(n as usize));
             mutant.unwrap_or(&right.run).eval(m)
         });
-        Ok(Expr { run, spot }.shown(Form::Other))
+        Ok(Expr { run, spot }.shown(ExprForm::Other))
     }
 
     /// Lowers what is added to a text.
-    fn written(&mut self, arguments: &[syn::Expr], end: &str, at: At) -> Lowered {
+    fn written(&mut self, arguments: &[syn::Expr], end: &str, at: Span) -> Lowered {
         let Some((to, rest)) = arguments.split_first() else {
             return self.refused(at, "requires at least a format string argument");
         };
         let to = match self.place(to)? {
             Some(place) => {
                 let place = self.mutable(place);
-                Run::new(move |m| m.borrowed(&place))
+                Thunk::new(move |m| m.borrowed(&place))
             }
             None => self.expr(to)?.run,
         };
@@ -117,7 +117,7 @@ impl Lowerer<'_> {
 
     /// Lowers a text with values in its brackets: `{}` and `{name}`. How they are to look,
     /// after a colon, is passed over.
-    fn formatted(&mut self, arguments: &[syn::Expr], end: &str, at: At) -> Lowered {
+    fn formatted(&mut self, arguments: &[syn::Expr], end: &str, at: Span) -> Lowered {
         let (text, values) = match arguments.split_first() {
             None => (String::new(), arguments),
             Some((syn::Expr::Lit(it), values)) => match &it.lit {
@@ -129,7 +129,7 @@ impl Lowerer<'_> {
         // Two brackets stand for one.
         let text = text.replace("{{", "\u{1}").replace("}}", "\u{2}") + end;
         let plain = |text: &str| text.replace('\u{1}', "{").replace('\u{2}', "}");
-        let mut pieces: Vec<(String, Run)> = Vec::new();
+        let mut pieces: Vec<(String, Thunk)> = Vec::new();
         let mut unnamed = values.iter();
         let mut rest = text.as_str();
         while let Some((before, inside, after)) = bracket(rest) {
@@ -162,22 +162,22 @@ impl Lowerer<'_> {
         }))
     }
 
-    fn inline(&mut self, name: &str, at: At) -> Lowered {
+    fn inline(&mut self, name: &str, at: Span) -> Lowered {
         if name.starts_with(|it: char| it.is_ascii_digit()) {
             return self.unread(at, &format!("`{{{name}}}` in a text"));
         }
         let message = format!("cannot find value `{name}` in this scope");
         let missing = Refusal::new(at, message, "not found in this scope", "");
         let (run, spot) = match self.variable(name) {
-            Some(local) => (Run::Local(local.slot), at.into()),
+            Some(local) => (Thunk::Local(local.slot), at.into()),
             None => return Err(missing),
         };
         Ok(Expr { run, spot })
     }
 }
 
-fn panic(message: &'static str, at: At) -> Expr {
-    Expr::new(at, move |m| m.panic(at, message)).shown(Form::Never)
+fn panic(message: &'static str, at: Span) -> Expr {
+    Expr::new(at, move |m| m.panic(at, message)).shown(ExprForm::Never)
 }
 
 /// Returns a value as text, as `{}` has it.

@@ -1,14 +1,14 @@
 //! `match`: arms that are tried one after the other, and what none of them matches.
 
-use super::patterns::{Pattern, Shape};
+use super::patterns::{Coverage, Matcher};
 use super::{Expr, Lowered, Lowerer};
-use crate::machine::Run;
+use crate::machine::Thunk;
 use crate::types::Type;
 
 struct Arm {
-    pattern: Pattern,
-    guard: Option<Run>,
-    body: Run,
+    pattern: Matcher,
+    guard: Option<Thunk>,
+    body: Thunk,
 }
 
 impl Lowerer<'_> {
@@ -74,10 +74,10 @@ impl Lowerer<'_> {
 
 /// Finds what no arm matches, where that is plain: of options, of what is true or not, of
 /// numbers. Of each arm it is known whether it has no guard.
-fn missing(arms: &[(&Shape, bool)]) -> Option<&'static str> {
-    fn flat<'s>(shape: &'s Shape, is_sure: bool, all: &mut Vec<(&'s Shape, bool)>) {
+fn missing(arms: &[(&Coverage, bool)]) -> Option<&'static str> {
+    fn flat<'s>(shape: &'s Coverage, is_sure: bool, all: &mut Vec<(&'s Coverage, bool)>) {
         match shape {
-            Shape::Or(ways) => ways.iter().for_each(|it| flat(it, is_sure, all)),
+            Coverage::Or(ways) => ways.iter().for_each(|it| flat(it, is_sure, all)),
             shape => all.push((shape, is_sure)),
         }
     }
@@ -85,16 +85,19 @@ fn missing(arms: &[(&Shape, bool)]) -> Option<&'static str> {
     for &(shape, is_sure) in arms {
         flat(shape, is_sure, &mut all);
     }
-    let has = |wanted: Shape| all.iter().any(|it| *it.0 == wanted);
-    let sure = |wanted: &Shape| all.iter().any(|it| it.1 && it.0 == wanted);
-    let ways = if sure(&Shape::Any) || all.is_empty() {
+    let has = |wanted: Coverage| all.iter().any(|it| *it.0 == wanted);
+    let sure = |wanted: &Coverage| all.iter().any(|it| it.1 && it.0 == wanted);
+    let ways = if sure(&Coverage::Any) || all.is_empty() {
         return None;
-    } else if has(Shape::Bool(true)) || has(Shape::Bool(false)) {
-        [(Shape::Bool(true), "true"), (Shape::Bool(false), "false")]
-    } else if has(Shape::None) || has(Shape::Some) {
-        [(Shape::None, "None"), (Shape::Some, "Some(_)")]
+    } else if has(Coverage::Bool(true)) || has(Coverage::Bool(false)) {
+        [
+            (Coverage::Bool(true), "true"),
+            (Coverage::Bool(false), "false"),
+        ]
+    } else if has(Coverage::None) || has(Coverage::Some) {
+        [(Coverage::None, "None"), (Coverage::Some, "Some(_)")]
     } else {
-        let is_number = |it: &(&Shape, bool)| *it.0 == Shape::Number;
+        let is_number = |it: &(&Coverage, bool)| *it.0 == Coverage::Number;
         return all.iter().all(is_number).then_some("_");
     };
     ways.into_iter().find(|it| !sure(&it.0)).map(|it| it.1)

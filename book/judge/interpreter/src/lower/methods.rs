@@ -4,27 +4,27 @@ use super::declared::checked;
 use super::{Expr, Lowered, Lowerer};
 use crate::library;
 use crate::machine::value::{Address, Data, Value};
-use crate::machine::{Eval, Form, Given, Machine, Native, Place, Run};
+use crate::machine::{Eval, ExprForm, Given, Machine, Native, PlaceExpr, Thunk};
 use crate::names::words::there_is;
-use crate::refusal::{At, Refusal};
-use crate::types::Head;
+use crate::refusal::{Refusal, Span};
+use crate::types::Ctor;
 
 /// A name after a point, before brackets: what may be meant, and what it is given.
-struct Method {
+struct MethodCall {
     name: String,
-    at: At,
+    at: Span,
     /// The reader's functions, and whose they are; private ones are left out.
-    own: Vec<(Head, usize)>,
+    own: Vec<(Ctor, usize)>,
     natives: Vec<&'static Native>,
-    runs: Vec<Run>,
+    runs: Vec<Thunk>,
     given: Given,
 }
 
 /// The methods of a name: the reader's, and whose they are, and the library's.
-type Candidates = (Vec<(Head, usize)>, Vec<&'static Native>);
+type Candidates = (Vec<(Ctor, usize)>, Vec<&'static Native>);
 
 /// The method that a name means.
-enum Found {
+enum MethodTarget {
     Own(usize),
     Native(&'static Native),
 }
@@ -32,7 +32,7 @@ enum Found {
 impl Lowerer<'_> {
     pub(super) fn method_call(&mut self, it: &syn::ExprMethodCall) -> Lowered {
         let at = self.at_span(it.method.span());
-        let whole = At {
+        let whole = Span {
             start: self.at(&it.receiver).start,
             end: self.at_span(it.paren_token.span.close()).end,
             ..at
@@ -56,10 +56,10 @@ impl Lowerer<'_> {
         on: &syn::Expr,
         name: &str,
         given: &[&syn::Expr],
-        (at, whole): (At, At),
+        (at, whole): (Span, Span),
     ) -> Lowered {
         let receiver = self.expr(on)?;
-        if receiver.spot.form == Form::Open {
+        if receiver.spot.form == ExprForm::Open {
             return self.needs_a_type(receiver.spot.at);
         }
         let (own, natives) = self.candidates(name, at)?;
@@ -68,7 +68,7 @@ impl Lowerer<'_> {
         let functions = &self.names.functions;
         let changes = own
             .iter()
-            .any(|it| functions[it.1].parameters[0].is(Head::RefMut))
+            .any(|it| functions[it.1].parameters[0].is(Ctor::RefMut))
             || natives.iter().any(|it| it.changes());
         let place = match changes {
             true => self.place(on)?.map(|it| self.mutable(it)),
@@ -76,7 +76,7 @@ impl Lowerer<'_> {
         };
         let (runs, given) = self.arguments(given.iter().copied(), whole)?;
         let name = name.to_owned();
-        let method = Method {
+        let method = MethodCall {
             name,
             at,
             own,
@@ -101,10 +101,10 @@ impl Lowerer<'_> {
     /// Checks that some of what may be meant takes so many arguments.
     fn counted(
         &self,
-        own: &[(Head, usize)],
+        own: &[(Ctor, usize)],
         natives: &[&Native],
         given: usize,
-        at: At,
+        at: Span,
     ) -> Lowered<()> {
         let functions = &self.names.functions;
         let own = own.iter().map(|it| functions[it.1].parameters.len() - 1);
@@ -119,13 +119,13 @@ impl Lowerer<'_> {
     }
 
     /// Returns all methods of that name that may be called here.
-    fn candidates(&self, name: &str, at: At) -> Lowered<Candidates> {
+    fn candidates(&self, name: &str, at: Span) -> Lowered<Candidates> {
         let names = self.names;
         let methods = names.methods(name).filter(|it| {
-            let is_promised = matches!(it.0, Head::Dyn(_));
+            let is_promised = matches!(it.0, Ctor::Dyn(_));
             names.functions[it.1].has_self && !is_promised
         });
-        let is_shown = |it: &(Head, usize)| names.shows(self.context.module, it.1);
+        let is_shown = |it: &(Ctor, usize)| names.shows(self.context.module, it.1);
         let (own, hidden): (Vec<_>, Vec<_>) = methods.partition(is_shown);
         let natives: Vec<_> = library::methods(name).collect();
         match hidden.first() {
@@ -136,16 +136,16 @@ impl Lowerer<'_> {
     }
 
     /// Says that there is no such method, or that it is not read here, and which was meant.
-    fn no_method(&self, name: &str, at: At) -> Refusal {
+    fn no_method(&self, name: &str, at: Span) -> Refusal {
         let names = self.names;
         let message = format!("no method named `{name}` found");
         if names.methods(name).next().is_some() {
             let label = "this is an associated function, not a method";
             return Refusal::new(at, message, label, &format!("`….{name}(…)` has no `self`"));
         }
-        let mut kinds = names.kinds.iter();
+        let mut structs = names.structs.iter();
         let is_listed = ["origin", "direction", "x", "y", "z"].contains(&name);
-        if is_listed || kinds.any(|it| it.field(name).is_some()) {
+        if is_listed || structs.any(|it| it.field(name).is_some()) {
             let help = format!("`{name}` is a field: without `()`");
             return Refusal::new(at, message, "", &help);
         }
@@ -160,23 +160,23 @@ impl Lowerer<'_> {
 }
 
 /// Refuses a method of a number of which nothing says what it is.
-fn not_ambiguous(form: Form, name: &str, at: At) -> Lowered<()> {
+fn not_ambiguous(form: ExprForm, name: &str, at: Span) -> Lowered<()> {
     let kind = match form {
-        Form::Float => "{float}",
-        Form::Int => "{integer}",
+        ExprForm::Float => "{float}",
+        ExprForm::Int => "{integer}",
         _ => return Ok(()),
     };
     let message = format!("can't call method `{name}` on ambiguous numeric type `{kind}`");
     Err(Refusal::new(at, message, "", "say which: `2.0_f64`"))
 }
 
-impl Method {
+impl MethodCall {
     /// Calls what is meant: by the value, or by what that leads to.
-    fn called(&self, m: &mut Machine<'_>, on: Value, place: Option<(Address, &Place)>) -> Eval {
+    fn called(&self, m: &mut Machine<'_>, on: Value, place: Option<(Address, &PlaceExpr)>) -> Eval {
         // Most are of the library, and are found at once.
         if self.own.is_empty()
             && place.is_none()
-            && let Some(Found::Native(native)) = self.found(m, &on)
+            && let Some(MethodTarget::Native(native)) = self.found(m, &on)
             && !native.changes()
         {
             return self.native(m, native, on);
@@ -204,37 +204,40 @@ impl Method {
 
     /// Returns the method that a value itself has.
     #[inline]
-    fn found(&self, m: &Machine<'_>, on: &Value) -> Option<Found> {
-        let head = on.data.head();
-        if let Some((_, own)) = self.own.iter().find(|it| it.0 == head) {
-            return Some(Found::Own(*own));
+    fn found(&self, m: &Machine<'_>, on: &Value) -> Option<MethodTarget> {
+        let ctor = on.data.ctor();
+        if let Some((_, own)) = self.own.iter().find(|it| it.0 == ctor) {
+            return Some(MethodTarget::Own(*own));
         }
-        let is_it = |it: &&&Native| match head {
-            Head::Own(kind) => {
-                it.name == "clone" && m.code.names.kinds[kind as usize].derives("Clone")
+        let is_it = |it: &&&Native| match ctor {
+            Ctor::Own(kind) => {
+                it.name == "clone" && m.code.names.structs[kind as usize].derives("Clone")
             }
-            _ => (it.owner)(head),
+            _ => (it.owner)(ctor),
         };
-        self.natives.iter().find(is_it).map(|it| Found::Native(it))
+        self.natives
+            .iter()
+            .find(is_it)
+            .map(|it| MethodTarget::Native(it))
     }
 
     /// Calls a method on what it wants: a value, a reference to it, or its place.
     fn called_as(
         &self,
         m: &mut Machine<'_>,
-        found: &Found,
+        found: &MethodTarget,
         on: Value,
         place: Option<Address>,
-        root: Option<&Place>,
+        root: Option<&PlaceExpr>,
     ) -> Eval {
         let wanted = match found {
-            Found::Own(n) => m.code.names.functions[*n].parameters[0].0,
-            Found::Native(it) if it.changes() => Head::RefMut,
-            Found::Native(_) => Head::Box,
+            MethodTarget::Own(n) => m.code.names.functions[*n].parameters[0].0,
+            MethodTarget::Native(it) if it.changes() => Ctor::RefMut,
+            MethodTarget::Native(_) => Ctor::Box,
         };
         let on = match (wanted, place) {
-            (Head::RefMut, _) if on.lent > 0 => return m.behind(self.given.at),
-            (Head::RefMut, Some(place)) => {
+            (Ctor::RefMut, _) if on.lent > 0 => return m.behind(self.given.at),
+            (Ctor::RefMut, Some(place)) => {
                 if let Some(root) = root {
                     m.may_change(root)?;
                 }
@@ -242,16 +245,16 @@ impl Method {
                 drop(on);
                 Data::Mut(place).into()
             }
-            (Head::RefMut, None) => {
+            (Ctor::RefMut, None) => {
                 return m.unread(self.given.at, "changes of a value without a name");
             }
-            (Head::Ref, _) => on.owned().lent(),
-            (Head::Box, _) => on,
+            (Ctor::Ref, _) => on.owned().lent(),
+            (Ctor::Box, _) => on,
             _ => on.owned(),
         };
         match found {
-            Found::Own(n) => m.called_on(*n, on, &self.runs, &self.given),
-            Found::Native(native) => self.native(m, native, on),
+            MethodTarget::Own(n) => m.called_on(*n, on, &self.runs, &self.given),
+            MethodTarget::Native(native) => self.native(m, native, on),
         }
     }
 
@@ -268,7 +271,7 @@ impl Method {
         let ty = m.ty(on);
         let (name, stripped) = (&self.name, ty.stripped());
         match stripped.0 {
-            Head::Own(_) | Head::Ray | Head::Picture | Head::Fn => {
+            Ctor::Own(_) | Ctor::Ray | Ctor::Picture | Ctor::Fn => {
                 let of = ty.name(&m.code.names);
                 let message = format!("no method named `{name}` found for `{of}`");
                 m.wrong(self.at, message + " in the current scope", "")

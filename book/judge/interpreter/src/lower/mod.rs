@@ -19,43 +19,45 @@ use std::sync::Arc;
 
 use syn::spanned::Spanned;
 
-use crate::machine::{Eval, Form, Function, Machine, Mark, Run, Spot, Written};
-use crate::names::collect::Inside;
-use crate::names::{Context, Names, Signature};
+use crate::machine::{
+    CompiledFunction, CoveragePoint, Eval, ExprForm, ExprInfo, FunctionSource, Machine, Thunk,
+};
+use crate::names::collect::ItemBody;
+use crate::names::{Names, Signature, TypeScope};
 use crate::read::{at, at_expr, at_span};
-use crate::refusal::{At, Refusal};
-use crate::types::{Head, Type};
+use crate::refusal::{Refusal, Span};
+use crate::types::{Ctor, Type};
 
 type Lowered<T = Expr> = Result<T, Refusal>;
 
 /// An expression, ready to be run, and its place.
 struct Expr {
-    run: Run,
-    spot: Spot,
+    run: Thunk,
+    spot: ExprInfo,
 }
 
 impl Expr {
-    fn new(at: At, act: impl Fn(&mut Machine<'_>) -> Eval + Send + Sync + 'static) -> Self {
-        let (run, spot) = (Run::new(act), at.into());
+    fn new(at: Span, act: impl Fn(&mut Machine<'_>) -> Eval + Send + Sync + 'static) -> Self {
+        let (run, spot) = (Thunk::new(act), at.into());
         Self { run, spot }
     }
 
-    fn shown(self, form: Form) -> Self {
+    fn shown(self, form: ExprForm) -> Self {
         let at = self.spot.at;
-        let spot = Spot { at, form };
+        let spot = ExprInfo { at, form };
         Self { spot, ..self }
     }
 
     /// Notes that nothing comes after it, if that is so.
     fn ending(self, never_ends: bool) -> Self {
         match never_ends {
-            true => self.shown(Form::Never),
+            true => self.shown(ExprForm::Never),
             false => self,
         }
     }
 
     fn never_ends(&self) -> bool {
-        self.spot.form == Form::Never
+        self.spot.form == ExprForm::Never
     }
 }
 
@@ -64,10 +66,10 @@ pub(crate) fn lower(
     names: &Names,
     text: &str,
     signature: &Signature,
-    body: Option<Inside<'_>>,
-) -> Lowered<Function> {
+    body: Option<ItemBody<'_>>,
+) -> Lowered<CompiledFunction> {
     let Some(body) = body else {
-        return Ok(Function::default());
+        return Ok(CompiledFunction::default());
     };
     let module = signature.inside;
     let mut lowerer = Lowerer {
@@ -75,9 +77,9 @@ pub(crate) fn lower(
         text,
         name: &signature.name,
         file: names.modules[module].file,
-        context: Context {
+        context: TypeScope {
             own: signature.of.clone(),
-            ..Context::of(module)
+            ..TypeScope::of(module)
         },
         top: None,
         locals: Vec::new(),
@@ -89,13 +91,13 @@ pub(crate) fn lower(
         marks: Vec::new(),
     };
     let made = match body {
-        Inside::Constant(value) => {
+        ItemBody::Constant(value) => {
             let made = lowerer.given(value, &signature.result)?;
             lowerer.marked(made, lowerer.at(value))
         }
-        Inside::Function(syntax, block) => lowerer.function(signature, syntax, block)?,
+        ItemBody::Function(syntax, block) => lowerer.function(signature, syntax, block)?,
     };
-    Ok(Function {
+    Ok(CompiledFunction {
         slots: lowerer.slots,
         names: lowerer.slot_names,
         body: made.run,
@@ -104,23 +106,28 @@ pub(crate) fn lower(
     })
 }
 
-fn written(names: &Names, text: &str, own: &Signature, body: Inside<'_>) -> Option<Written> {
-    let Inside::Function(syntax, block) = body else {
+fn written(
+    names: &Names,
+    text: &str,
+    own: &Signature,
+    body: ItemBody<'_>,
+) -> Option<FunctionSource> {
+    let ItemBody::Function(syntax, block) = body else {
         return None;
     };
     let of = match own.of.as_ref().map(|it| it.0) {
-        Some(Head::Own(kind)) => format!("{}::", names.kinds[kind as usize].name),
+        Some(Ctor::Own(kind)) => format!("{}::", names.structs[kind as usize].name),
         _ => String::new(),
     };
     let end = block.brace_token.span.close().byte_range().end;
     let text = text.get(syntax.fn_token.span.byte_range().start..end)?;
-    Some(Written {
+    Some(FunctionSource {
         name: of + &own.name,
         text: text.to_owned(),
     })
 }
 
-struct Local {
+struct Variable {
     name: String,
     slot: usize,
     is_mut: bool,
@@ -134,10 +141,10 @@ struct Lowerer<'n> {
     /// The name of the function.
     name: &'n str,
     file: u32,
-    context: Context,
+    context: TypeScope,
     /// The body of the function, whose items are declared.
     top: Option<*const syn::Block>,
-    locals: Vec<Local>,
+    locals: Vec<Variable>,
     /// The first name of a pattern that has other ways to match.
     alternatives: Option<usize>,
     slots: usize,
@@ -145,7 +152,7 @@ struct Lowerer<'n> {
     /// Of each loop around whether it is ever left.
     loops: Vec<bool>,
     result: Type,
-    marks: Vec<Arc<Mark>>,
+    marks: Vec<Arc<CoveragePoint>>,
 }
 
 impl Lowerer<'_> {
@@ -185,37 +192,37 @@ impl Lowerer<'_> {
         }))
     }
 
-    fn at(&self, it: &syn::Expr) -> At {
+    fn at(&self, it: &syn::Expr) -> Span {
         at_expr(self.file, it)
     }
 
-    fn at_any(&self, it: &impl Spanned) -> At {
+    fn at_any(&self, it: &impl Spanned) -> Span {
         at(self.file, it)
     }
 
-    fn at_span(&self, it: proc_macro2::Span) -> At {
+    fn at_span(&self, it: proc_macro2::Span) -> Span {
         at_span(self.file, it)
     }
 
-    fn fault<T>(&self, at: At, message: &str, label: &str, help: &str) -> Lowered<T> {
+    fn fault<T>(&self, at: Span, message: &str, label: &str, help: &str) -> Lowered<T> {
         Err(Refusal::new(at, message, label, help))
     }
 
-    fn refused<T>(&self, at: At, message: impl Into<String>) -> Lowered<T> {
+    fn refused<T>(&self, at: Span, message: impl Into<String>) -> Lowered<T> {
         Err(Refusal::new(at, message, "", ""))
     }
 
-    fn unread<T>(&self, at: At, what: &str) -> Lowered<T> {
+    fn unread<T>(&self, at: Span, what: &str) -> Lowered<T> {
         Err(Refusal::unread(at, what))
     }
 
     /// Looks a variable up.
-    fn variable(&self, name: &str) -> Option<&Local> {
+    fn variable(&self, name: &str) -> Option<&Variable> {
         self.locals.iter().rev().find(|it| it.name == name)
     }
 
     /// Looks up the variable that an expression names.
-    fn variable_of(&self, it: &syn::Expr) -> Option<&Local> {
+    fn variable_of(&self, it: &syn::Expr) -> Option<&Variable> {
         match it {
             syn::Expr::Path(it) => self.variable(&it.path.get_ident()?.to_string()),
             _ => None,
@@ -233,7 +240,7 @@ impl Lowerer<'_> {
         let slots = self.slot_names.len().max(slot + 1);
         self.slot_names.resize(slots, String::new());
         name.clone_into(&mut self.slot_names[slot]);
-        self.locals.push(Local {
+        self.locals.push(Variable {
             name: name.to_owned(),
             slot,
             is_mut,
@@ -250,18 +257,18 @@ impl Lowerer<'_> {
     }
 
     /// Makes an expression note that it has run.
-    fn marked(&mut self, it: Expr, at: At) -> Expr {
+    fn marked(&mut self, it: Expr, at: Span) -> Expr {
         let mark = self.mark(at);
         let Expr { run, spot } = it;
-        let run = Run::new(move |m| {
+        let run = Thunk::new(move |m| {
             mark.notes_that_it_runs();
             run.eval(m)
         });
         Expr { run, spot }
     }
 
-    fn mark(&mut self, at: At) -> Arc<Mark> {
-        let mark = Arc::new(Mark::at(at));
+    fn mark(&mut self, at: Span) -> Arc<CoveragePoint> {
+        let mark = Arc::new(CoveragePoint::at(at));
         self.marks.push(Arc::clone(&mark));
         mark
     }

@@ -9,11 +9,11 @@ use super::calls::made;
 use super::{Expr, Lowered, Lowerer};
 use crate::library;
 use crate::machine::value::{Data, Value};
-use crate::machine::{Closure, Form, Native, Run};
+use crate::machine::{Closure, ExprForm, Native, Thunk};
 use crate::names::words::{private, there_is, unexpected};
-use crate::names::{Named, names, standard};
-use crate::refusal::{At, Refusal};
-use crate::types::{Head, Type};
+use crate::names::{Meaning, names, standard};
+use crate::refusal::{Refusal, Span};
+use crate::types::{Ctor, Type};
 
 /// A function that is called by its path.
 pub(super) enum Callee {
@@ -35,10 +35,10 @@ impl Lowerer<'_> {
         if let [name] = path.as_slice()
             && let Some(local) = self.variable(name)
         {
-            let (run, spot) = (Run::Local(local.slot), at.into());
+            let (run, spot) = (Thunk::Local(local.slot), at.into());
             let made = Expr { run, spot };
             return Ok(if local.is_open {
-                made.shown(Form::Open)
+                made.shown(ExprForm::Open)
             } else {
                 made
             });
@@ -46,8 +46,8 @@ impl Lowerer<'_> {
         if path.last().is_some_and(|it| it == "None") {
             return Ok(Expr::new(at, |_| Ok(None.into())));
         }
-        if let Ok(Named::Number(number)) = self.names.found(self.context.module, &path) {
-            let (run, spot) = (Run::Float(number), at.into());
+        if let Ok(Meaning::Number(number)) = self.names.found(self.context.module, &path) {
+            let (run, spot) = (Thunk::Float(number), at.into());
             return Ok(Expr { run, spot });
         }
         let (owner, name) = self.owner(&path, at)?;
@@ -66,7 +66,7 @@ impl Lowerer<'_> {
             }
             Callee::Native(native) => Ok(Expr::new(at, move |_| Ok(Data::Native(native).into()))),
             Callee::Default(ty) => Ok(function_of(self.default_of(&ty, at)?)),
-            Callee::Struct(kind) if self.names.kinds[kind as usize].fields.is_empty() => {
+            Callee::Struct(kind) if self.names.structs[kind as usize].fields.is_empty() => {
                 Ok(made(kind, Vec::new(), None, at))
             }
             Callee::Struct(_) => self.unread(at, "structs as functions"),
@@ -75,16 +75,16 @@ impl Lowerer<'_> {
     }
 
     /// Returns the type before the last `::`, if a type is there, and what comes after.
-    pub(super) fn owner(&self, path: &[String], at: At) -> Lowered<(Option<Type>, String)> {
+    pub(super) fn owner(&self, path: &[String], at: Span) -> Lowered<(Option<Type>, String)> {
         let (name, before) = path.split_last().expect("a path has a name");
         if before.is_empty() {
             return Ok((None, name.clone()));
         }
         let owner = match self.names.meant(&self.context, before) {
-            Ok(Named::Type(ty)) => Some(ty),
-            Ok(Named::Generic(head)) => Some(Type::of(head, Type::UNKNOWN)),
-            Ok(Named::Trait(of)) => Some(Head::Dyn(of).into()),
-            Ok(Named::Standard(of)) => return self.unread(at, &format!("`{of}::{name}`")),
+            Ok(Meaning::Type(ty)) => Some(ty),
+            Ok(Meaning::Generic(ctor)) => Some(Type::of(ctor, Type::UNKNOWN)),
+            Ok(Meaning::Trait(of)) => Some(Ctor::Dyn(of).into()),
+            Ok(Meaning::Standard(of)) => return self.unread(at, &format!("`{of}::{name}`")),
             Ok(_) => None,
             Err(lost) => {
                 let module = self.context.module;
@@ -100,7 +100,7 @@ impl Lowerer<'_> {
         owner: Option<&Type>,
         name: &str,
         path: &[String],
-        at: At,
+        at: Span,
         what: &str,
     ) -> Lowered<Callee> {
         if let Some(owner) = owner {
@@ -113,20 +113,22 @@ impl Lowerer<'_> {
             refusal.or_help(&there_is(name, locals.filter(|_| is_local)))
         });
         match named? {
-            Named::Function(function) => Ok(Callee::Own(function)),
-            Named::Library(name) => {
-                let native = library::function(Head::Never, name);
+            Meaning::Function(function) => Ok(Callee::Own(function)),
+            Meaning::Library(name) => {
+                let native = library::function(Ctor::Never, name);
                 Ok(Callee::Native(native.expect("it is listed")))
             }
-            Named::Type(Type(Head::Own(kind), _)) if self.names.kinds[kind as usize].is_tuple => {
+            Meaning::Type(Type(Ctor::Own(kind), _))
+                if self.names.structs[kind as usize].is_tuple =>
+            {
                 Ok(Callee::Struct(kind))
             }
             _ => Err(unexpected(what, path, at)),
         }
     }
 
-    fn callee_of(&self, owner: &Type, name: &str, at: At) -> Lowered<Callee> {
-        if let Head::Dyn(of) = owner.0 {
+    fn callee_of(&self, owner: &Type, name: &str, at: Span) -> Lowered<Callee> {
+        if let Ctor::Dyn(of) = owner.0 {
             let mut methods = self.names.traits[of].methods.iter();
             if methods.any(|&it| self.names.functions[it].name == name) {
                 return Ok(Callee::OfTrait);
@@ -147,7 +149,7 @@ impl Lowerer<'_> {
         }
         let ty = owner.name(self.names);
         match owner.0 {
-            Head::Own(_) | Head::Dyn(_) | Head::Ray | Head::Picture => {
+            Ctor::Own(_) | Ctor::Dyn(_) | Ctor::Ray | Ctor::Picture => {
                 self.refused(at, no_function(name, &ty))
             }
             _ => self.unread(at, &format!("`{name}` of `{ty}`")),
@@ -155,7 +157,7 @@ impl Lowerer<'_> {
     }
 
     /// Says why a function may not be called here.
-    pub(super) fn hidden(&self, function: usize, at: At) -> Refusal {
+    pub(super) fn hidden(&self, function: usize, at: Span) -> Refusal {
         let own = &self.names.functions[function];
         let name = &own.name;
         match own.in_trait {
@@ -171,7 +173,7 @@ impl Lowerer<'_> {
     }
 
     /// Refuses what is asked of a variable of unknown type.
-    pub(super) fn needs_a_type<T>(&self, at: At) -> Lowered<T> {
+    pub(super) fn needs_a_type<T>(&self, at: Span) -> Lowered<T> {
         let help = "say its type where it begins: `let x: …`, or `|x: …|`";
         self.fault(at, "type annotations needed", "cannot infer type", help)
     }
@@ -191,19 +193,19 @@ pub(super) fn no_function(name: &str, ty: &str) -> String {
 }
 
 /// Returns a constant of a type of the library.
-fn constant(owner: Head, name: &str, at: At) -> Option<Expr> {
+fn constant(owner: Ctor, name: &str, at: Span) -> Option<Expr> {
     let plain = |run| Expr {
         run,
         spot: at.into(),
     };
     Some(match owner {
-        Head::F64 => plain(Run::Float(standard::number(name)?)),
-        Head::F32 => {
+        Ctor::F64 => plain(Thunk::Float(standard::number(name)?)),
+        Ctor::F32 => {
             // The others differ.
             let number = standard::number(name).filter(|it| !it.is_finite())? as f32;
             Expr::new(at, move |_| Ok(number.into()))
         }
-        Head::Int(int) => {
+        Ctor::Int(int) => {
             let (least, most) = int.ends();
             let number = match name {
                 "MIN" => least,
@@ -212,11 +214,11 @@ fn constant(owner: Head, name: &str, at: At) -> Option<Expr> {
             };
             Expr::new(at, move |_| Ok(Value::whole(number, int)))
         }
-        Head::Vec3 => {
+        Ctor::Vec3 => {
             let (_, vector) = VECTORS.into_iter().find(|it| it.0 == name)?;
             Expr::new(at, move |_| Ok(vector.into()))
         }
-        Head::Ordering => {
+        Ctor::Ordering => {
             let all = [Ordering::Less, Ordering::Equal, Ordering::Greater];
             let order = all.into_iter().find(|it| format!("{it:?}") == name)?;
             Expr::new(at, move |_| Ok(order.into()))

@@ -4,35 +4,35 @@ use super::places::member;
 use super::{Expr, Lowered, Lowerer};
 use crate::machine::value::{Data, Value};
 use crate::machine::{Eval, Machine};
-use crate::names::Named;
-use crate::refusal::{At, Refusal};
-use crate::types::{Head, Type};
+use crate::names::Meaning;
+use crate::refusal::{Refusal, Span};
+use crate::types::{Ctor, Type};
 
-type Bind = dyn Fn(&mut Machine<'_>, &Value) -> Eval<bool> + Send + Sync;
+type MatchFn = dyn Fn(&mut Machine<'_>, &Value) -> Eval<bool> + Send + Sync;
 
 /// A pattern, ready to be matched: it gives the parts of a value their names.
-pub(super) struct Pattern {
-    bind: Box<Bind>,
-    pub(super) shape: Shape,
+pub(super) struct Matcher {
+    bind: Box<MatchFn>,
+    pub(super) shape: Coverage,
     /// The slot of its name, if it is a name alone.
     pub(super) slot: Option<usize>,
 }
 
 /// The values that match a pattern, as far as its text shows them.
 #[derive(PartialEq)]
-pub(super) enum Shape {
+pub(super) enum Coverage {
     Any,
     None,
     Some,
     Bool(bool),
     Number,
-    Or(Vec<Shape>),
+    Or(Vec<Coverage>),
     Other,
 }
 
-impl Pattern {
+impl Matcher {
     fn new(
-        shape: Shape,
+        shape: Coverage,
         bind: impl Fn(&mut Machine<'_>, &Value) -> Eval<bool> + Send + Sync + 'static,
     ) -> Self {
         Self {
@@ -50,9 +50,9 @@ impl Pattern {
 
 impl Lowerer<'_> {
     /// Lowers a pattern that must match each value.
-    pub(super) fn irrefutable(&mut self, it: &syn::Pat) -> Lowered<Pattern> {
+    pub(super) fn irrefutable(&mut self, it: &syn::Pat) -> Lowered<Matcher> {
         let pattern = self.pattern(it, false)?;
-        if matches!(pattern.shape, Shape::Any) {
+        if matches!(pattern.shape, Coverage::Any) {
             return Ok(pattern);
         }
         let message = "refutable pattern in local binding";
@@ -61,23 +61,23 @@ impl Lowerer<'_> {
     }
 
     /// Lowers a pattern. Its names are variables from now on, which may get their values later.
-    pub(super) fn pattern(&mut self, it: &syn::Pat, is_late: bool) -> Lowered<Pattern> {
+    pub(super) fn pattern(&mut self, it: &syn::Pat, is_late: bool) -> Lowered<Matcher> {
         let at = self.at_any(it);
         Ok(match it {
-            syn::Pat::Wild(_) => Pattern::new(Shape::Any, |_, _| Ok(true)),
+            syn::Pat::Wild(_) => Matcher::new(Coverage::Any, |_, _| Ok(true)),
             syn::Pat::Paren(it) => self.pattern(&it.pat, is_late)?,
             syn::Pat::Type(it) => {
                 let ty = self.names.ty(&self.context, &it.ty)?;
-                let Pattern { bind, shape, .. } = self.pattern(&it.pat, is_late)?;
-                Pattern::new(shape, move |m, value| {
+                let Matcher { bind, shape, .. } = self.pattern(&it.pat, is_late)?;
+                Matcher::new(shape, move |m, value| {
                     let value = m.as_declared(value.clone(), &ty, at.into())?;
                     bind(m, &value)
                 })
             }
             syn::Pat::Ident(it) => self.name(it, is_late)?,
             syn::Pat::Reference(it) if it.mutability.is_none() => {
-                let Pattern { bind, shape, .. } = self.pattern(&it.pat, is_late)?;
-                Pattern::new(shape, move |m, value| {
+                let Matcher { bind, shape, .. } = self.pattern(&it.pat, is_late)?;
+                Matcher::new(shape, move |m, value| {
                     let value = without_reference(m, value, at)?;
                     bind(m, &value)
                 })
@@ -95,7 +95,7 @@ impl Lowerer<'_> {
             syn::Pat::Tuple(it) => {
                 let all = self.all(&it.elems, is_late)?;
                 let count = all.len();
-                let found = Type(Head::Tuple, vec![Type::UNKNOWN; count]);
+                let found = Type(Ctor::Tuple, vec![Type::UNKNOWN; count]);
                 parts(all, found, at, move |it| {
                     matches!(it, Data::Tuple(all) if all.len() == count).then_some(true)
                 })
@@ -103,7 +103,7 @@ impl Lowerer<'_> {
             syn::Pat::Slice(it) => list(self.all(&it.elems, is_late)?, at),
             syn::Pat::Or(it) => self.alternatives(it)?,
             syn::Pat::Lit(it) => equal(self.literal(&it.lit)?, literal_shape(&it.lit)),
-            syn::Pat::Path(it) => equal(self.path(it)?, Shape::Other),
+            syn::Pat::Path(it) => equal(self.path(it)?, Coverage::Other),
             syn::Pat::Range(it) => self.within(it)?,
             _ => return self.unread(at, "this kind of pattern"),
         })
@@ -113,14 +113,14 @@ impl Lowerer<'_> {
         &mut self,
         all: impl IntoIterator<Item = &'p syn::Pat>,
         is_late: bool,
-    ) -> Lowered<Vec<(usize, Pattern)>> {
+    ) -> Lowered<Vec<(usize, Matcher)>> {
         let all = all.into_iter().enumerate();
         all.map(|(n, it)| Ok((n, self.pattern(it, is_late)?)))
             .collect()
     }
 
     /// Lowers a name for what is there, or that of a constant.
-    fn name(&mut self, it: &syn::PatIdent, is_late: bool) -> Lowered<Pattern> {
+    fn name(&mut self, it: &syn::PatIdent, is_late: bool) -> Lowered<Matcher> {
         let at = self.at_any(it);
         let name = it.ident.to_string();
         if name == "None" {
@@ -129,13 +129,13 @@ impl Lowerer<'_> {
         if it.by_ref.is_some() {
             return self.unread(at, "patterns with `ref`");
         }
-        if let Ok(Named::Function(function)) = self
+        if let Ok(Meaning::Function(function)) = self
             .names
             .found(self.context.module, std::slice::from_ref(&name))
             && self.names.functions[function].is_constant
         {
             let constant = Expr::new(at, move |m| m.constant(function, at));
-            return Ok(equal(constant, Shape::Other));
+            return Ok(equal(constant, Coverage::Other));
         }
         let of = it.subpat.as_ref().map(|(_, of)| self.pattern(of, is_late));
         let of = of.transpose()?;
@@ -145,30 +145,30 @@ impl Lowerer<'_> {
         });
         let is_mut = it.mutability.is_some() || is_late;
         let slot = known.unwrap_or_else(|| self.local(&name, is_mut));
-        let name = Pattern::new(Shape::Any, move |m, value| {
+        let name = Matcher::new(Coverage::Any, move |m, value| {
             m.set_local(slot, value.clone());
             Ok(true)
         });
         Ok(match of {
-            None => Pattern {
+            None => Matcher {
                 slot: Some(slot),
                 ..name
             },
-            Some(Pattern { bind, shape, .. }) => Pattern::new(shape, move |m, value| {
+            Some(Matcher { bind, shape, .. }) => Matcher::new(shape, move |m, value| {
                 Ok(name.binds(m, value)? && bind(m, value)?)
             }),
         })
     }
 
     /// Lowers several patterns with the same names.
-    fn alternatives(&mut self, it: &syn::PatOr) -> Lowered<Pattern> {
+    fn alternatives(&mut self, it: &syn::PatOr) -> Lowered<Matcher> {
         let outer = self.alternatives;
         self.alternatives = outer.or(Some(self.locals.len()));
         let all = self.all(&it.cases, false);
         self.alternatives = outer;
         let all = all?.into_iter().map(|(_, it)| (it.shape, it.bind));
         let (shapes, binds): (Vec<_>, Vec<_>) = all.unzip();
-        Ok(Pattern::new(Shape::Or(shapes), move |m, value| {
+        Ok(Matcher::new(Coverage::Or(shapes), move |m, value| {
             for bind in &binds {
                 if bind(m, value)? {
                     return Ok(true);
@@ -179,14 +179,14 @@ impl Lowerer<'_> {
     }
 
     /// Lowers a pattern of numbers from one to another.
-    fn within(&mut self, it: &syn::PatRange) -> Lowered<Pattern> {
+    fn within(&mut self, it: &syn::PatRange) -> Lowered<Matcher> {
         let mut end = |it: &Option<Box<syn::Expr>>| match it {
             Some(it) => self.expr(it).map(Some),
             None => Ok(None),
         };
         let ends = [end(&it.start)?, end(&it.end)?];
         let is_closed = matches!(it.limits, syn::RangeLimits::Closed(_));
-        Ok(Pattern::new(Shape::Other, move |m, value| {
+        Ok(Matcher::new(Coverage::Other, move |m, value| {
             let value = m.end_of(value).owned();
             for (n, end) in ends.iter().enumerate() {
                 let Some(Expr { run, spot }) = end else {
@@ -206,7 +206,7 @@ impl Lowerer<'_> {
         }))
     }
 
-    fn tuple_struct_pattern(&mut self, it: &syn::PatTupleStruct, at: At) -> Lowered<Pattern> {
+    fn tuple_struct_pattern(&mut self, it: &syn::PatTupleStruct, at: Span) -> Lowered<Matcher> {
         if it.path.is_ident("Some") && it.elems.len() == 1 {
             let of = self.pattern(&it.elems[0], false)?;
             return Ok(option(Some(of), at));
@@ -227,14 +227,18 @@ impl Lowerer<'_> {
 /// Makes a pattern of those of some parts. Of a value it is asked whether it matches, if it is
 /// of the right type.
 fn parts(
-    all: Vec<(usize, Pattern)>,
+    all: Vec<(usize, Matcher)>,
     found: Type,
-    at: At,
+    at: Span,
     is_it: impl Fn(&Data) -> Option<bool> + Send + Sync + 'static,
-) -> Pattern {
-    let is_any = all.iter().all(|it| matches!(it.1.shape, Shape::Any));
-    let shape = if is_any { Shape::Any } else { Shape::Other };
-    Pattern::new(shape, move |m, value| {
+) -> Matcher {
+    let is_any = all.iter().all(|it| matches!(it.1.shape, Coverage::Any));
+    let shape = if is_any {
+        Coverage::Any
+    } else {
+        Coverage::Other
+    };
+    Matcher::new(shape, move |m, value| {
         let whole = m.end_of(value);
         match is_it(&whole.data) {
             Some(true) => {}
@@ -261,26 +265,26 @@ fn parts(
 }
 
 /// Makes a pattern of one that what is there matches, or of nothing.
-fn option(of: Option<Pattern>, at: At) -> Pattern {
+fn option(of: Option<Matcher>, at: Span) -> Matcher {
     let shape = if of.is_some() {
-        Shape::Some
+        Coverage::Some
     } else {
-        Shape::None
+        Coverage::None
     };
     let is_some = of.is_some();
-    let found = Type::of(Head::Option, Type::UNKNOWN);
+    let found = Type::of(Ctor::Option, Type::UNKNOWN);
     let all = of.into_iter().map(|it| (0, it)).collect();
     let pattern = parts(all, found, at, move |it| match it {
         Data::Some(_) => Some(is_some),
         Data::None => Some(!is_some),
         _ => None,
     });
-    Pattern { shape, ..pattern }
+    Matcher { shape, ..pattern }
 }
 
-fn list(all: Vec<(usize, Pattern)>, at: At) -> Pattern {
+fn list(all: Vec<(usize, Matcher)>, at: Span) -> Matcher {
     let count = all.len();
-    let found = Type::of(Head::Array(count), Type::UNKNOWN);
+    let found = Type::of(Ctor::Array(count), Type::UNKNOWN);
     parts(all, found, at, move |it| match it {
         Data::List(list) if list.all.len() == count => Some(true),
         Data::List(list) if !list.is_array => Some(false),
@@ -288,15 +292,15 @@ fn list(all: Vec<(usize, Pattern)>, at: At) -> Pattern {
     })
 }
 
-fn structure(head: Head, fields: Vec<(usize, Pattern)>, at: At) -> Pattern {
-    parts(fields, head.into(), at, move |it| {
-        (it.head() == head).then_some(true)
+fn structure(ctor: Ctor, fields: Vec<(usize, Matcher)>, at: Span) -> Matcher {
+    parts(fields, ctor.into(), at, move |it| {
+        (it.ctor() == ctor).then_some(true)
     })
 }
 
 /// Makes a pattern of what is equal to a value.
-fn equal(of: Expr, shape: Shape) -> Pattern {
-    Pattern::new(shape, move |m, value| {
+fn equal(of: Expr, shape: Coverage) -> Matcher {
+    Matcher::new(shape, move |m, value| {
         let wanted = of.run.eval(m)?.owned();
         let value = m.end_of(value).owned();
         m.must_be_like(&wanted, &value, of.spot)?;
@@ -304,16 +308,16 @@ fn equal(of: Expr, shape: Shape) -> Pattern {
     })
 }
 
-fn literal_shape(it: &syn::Lit) -> Shape {
+fn literal_shape(it: &syn::Lit) -> Coverage {
     match it {
-        syn::Lit::Bool(it) => Shape::Bool(it.value),
-        syn::Lit::Int(_) | syn::Lit::Float(_) => Shape::Number,
-        _ => Shape::Other,
+        syn::Lit::Bool(it) => Coverage::Bool(it.value),
+        syn::Lit::Int(_) | syn::Lit::Float(_) => Coverage::Number,
+        _ => Coverage::Other,
     }
 }
 
 /// Returns what the reference that a `&` in a pattern wants leads to.
-fn without_reference(m: &mut Machine<'_>, value: &Value, at: At) -> Eval {
+fn without_reference(m: &mut Machine<'_>, value: &Value, at: Span) -> Eval {
     if let Some(lent) = value.lent.checked_sub(1) {
         let data = value.data.clone();
         return Ok(Value { lent, data });

@@ -5,14 +5,14 @@ use std::sync::Arc;
 use super::{Expr, Lowered, Lowerer};
 use crate::library;
 use crate::machine::value::Address;
-use crate::machine::{Eval, Field, Form, Machine, Place, Run};
+use crate::machine::{Eval, ExprForm, FieldAccess, Machine, PlaceExpr, Thunk};
 use crate::names::words::private;
-use crate::refusal::{At, Refusal};
+use crate::refusal::{Refusal, Span};
 use crate::types::Type;
 
 impl Lowerer<'_> {
     /// Returns the place that an expression names, if it names one.
-    pub(super) fn place(&mut self, it: &syn::Expr) -> Lowered<Option<Place>> {
+    pub(super) fn place(&mut self, it: &syn::Expr) -> Lowered<Option<PlaceExpr>> {
         let at = self.at(it);
         Ok(match it {
             syn::Expr::Paren(it) => self.place(&it.expr)?,
@@ -54,7 +54,7 @@ impl Lowerer<'_> {
 
     /// Makes a place one that is changed. Whether its variable is a mutable reference is seen
     /// when it runs.
-    pub(super) fn mutable(&self, place: Place) -> Place {
+    pub(super) fn mutable(&self, place: PlaceExpr) -> PlaceExpr {
         let Some(slot) = place.root else {
             return place;
         };
@@ -65,7 +65,7 @@ impl Lowerer<'_> {
                 format!("cannot borrow `{name}` as mutable, as it is not declared as mutable");
             Refusal::new(place.at, message, "", &format!("`let mut {name}`"))
         });
-        Place { fixed, ..place }
+        PlaceExpr { fixed, ..place }
     }
 
     pub(super) fn assignment(&mut self, it: &syn::ExprAssign) -> Lowered {
@@ -87,7 +87,7 @@ impl Lowerer<'_> {
     }
 
     /// Lowers an assignment to several places, whose values come from one.
-    fn assignments(&mut self, all: &syn::ExprTuple, value: &syn::Expr, at: At) -> Lowered {
+    fn assignments(&mut self, all: &syn::ExprTuple, value: &syn::Expr, at: Span) -> Lowered {
         let places = all.elems.iter().map(|it| match it {
             syn::Expr::Infer(_) => Ok(None),
             it => self.assigned(it).map(Some),
@@ -106,7 +106,7 @@ impl Lowerer<'_> {
         }))
     }
 
-    fn assigned(&mut self, left: &syn::Expr) -> Lowered<Place> {
+    fn assigned(&mut self, left: &syn::Expr) -> Lowered<PlaceExpr> {
         let at = self.at(left);
         let Some(place) = self.place(left)? else {
             // What is no place may be a name that is not there.
@@ -129,16 +129,16 @@ impl Lowerer<'_> {
 
     pub(super) fn field(&mut self, it: &syn::ExprField) -> Lowered {
         let Expr { run, spot } = self.expr(&it.base)?;
-        if spot.form == Form::Open {
+        if spot.form == ExprForm::Open {
             return self.needs_a_type(spot.at);
         }
         let field = self.field_named(it)?;
-        let at = At {
+        let at = Span {
             end: field.at.end,
             ..spot.at
         };
         Ok(match run {
-            Run::Local(slot) => Expr::new(at, move |m| m.field_of_local(slot, &field)),
+            Thunk::Local(slot) => Expr::new(at, move |m| m.field_of_local(slot, &field)),
             run => Expr::new(at, move |m| {
                 let value = run.eval(m)?;
                 m.field(value, &field)
@@ -146,12 +146,12 @@ impl Lowerer<'_> {
         })
     }
 
-    fn field_named(&mut self, it: &syn::ExprField) -> Lowered<Arc<Field>> {
+    fn field_named(&mut self, it: &syn::ExprField) -> Lowered<Arc<FieldAccess>> {
         let at = self.at_any(&it.member);
         let name = member(&it.member);
         let module = self.context.module;
         let mut is_hidden = false;
-        let own = self.names.kinds.iter().map(|kind| {
+        let own = self.names.structs.iter().map(|kind| {
             let n = kind.field(&name)?;
             let is_public = kind.fields[n].is_public;
             let is_seen = self.names.sees(module, kind.module, is_public);
@@ -159,7 +159,7 @@ impl Lowerer<'_> {
             is_seen.then_some(n as u32)
         });
         let among = |all: &[&str]| all.iter().position(|it| *it == name);
-        let field = Field {
+        let field = FieldAccess {
             own: own.collect(),
             vec3: among(&["x", "y", "z"]),
             ray: among(&["origin", "direction"]),
@@ -196,12 +196,12 @@ impl Lowerer<'_> {
 }
 
 fn place(
-    at: At,
+    at: Span,
     local: Option<usize>,
     root: Option<usize>,
     address: impl Fn(&mut Machine<'_>) -> Eval<Address> + Send + Sync + 'static,
-) -> Place {
-    Place {
+) -> PlaceExpr {
+    PlaceExpr {
         local,
         root,
         fixed: None,

@@ -5,15 +5,15 @@ use std::sync::Arc;
 use super::declared::checked;
 use super::{Expr, Lowered, Lowerer};
 use crate::machine::value::Value;
-use crate::machine::{Mark, Run};
+use crate::machine::{CoveragePoint, Thunk};
 use crate::read::at_statement;
 use crate::refusal::Refusal;
 use crate::types::Type;
 
 /// A statement, and the mark of its lines.
-struct Step {
-    run: Run,
-    mark: Arc<Mark>,
+struct LoweredStatement {
+    run: Thunk,
+    mark: Arc<CoveragePoint>,
 }
 
 impl Lowerer<'_> {
@@ -76,7 +76,11 @@ impl Lowerer<'_> {
 
     /// Lowers the statements of a block. Finds whether the last is its value, and whether its
     /// end is ever reached.
-    fn statements(&mut self, block: &syn::Block, ty: &Type) -> Lowered<(Vec<Step>, bool, bool)> {
+    fn statements(
+        &mut self,
+        block: &syn::Block,
+        ty: &Type,
+    ) -> Lowered<(Vec<LoweredStatement>, bool, bool)> {
         let (mut steps, mut has_value, mut is_left) = (Vec::new(), false, false);
         for (n, statement) in block.stmts.iter().enumerate() {
             if let syn::Stmt::Item(it) = statement {
@@ -92,7 +96,7 @@ impl Lowerer<'_> {
             (made, has_value) = self.statement(statement, is_last, ty)?;
             is_left |= made.never_ends();
             let run = made.run;
-            steps.push(Step { run, mark });
+            steps.push(LoweredStatement { run, mark });
         }
         Ok((steps, has_value, is_left))
     }

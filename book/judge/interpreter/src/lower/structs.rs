@@ -5,19 +5,19 @@ use super::paths::no_function;
 use super::places::member;
 use super::{Expr, Lowered, Lowerer};
 use crate::library;
-use crate::machine::Run;
+use crate::machine::Thunk;
 use crate::machine::value::Value;
 use crate::names::words::unexpected;
-use crate::names::{Named, names};
-use crate::refusal::{At, Refusal};
-use crate::types::{Head, Type};
+use crate::names::{Meaning, names};
+use crate::refusal::{Refusal, Span};
+use crate::types::{Ctor, Type};
 
 impl Lowerer<'_> {
     pub(super) fn structure(&mut self, it: &syn::ExprStruct) -> Lowered {
         let ty = self.struct_named(&it.path)?;
         let mut fields = self.fields_given(it, &ty)?;
         let at = self.at_any(&it.path);
-        if let Head::Own(kind) = ty.0 {
+        if let Ctor::Own(kind) = ty.0 {
             let base = it.rest.as_ref().map(|rest| self.given(rest, &ty));
             return Ok(made(kind, fields, base.transpose()?.map(|it| it.run), at));
         }
@@ -38,34 +38,34 @@ impl Lowerer<'_> {
         let (path, at) = (names(path), self.at_any(path));
         let what = "struct, variant or union type";
         match self.names.expected(&self.context, &path, what, at)? {
-            Named::Type(ty) if matches!(ty.0, Head::Own(_) | Head::Vec3 | Head::Ray) => Ok(ty),
+            Meaning::Type(ty) if matches!(ty.0, Ctor::Own(_) | Ctor::Vec3 | Ctor::Ray) => Ok(ty),
             _ => Err(unexpected(what, &path, at)),
         }
     }
 
     /// Returns the number and the type of a field of a struct, or of a vector or a ray.
-    pub(super) fn field_of(&self, ty: &Type, name: &str, at: At) -> Lowered<(usize, Type)> {
+    pub(super) fn field_of(&self, ty: &Type, name: &str, at: Span) -> Lowered<(usize, Type)> {
         let fields = self.names.fields(ty);
         let n = fields.iter().position(|it| *it == name);
         let n = n.ok_or_else(|| self.names.no_field(name, ty, at))?;
         let of = match ty.0 {
-            Head::Own(kind) => {
-                let kind = &self.names.kinds[kind as usize];
+            Ctor::Own(kind) => {
+                let kind = &self.names.structs[kind as usize];
                 let (field, module) = (&kind.fields[n], self.context.module);
                 if !self.names.sees(module, kind.module, field.is_public) {
                     return Err(crate::names::words::private("field", name, at));
                 }
                 field.ty.clone()
             }
-            Head::Vec3 => Head::F64.into(),
-            _ => Head::Vec3.into(),
+            Ctor::Vec3 => Ctor::F64.into(),
+            _ => Ctor::Vec3.into(),
         };
         Ok((n, of))
     }
 
     /// Lowers the fields of an initializer, by their numbers.
-    fn fields_given(&mut self, it: &syn::ExprStruct, ty: &Type) -> Lowered<Vec<(usize, Run)>> {
-        let mut fields: Vec<(usize, Run)> = Vec::new();
+    fn fields_given(&mut self, it: &syn::ExprStruct, ty: &Type) -> Lowered<Vec<(usize, Thunk)>> {
+        let mut fields: Vec<(usize, Thunk)> = Vec::new();
         for field in &it.fields {
             let name = member(&field.member);
             let at = self.at_any(&field.member);
@@ -88,14 +88,14 @@ impl Lowerer<'_> {
     }
 
     /// Lowers what `Default` gives for a type, if it gives something.
-    pub(super) fn default_of(&self, ty: &Type, at: At) -> Lowered {
+    pub(super) fn default_of(&self, ty: &Type, at: Span) -> Lowered {
         let has_none = match ty.0 {
-            Head::Own(kind) => {
-                let kind = &self.names.kinds[kind as usize];
+            Ctor::Own(kind) => {
+                let kind = &self.names.structs[kind as usize];
                 kind.default.is_none() && !kind.derives("Default")
             }
-            Head::Ray | Head::Picture | Head::Dyn(_) => true,
-            Head::Unknown => return self.unread(at, "a default without its type"),
+            Ctor::Ray | Ctor::Picture | Ctor::Dyn(_) => true,
+            Ctor::Unknown => return self.unread(at, "a default without its type"),
             _ => false,
         };
         if has_none {

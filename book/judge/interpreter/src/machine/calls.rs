@@ -7,27 +7,27 @@ use std::sync::Arc;
 use common::rtweekend::Vec3;
 
 use super::checks::is_plainly;
-use super::value::{Address, Data, Frame, Value};
-use super::{Closure, Eval, Machine, Native, Run, Spot, Stop};
+use super::value::{Address, Captures, Data, Value};
+use super::{Closure, EarlyExit, Eval, ExprInfo, Machine, Native, Thunk};
 use crate::limits::DEEPEST;
-use crate::refusal::{At, Refusal};
-use crate::types::{Head, Type};
+use crate::refusal::{Refusal, Span};
+use crate::types::{Ctor, Type};
 
 /// The places of a call: those of its arguments, as far as they are written, and its own.
 pub(crate) struct Given {
-    pub(crate) spots: Vec<Spot>,
-    pub(crate) at: At,
+    pub(crate) spots: Vec<ExprInfo>,
+    pub(crate) at: Span,
 }
 
 impl Given {
-    fn spot(&self, n: usize) -> Spot {
+    fn spot(&self, n: usize) -> ExprInfo {
         self.spots.get(n).copied().unwrap_or(self.at.into())
     }
 }
 
 /// A call of which only the place is known.
-impl From<At> for Given {
-    fn from(at: At) -> Self {
+impl From<Span> for Given {
+    fn from(at: Span) -> Self {
         let spots = Vec::new();
         Self { spots, at }
     }
@@ -38,12 +38,12 @@ impl Machine<'_> {
     pub(crate) fn call(&mut self, function: usize, given: &[Value]) -> Result<Value, Refusal> {
         let wanted = &self.code.names.functions[function].parameters;
         let as_wanted = given.iter().zip(wanted).map(|(value, ty)| {
-            let is_lent = ty.is(Head::Ref) && !matches!(value.data, Data::Mut(_));
+            let is_lent = ty.is(Ctor::Ref) && !matches!(value.data, Data::Mut(_));
             let (lent, data) = (u8::from(is_lent), value.data.clone());
             Value { lent, data }
         });
         let given: Vec<Value> = as_wanted.collect();
-        self.run(function, &given, At::default())
+        self.run(function, &given, Span::default())
             .map_err(|_| self.fault())
     }
 
@@ -52,10 +52,10 @@ impl Machine<'_> {
         &mut self,
         color: &Value,
         given: &mut [Value],
-        at: At,
+        at: Span,
     ) -> Result<Vec3, Refusal> {
         let value = self.applied(color, given, at);
-        let value = value.and_then(|it| self.as_declared(it, &Head::Vec3.into(), at.into()));
+        let value = value.and_then(|it| self.as_declared(it, &Ctor::Vec3.into(), at.into()));
         value.map(|it| it.vec3()).map_err(|_| self.fault())
     }
 
@@ -76,7 +76,7 @@ impl Machine<'_> {
     }
 
     /// Runs a function with values that are checked where they arrive.
-    pub(crate) fn run(&mut self, function: usize, given: &[Value], at: At) -> Eval {
+    pub(crate) fn run(&mut self, function: usize, given: &[Value], at: Span) -> Eval {
         let start = self.stack.len();
         self.stack.extend_from_slice(given);
         self.arrive(function, start, &at.into())?;
@@ -84,7 +84,7 @@ impl Machine<'_> {
     }
 
     /// Runs a function with what these come to, which is checked already.
-    pub(crate) fn called(&mut self, function: usize, given: &[Run], at: At) -> Eval {
+    pub(crate) fn called(&mut self, function: usize, given: &[Thunk], at: Span) -> Eval {
         let start = self.stack.len();
         for run in given {
             let value = run.eval(self)?;
@@ -98,7 +98,7 @@ impl Machine<'_> {
         &mut self,
         function: usize,
         on: Value,
-        runs: &[Run],
+        runs: &[Thunk],
         given: &Given,
     ) -> Eval {
         let wanted = self.code.names.functions[function].parameters.len() - 1;
@@ -131,7 +131,7 @@ impl Machine<'_> {
     }
 
     /// Runs a function whose arguments are on the stack.
-    fn enter(&mut self, function: usize, start: usize, at: At) -> Eval {
+    fn enter(&mut self, function: usize, start: usize, at: Span) -> Eval {
         let code = self.code;
         let caller = mem::replace(&mut self.function, function);
         let function = &code.functions[function];
@@ -146,7 +146,7 @@ impl Machine<'_> {
         &mut self,
         start: usize,
         end: usize,
-        at: At,
+        at: Span,
         body: impl FnOnce(&mut Self) -> Eval,
     ) -> Eval {
         if self.depth == DEEPEST {
@@ -166,7 +166,7 @@ impl Machine<'_> {
     }
 
     fn returned(&mut self, result: Eval) -> Eval {
-        let Err(Stop::Return) = result else {
+        let Err(EarlyExit::Return) = result else {
             return result;
         };
         let value = self.brought();
@@ -175,7 +175,7 @@ impl Machine<'_> {
     }
 
     /// Returns the value of a constant, which is a function that runs once.
-    pub(crate) fn constant(&mut self, function: usize, at: At) -> Eval {
+    pub(crate) fn constant(&mut self, function: usize, at: Span) -> Eval {
         if let Some(Some(known)) = self.constants.get(function) {
             return Ok(known.clone());
         }
@@ -190,7 +190,7 @@ impl Machine<'_> {
         &mut self,
         native: &Native,
         on: Option<Value>,
-        runs: &[Run],
+        runs: &[Thunk],
         given: &Given,
     ) -> Eval {
         match (on, runs) {
@@ -215,9 +215,9 @@ impl Machine<'_> {
     }
 
     /// Checks that the first value has a method of the library.
-    fn receives(&mut self, native: &Native, values: &[Value], at: At) -> Eval<()> {
+    fn receives(&mut self, native: &Native, values: &[Value], at: Span) -> Eval<()> {
         match values.first() {
-            Some(on) if native.on.is_some() && !(native.owner)(on.data.head()) => {
+            Some(on) if native.on.is_some() && !(native.owner)(on.data.ctor()) => {
                 let (name, found) = (native.name, self.named(on));
                 let message = format!("no function named `{name}` found for `{found}`");
                 self.wrong(at, message, "")
@@ -233,7 +233,7 @@ impl Machine<'_> {
         for (n, ty) in native.takes.iter().enumerate() {
             let value = &values[first + n];
             let is_it = match (ty.0, &value.data) {
-                (Head::Like, Data::Float(_)) => {
+                (Ctor::Like, Data::Float(_)) => {
                     value.lent == 0 && matches!(values[0].data, Data::Float(_))
                 }
                 _ => is_plainly(value, ty),
@@ -266,7 +266,7 @@ impl Machine<'_> {
 
     /// Runs a function of the library, or that of the text which takes its place.
     #[inline]
-    fn run_native(&mut self, native: &Native, values: &mut [Value], at: At) -> Eval {
+    fn run_native(&mut self, native: &Native, values: &mut [Value], at: Span) -> Eval {
         if self.code.instead.is_empty() {
             return (native.run)(self, values, at);
         }
@@ -274,8 +274,8 @@ impl Machine<'_> {
     }
 
     #[inline(never)]
-    fn run_instead(&mut self, native: &Native, values: &mut [Value], at: At) -> Eval {
-        let is_of_vectors = (native.owner)(Head::Vec3) || (native.owner)(Head::Ray);
+    fn run_instead(&mut self, native: &Native, values: &mut [Value], at: Span) -> Eval {
+        let is_of_vectors = (native.owner)(Ctor::Vec3) || (native.owner)(Ctor::Ray);
         let mut instead = self.code.instead.iter().filter(|_| is_of_vectors);
         if let Some((_, own)) = instead.find(|it| it.0 == native.name) {
             return self.run(*own, values, at);
@@ -288,7 +288,7 @@ impl Machine<'_> {
     }
 
     /// Calls a value that is a function.
-    pub(crate) fn applied(&mut self, function: &Value, given: &mut [Value], at: At) -> Eval {
+    pub(crate) fn applied(&mut self, function: &Value, given: &mut [Value], at: Span) -> Eval {
         match &function.data {
             Data::Function(function) => self.run(*function, given, at),
             Data::Native(native) => {
@@ -310,7 +310,7 @@ impl Machine<'_> {
     }
 
     /// Finds whether a function says so of what it is given.
-    pub(crate) fn asked(&mut self, f: &Value, given: &mut [Value], at: At) -> Eval<bool> {
+    pub(crate) fn asked(&mut self, f: &Value, given: &mut [Value], at: Span) -> Eval<bool> {
         let value = self.applied(f, given, at)?;
         Ok(self.as_declared(value, &Type::BOOL, at.into())?.truth())
     }
@@ -327,7 +327,7 @@ impl Machine<'_> {
     }
 
     /// Calls a value that is a function, with as many arguments as are written.
-    pub(crate) fn applied_to(&mut self, function: &Value, given: &mut [Value], at: At) -> Eval {
+    pub(crate) fn applied_to(&mut self, function: &Value, given: &mut [Value], at: Span) -> Eval {
         let function = self.end_of(function);
         match self.parameters(&function) {
             Some((_, takes)) if takes != given.len() => {
@@ -337,20 +337,26 @@ impl Machine<'_> {
         }
     }
 
-    fn in_its_frame(&mut self, closure: &Closure, frame: &Frame, given: &[Value], at: At) -> Eval {
+    fn in_its_frame(
+        &mut self,
+        closure: &Closure,
+        frame: &Captures,
+        given: &[Value],
+        at: Span,
+    ) -> Eval {
         let start = self.stack.len();
         match *frame {
-            Frame::Taken(ref frame) => {
+            Captures::Moved(ref frame) => {
                 self.stack.extend_from_slice(frame);
                 let end = start + frame.len();
                 self.in_frame(start, end, at, |own| (closure.body)(own, given))
             }
             // The function that made it is over, so it uses nothing of its.
-            Frame::At(base, slots) if base as usize > self.base => {
+            Captures::Borrowed(base, slots) if base as usize > self.base => {
                 let end = start + slots as usize;
                 self.in_frame(start, end, at, |own| (closure.body)(own, given))
             }
-            Frame::At(base, _) => {
+            Captures::Borrowed(base, _) => {
                 self.turn(at)?;
                 let base = mem::replace(&mut self.base, base as usize);
                 let result = (closure.body)(self, given);
@@ -361,13 +367,13 @@ impl Machine<'_> {
     }
 
     /// Makes a closure, which may take the variables of its function along.
-    pub(crate) fn closure(&mut self, closure: &Arc<Closure>, is_moved: bool, at: At) -> Eval {
+    pub(crate) fn closure(&mut self, closure: &Arc<Closure>, is_moved: bool, at: Span) -> Eval {
         let slots = self.stack.len() - self.base;
         let frame = if is_moved {
             self.take(slots * size_of::<Value>(), at)?;
-            Frame::Taken(Rc::new(self.stack[self.base..].to_vec()))
+            Captures::Moved(Rc::new(self.stack[self.base..].to_vec()))
         } else {
-            Frame::At(self.base as u32, slots as u32)
+            Captures::Borrowed(self.base as u32, slots as u32)
         };
         Ok(Data::Closure(Arc::clone(closure), frame).into())
     }
@@ -375,10 +381,10 @@ impl Machine<'_> {
     /// Returns a function that may be called when the one that made it is over.
     pub(crate) fn kept(&self, function: &Value) -> Value {
         match &function.data {
-            Data::Closure(closure, Frame::At(base, slots)) => {
+            Data::Closure(closure, Captures::Borrowed(base, slots)) => {
                 let start = *base as usize;
                 let frame = self.stack[start..start + *slots as usize].to_vec();
-                Data::Closure(Arc::clone(closure), Frame::Taken(Rc::new(frame))).into()
+                Data::Closure(Arc::clone(closure), Captures::Moved(Rc::new(frame))).into()
             }
             _ => function.clone(),
         }

@@ -2,15 +2,15 @@
 
 use std::rc::Rc;
 
-use super::value::{Data, List, Value};
-use super::{Eval, Form, Machine, Spot};
-use crate::refusal::{At, Refusal};
-use crate::types::{Head, Int, Type};
+use super::value::{Data, ListValue, Value};
+use super::{Eval, ExprForm, ExprInfo, Machine};
+use crate::refusal::{Refusal, Span};
+use crate::types::{Ctor, Int, Type};
 
 impl Machine<'_> {
     /// Returns a value as what is declared.
     #[inline]
-    pub(crate) fn as_declared(&mut self, value: Value, ty: &Type, spot: Spot) -> Eval {
+    pub(crate) fn as_declared(&mut self, value: Value, ty: &Type, spot: ExprInfo) -> Eval {
         if is_plainly(&value, ty) {
             Ok(value)
         } else {
@@ -19,15 +19,15 @@ impl Machine<'_> {
     }
 
     #[inline(never)]
-    fn converted(&mut self, value: Value, ty: &Type, spot: Spot) -> Eval {
-        if let (Data::Float(it), Head::F32, Form::Float) = (&value.data, ty.0, spot.form) {
+    fn converted(&mut self, value: Value, ty: &Type, spot: ExprInfo) -> Eval {
+        if let (Data::Float(it), Ctor::F32, ExprForm::Float) = (&value.data, ty.0, spot.form) {
             return Ok((*it as f32).into());
         }
         if !self.fits(&value, ty) {
             return self.mismatch(&value, ty, spot);
         }
         Ok(match (&value.data, ty.0) {
-            (Data::Int(it, Int::Any), Head::Int(int)) => {
+            (Data::Int(it, Int::Any), Ctor::Int(int)) => {
                 if !int.has(it.get()) {
                     let message = "attempt to compute a number with overflow";
                     return self.panic(spot.at, message);
@@ -35,15 +35,15 @@ impl Machine<'_> {
                 Value::whole(it.get(), int)
             }
             // A mutable reference is a shared one, too.
-            (Data::Mut(_), Head::Ref) => self.end_of(&value).owned().lent(),
-            (_, Head::Ref) if value.lent > 0 => reborrowed(value, ty),
-            (Data::List(list), Head::Vec) if list.of.is_unknown() && value.lent == 0 => {
+            (Data::Mut(_), Ctor::Ref) => self.end_of(&value).owned().lent(),
+            (_, Ctor::Ref) if value.lent > 0 => reborrowed(value, ty),
+            (Data::List(list), Ctor::Vec) if list.of.is_unknown() && value.lent == 0 => {
                 let mut list = Rc::clone(list);
                 drop(value);
                 Rc::make_mut(&mut list).of = ty.inner().clone();
                 Data::List(list).into()
             }
-            (_, Head::Fn) => {
+            (_, Ctor::Fn) => {
                 self.takes_as_many(&value, ty.1.len() - 1, spot.at)?;
                 value
             }
@@ -52,7 +52,7 @@ impl Machine<'_> {
     }
 
     /// Checks that a function takes so many arguments, as the one that calls it wants.
-    fn takes_as_many(&mut self, function: &Value, count: usize, at: At) -> Eval<()> {
+    fn takes_as_many(&mut self, function: &Value, count: usize, at: Span) -> Eval<()> {
         let function = self.end_of(function);
         let Some((what, takes)) = self.parameters(&function).filter(|it| it.1 != count) else {
             return Ok(());
@@ -73,13 +73,13 @@ impl Machine<'_> {
 
     fn lent_fits(&self, lent: u8, data: &Data, ty: &Type) -> bool {
         match (lent, ty.0) {
-            (_, Head::Unknown) => true,
-            (0, Head::Ref) => matches!(data, Data::Mut(_)),
-            (_, Head::Ref) if ty.inner().is(Head::Ref) => {
+            (_, Ctor::Unknown) => true,
+            (0, Ctor::Ref) => matches!(data, Data::Mut(_)),
+            (_, Ctor::Ref) if ty.inner().is(Ctor::Ref) => {
                 self.lent_fits(lent - 1, data, ty.inner())
             }
-            (_, Head::Ref) => self.fits_behind(data, ty.inner()),
-            (_, Head::Fn) | (0, _) => self.data_fits(data, ty),
+            (_, Ctor::Ref) => self.fits_behind(data, ty.inner()),
+            (_, Ctor::Fn) | (0, _) => self.data_fits(data, ty),
             _ => false,
         }
     }
@@ -87,52 +87,52 @@ impl Machine<'_> {
     /// Finds whether that is what a reference leads to, boxes and lists being seen through.
     fn fits_behind(&self, data: &Data, ty: &Type) -> bool {
         match (data, ty.0) {
-            (Data::List(list), Head::Slice) => self.parts_fit(list, ty.inner()),
-            (Data::Box(of), head) if head != Head::Box => self.fits_behind(&of.data, ty),
+            (Data::List(list), Ctor::Slice) => self.parts_fit(list, ty.inner()),
+            (Data::Box(of), ctor) if ctor != Ctor::Box => self.fits_behind(&of.data, ty),
             _ => self.data_fits(data, ty),
         }
     }
 
     fn data_fits(&self, data: &Data, ty: &Type) -> bool {
         match (data, ty.0) {
-            (Data::Int(_, one), Head::Int(other)) => one.joined(other).is_some(),
-            (Data::Some(of), Head::Option) | (Data::Box(of), Head::Box) => {
+            (Data::Int(_, one), Ctor::Int(other)) => one.joined(other).is_some(),
+            (Data::Some(of), Ctor::Option) | (Data::Box(of), Ctor::Box) => {
                 self.fits(of, ty.inner())
             }
-            (Data::Unit, Head::Tuple) => ty.1.is_empty(),
-            (Data::Tuple(all), Head::Tuple) => {
+            (Data::Unit, Ctor::Tuple) => ty.1.is_empty(),
+            (Data::Tuple(all), Ctor::Tuple) => {
                 let mut both = all.iter().zip(&ty.1);
                 all.len() == ty.1.len() && both.all(|(it, ty)| self.fits(it, ty))
             }
-            (Data::List(list), Head::Vec) => !list.is_array && self.parts_fit(list, ty.inner()),
-            (Data::List(list), Head::Array(length)) => {
+            (Data::List(list), Ctor::Vec) => !list.is_array && self.parts_fit(list, ty.inner()),
+            (Data::List(list), Ctor::Array(length)) => {
                 list.is_array && list.all.len() == length && self.parts_fit(list, ty.inner())
             }
-            (Data::Range(ends, _), Head::Range) => self.fits(&ends[0], ty.inner()),
-            (data, Head::Dyn(of)) => self.code.names.implements(data.head(), of),
+            (Data::Range(ends, _), Ctor::Range) => self.fits(&ends[0], ty.inner()),
+            (data, Ctor::Dyn(of)) => self.code.names.implements(data.ctor(), of),
             // What is made of nothing else.
-            (data, head) => data.head() == head,
+            (data, ctor) => data.ctor() == ctor,
         }
     }
 
-    fn parts_fit(&self, list: &List, ty: &Type) -> bool {
+    fn parts_fit(&self, list: &ListValue, ty: &Type) -> bool {
         list.of == *ty || list.all.first().is_none_or(|it| self.fits(it, ty))
     }
 
     /// Stops since something else is declared.
-    pub(crate) fn mismatch<T>(&mut self, value: &Value, ty: &Type, spot: Spot) -> Eval<T> {
-        if let (Data::Float(_) | Data::Single(_), Head::F32 | Head::F64) = (&value.data, ty.0)
+    pub(crate) fn mismatch<T>(&mut self, value: &Value, ty: &Type, spot: ExprInfo) -> Eval<T> {
+        if let (Data::Float(_) | Data::Single(_), Ctor::F32 | Ctor::F64) = (&value.data, ty.0)
             && value.lent == 0
         {
             return self.unread(spot.at, "a number that may be an `f32` or an `f64`");
         }
         let found = self.ty(value);
         let said = match spot.form {
-            Form::Float => "floating-point number".to_owned(),
+            ExprForm::Float => "floating-point number".to_owned(),
             _ => found.said(&self.code.names),
         };
         let refusal = self.code.names.mismatch(ty, &found, &said, spot.at);
-        let is_lent = spot.form == Form::Lend && value.lent > 0;
+        let is_lent = spot.form == ExprForm::Lend && value.lent > 0;
         self.refused(
             match is_lent && self.lent_fits(value.lent - 1, &value.data, ty) {
                 true => refusal.or_help("consider removing the borrow"),
@@ -142,7 +142,12 @@ impl Machine<'_> {
     }
 
     /// Stops unless two values are of one type, so that they may be in one place.
-    pub(crate) fn must_be_like(&mut self, value: &Value, known: &Value, spot: Spot) -> Eval<()> {
+    pub(crate) fn must_be_like(
+        &mut self,
+        value: &Value,
+        known: &Value,
+        spot: ExprInfo,
+    ) -> Eval<()> {
         if value.is_like(known) {
             return Ok(());
         }
@@ -153,26 +158,26 @@ impl Machine<'_> {
     /// Returns the type of a value, as far as it shows that.
     pub(crate) fn ty(&self, value: &Value) -> Type {
         let of = |it: Option<&Value>| it.map_or(Type::UNKNOWN, |it| self.ty(it));
-        let head = value.data.head();
+        let ctor = value.data.ctor();
         let ty = match &value.data {
-            Data::None => Type::of(head, Type::UNKNOWN),
-            Data::Some(it) | Data::Box(it) => Type::of(head, self.ty(it)),
-            Data::Tuple(all) => Type(head, all.iter().map(|it| self.ty(it)).collect()),
-            Data::List(list) if list.of.is_unknown() => Type::of(head, of(list.all.first())),
-            Data::List(list) => Type::of(head, list.of.clone()),
-            Data::Range(ends, _) => Type::of(head, self.ty(&ends[0])),
-            Data::Mut(_) => Type::of(head, self.ty(&self.end_of(&value.clone().owned()))),
+            Data::None => Type::of(ctor, Type::UNKNOWN),
+            Data::Some(it) | Data::Box(it) => Type::of(ctor, self.ty(it)),
+            Data::Tuple(all) => Type(ctor, all.iter().map(|it| self.ty(it)).collect()),
+            Data::List(list) if list.of.is_unknown() => Type::of(ctor, of(list.all.first())),
+            Data::List(list) => Type::of(ctor, list.of.clone()),
+            Data::Range(ends, _) => Type::of(ctor, self.ty(&ends[0])),
+            Data::Mut(_) => Type::of(ctor, self.ty(&self.end_of(&value.clone().owned()))),
             Data::Function(n) => {
                 let own = &self.code.names.functions[*n];
                 let result = [own.result.clone()];
-                Type(head, own.parameters.iter().cloned().chain(result).collect())
+                Type(ctor, own.parameters.iter().cloned().chain(result).collect())
             }
             Data::Closure(..) | Data::Native(_) => {
                 Type::function(self.parameters(value).map_or(0, |it| it.1))
             }
-            _ => head.into(),
+            _ => ctor.into(),
         };
-        (0..value.lent).fold(ty, |ty, _| Type::of(Head::Ref, ty))
+        (0..value.lent).fold(ty, |ty, _| Type::of(Ctor::Ref, ty))
     }
 
     /// Returns the name of a value's type.
@@ -181,27 +186,27 @@ impl Machine<'_> {
     }
 
     /// Returns what `Default` gives for a type.
-    pub(crate) fn default(&mut self, ty: &Type, at: At) -> Eval {
+    pub(crate) fn default(&mut self, ty: &Type, at: Span) -> Eval {
         let code = self.code;
         Ok(match ty.0 {
-            Head::Bool => false.into(),
-            Head::F64 => 0.0.into(),
-            Head::F32 => 0.0_f32.into(),
-            Head::Int(int) => Value::whole(0, int),
-            Head::Vec3 => common::rtweekend::Vec3::ZERO.into(),
-            Head::Str => Value::str(""),
-            Head::Option => None.into(),
-            Head::Vec => self.as_declared(Value::vector(Vec::new()), ty, at.into())?,
-            Head::Box => Data::Box(Rc::new(self.default(&ty.1[0], at)?)).into(),
-            Head::Tuple if ty.1.is_empty() => Value::default(),
-            Head::Tuple => {
+            Ctor::Bool => false.into(),
+            Ctor::F64 => 0.0.into(),
+            Ctor::F32 => 0.0_f32.into(),
+            Ctor::Int(int) => Value::whole(0, int),
+            Ctor::Vec3 => common::rtweekend::Vec3::ZERO.into(),
+            Ctor::Str => Value::str(""),
+            Ctor::Option => None.into(),
+            Ctor::Vec => self.as_declared(Value::vector(Vec::new()), ty, at.into())?,
+            Ctor::Box => Data::Box(Rc::new(self.default(&ty.1[0], at)?)).into(),
+            Ctor::Tuple if ty.1.is_empty() => Value::default(),
+            Ctor::Tuple => {
                 let all = ty.1.iter().map(|it| self.default(it, at));
                 Value::tuple(all.collect::<Eval<Vec<_>>>()?)
             }
-            Head::Own(kind) => match code.names.kinds[kind as usize].default {
+            Ctor::Own(kind) => match code.names.structs[kind as usize].default {
                 Some(own) => self.run(own, &[], at)?,
                 None => {
-                    let fields = &code.names.kinds[kind as usize].fields;
+                    let fields = &code.names.structs[kind as usize].fields;
                     let mut all = Vec::with_capacity(fields.len());
                     for field in fields {
                         all.push(self.default(&field.ty, at)?);
@@ -220,14 +225,14 @@ impl Machine<'_> {
 /// Returns a reference as far as the declared one goes: others and boxes are followed.
 fn reborrowed(mut value: Value, ty: &Type) -> Value {
     let (mut lent, mut of) = (0, ty);
-    while of.is(Head::Ref) {
+    while of.is(Ctor::Ref) {
         lent += 1;
         of = of.inner();
     }
     if of.is_unknown() {
         return value;
     }
-    while let (Data::Box(inner), false) = (&value.data, of.is(Head::Box)) {
+    while let (Data::Box(inner), false) = (&value.data, of.is(Ctor::Box)) {
         value = (**inner).clone();
     }
     Value { lent, ..value }
@@ -237,19 +242,19 @@ fn reborrowed(mut value: Value, ty: &Type) -> Value {
 #[inline]
 pub(super) fn is_plainly(value: &Value, ty: &Type) -> bool {
     let is_same = |ty: &Type| match (&value.data, ty.0) {
-        (Data::Float(_), Head::F64)
-        | (Data::Vec3(_), Head::Vec3)
-        | (Data::Ray(_), Head::Ray)
-        | (Data::Bool(_), Head::Bool)
-        | (Data::None, Head::Option) => true,
-        (Data::Own(kind, _), Head::Own(other)) => *kind == other,
-        (Data::Closure(it, _), Head::Fn) => it.parameters + 1 == ty.1.len(),
+        (Data::Float(_), Ctor::F64)
+        | (Data::Vec3(_), Ctor::Vec3)
+        | (Data::Ray(_), Ctor::Ray)
+        | (Data::Bool(_), Ctor::Bool)
+        | (Data::None, Ctor::Option) => true,
+        (Data::Own(kind, _), Ctor::Own(other)) => *kind == other,
+        (Data::Closure(it, _), Ctor::Fn) => it.parameters + 1 == ty.1.len(),
         _ => false,
     };
     match ty.0 {
-        Head::Unknown => true,
-        Head::Ref => value.lent == 1 && is_same(&ty.1[0]),
-        Head::Option => match &value.data {
+        Ctor::Unknown => true,
+        Ctor::Ref => value.lent == 1 && is_same(&ty.1[0]),
+        Ctor::Option => match &value.data {
             Data::Some(it) if value.lent == 0 => is_plainly(it, &ty.1[0]),
             Data::None => value.lent == 0,
             _ => false,

@@ -3,13 +3,13 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use super::value::{List, Value};
+use super::value::{ListValue, Value};
 use super::{Eval, Machine};
 
 /// An iterator: it gives one value after the other.
 pub(crate) enum Iter {
     /// The parts of a list from a number on, each with so many more `&`.
-    List(Rc<List>, usize, u8),
+    List(Rc<ListValue>, usize, u8),
     /// An iterator that is somebody else's, too.
     Shared(Rc<RefCell<Iter>>),
     Function(Box<NextOf>),

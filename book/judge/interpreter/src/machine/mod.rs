@@ -21,18 +21,18 @@ use std::sync::{Arc, Mutex};
 
 use crate::limits::{DEEPEST_VALUE, MEMORY};
 use crate::names::Names;
-use crate::refusal::{At, Refusal};
-use crate::types::{Head, Type};
+use crate::refusal::{Refusal, Span};
+use crate::types::{Ctor, Type};
 pub(crate) use calls::Given;
 pub(crate) use operators::alike;
-pub(crate) use places::{Field, Place};
+pub(crate) use places::{FieldAccess, PlaceExpr};
 use value::{Data, Value};
 
 /// A program that is ready to be run.
 #[derive(Clone)]
 pub(crate) struct Code {
     pub(crate) names: Arc<Names>,
-    pub(crate) functions: Vec<Arc<Function>>,
+    pub(crate) functions: Vec<Arc<CompiledFunction>>,
     pub(crate) texts: Arc<Vec<String>>,
     /// True if floats have 24 bits.
     pub(crate) is_single: bool,
@@ -41,7 +41,7 @@ pub(crate) struct Code {
     /// Functions of the text that are called in place of those of the library.
     pub(crate) instead: Vec<(&'static str, usize)>,
     /// Other texts of functions that were read before.
-    pub(crate) read: Arc<Mutex<Texts>>,
+    pub(crate) read: Arc<Mutex<FunctionCache>>,
 }
 
 impl fmt::Debug for Code {
@@ -51,22 +51,22 @@ impl fmt::Debug for Code {
 }
 
 /// Functions by their numbers and texts.
-pub(crate) type Texts = HashMap<(usize, String), Arc<Function>>;
+pub(crate) type FunctionCache = HashMap<(usize, String), Arc<CompiledFunction>>;
 
 /// A function, ready to be run.
 #[derive(Default)]
-pub(crate) struct Function {
+pub(crate) struct CompiledFunction {
     pub(crate) slots: usize,
     /// The names of the slots.
     pub(crate) names: Vec<String>,
-    pub(crate) body: Run,
-    pub(crate) marks: Vec<Arc<Mark>>,
+    pub(crate) body: Thunk,
+    pub(crate) marks: Vec<Arc<CoveragePoint>>,
     /// The function as it is written, unless it is a constant or only promised.
-    pub(crate) written: Option<Written>,
+    pub(crate) written: Option<FunctionSource>,
 }
 
 /// A function as it is written.
-pub(crate) struct Written {
+pub(crate) struct FunctionSource {
     /// Its name, behind that of its type if it has one: `Sphere::hit`.
     pub(crate) name: String,
     /// Its text from `fn` to its closing bracket.
@@ -74,13 +74,13 @@ pub(crate) struct Written {
 }
 
 /// Lines that run together, and whether they ever did.
-pub(crate) struct Mark {
-    pub(crate) at: At,
+pub(crate) struct CoveragePoint {
+    pub(crate) at: Span,
     pub(crate) has_run: AtomicBool,
 }
 
-impl Mark {
-    pub(crate) fn at(at: At) -> Self {
+impl CoveragePoint {
+    pub(crate) fn at(at: Span) -> Self {
         let has_run = false.into();
         Self { at, has_run }
     }
@@ -101,18 +101,18 @@ type Body = dyn Fn(&mut Machine<'_>, &[Value]) -> Eval + Send + Sync;
 /// A function of the library.
 pub(crate) struct Native {
     /// Finds whether it is called on values of a type, or the type's name stands before it.
-    pub(crate) owner: fn(Head) -> bool,
+    pub(crate) owner: fn(Ctor) -> bool,
     pub(crate) name: &'static str,
     /// If it is a method, how it takes the value that it is called on.
-    pub(crate) on: Option<On>,
+    pub(crate) on: Option<Receiver>,
     /// The types of its other parameters.
     pub(crate) takes: Vec<Type>,
-    pub(crate) run: fn(&mut Machine<'_>, &mut [Value], At) -> Eval,
+    pub(crate) run: fn(&mut Machine<'_>, &mut [Value], Span) -> Eval,
 }
 
 /// How a method of the library takes the value that it is called on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum On {
+pub(crate) enum Receiver {
     Value,
     /// By its address, to change it.
     Place,
@@ -121,7 +121,7 @@ pub(crate) enum On {
 impl Native {
     /// Finds whether it changes what it is called on.
     pub(crate) fn changes(&self) -> bool {
-        self.on == Some(On::Place)
+        self.on == Some(Receiver::Place)
     }
 
     /// Returns how many arguments it takes where it is called by its path.
@@ -132,17 +132,17 @@ impl Native {
 
 /// Why what follows is not run. What is brought along is kept by the machine.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Stop {
+pub(crate) enum EarlyExit {
     Return,
     Break,
     Continue,
     Fault,
 }
 
-pub(crate) type Eval<T = Value> = Result<T, Stop>;
+pub(crate) type Eval<T = Value> = Result<T, EarlyExit>;
 
 /// An expression, ready to be run.
-pub(crate) enum Run {
+pub(crate) enum Thunk {
     Float(f64),
     Local(usize),
     Act(Box<Act>),
@@ -150,7 +150,7 @@ pub(crate) enum Run {
 
 type Act = dyn Fn(&mut Machine<'_>) -> Eval + Send + Sync;
 
-impl Run {
+impl Thunk {
     pub(crate) fn new(act: impl Fn(&mut Machine<'_>) -> Eval + Send + Sync + 'static) -> Self {
         Self::Act(Box::new(act))
     }
@@ -182,7 +182,7 @@ impl Run {
     }
 }
 
-impl Default for Run {
+impl Default for Thunk {
     fn default() -> Self {
         Self::new(|_| Ok(Value::default()))
     }
@@ -190,14 +190,14 @@ impl Default for Run {
 
 /// The place of an expression, and what its text shows before it runs.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Spot {
-    pub(crate) at: At,
-    pub(crate) form: Form,
+pub(crate) struct ExprInfo {
+    pub(crate) at: Span,
+    pub(crate) form: ExprForm,
 }
 
 /// A form of expression that the compiler's words depend on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) enum Form {
+pub(crate) enum ExprForm {
     #[default]
     Other,
     /// A number with a point, of which nothing says how wide it is.
@@ -213,9 +213,9 @@ pub(crate) enum Form {
     Never,
 }
 
-impl From<At> for Spot {
-    fn from(at: At) -> Self {
-        let form = Form::Other;
+impl From<Span> for ExprInfo {
+    fn from(at: Span) -> Self {
+        let form = ExprForm::Other;
         Self { at, form }
     }
 }
@@ -314,26 +314,26 @@ impl<'c> Machine<'c> {
     /// Stops with what the compiler refuses, or what is not read here.
     pub(crate) fn refused<T>(&mut self, refusal: Refusal) -> Eval<T> {
         self.fault = Some(refusal);
-        Err(Stop::Fault)
+        Err(EarlyExit::Fault)
     }
 
     /// Stops with the compiler's words.
-    pub(crate) fn wrong<T>(&mut self, at: At, message: impl Into<String>, help: &str) -> Eval<T> {
+    pub(crate) fn wrong<T>(&mut self, at: Span, message: impl Into<String>, help: &str) -> Eval<T> {
         self.refused(Refusal::new(at, message, "", help))
     }
 
     /// Stops with what is not read here.
-    pub(crate) fn unread<T>(&mut self, at: At, what: &str) -> Eval<T> {
+    pub(crate) fn unread<T>(&mut self, at: Span, what: &str) -> Eval<T> {
         self.refused(Refusal::unread(at, what))
     }
 
     /// Stops as the compiled program would.
-    pub(crate) fn panic<T>(&mut self, at: At, message: &str) -> Eval<T> {
+    pub(crate) fn panic<T>(&mut self, at: Span, message: &str) -> Eval<T> {
         self.refused(Refusal::stop(at, message, ""))
     }
 
     /// Counts a turn of a loop, or a call.
-    pub(crate) fn turn(&mut self, at: At) -> Eval<()> {
+    pub(crate) fn turn(&mut self, at: Span) -> Eval<()> {
         self.turns = self.turns.saturating_sub(1);
         if self.turns > 0 {
             return Ok(());
@@ -344,7 +344,7 @@ impl<'c> Machine<'c> {
     }
 
     /// Counts the bytes that a value takes.
-    pub(crate) fn take(&mut self, bytes: usize, at: At) -> Eval<()> {
+    pub(crate) fn take(&mut self, bytes: usize, at: Span) -> Eval<()> {
         if let Some(left) = self.memory.checked_sub(bytes) {
             self.memory = left;
             return Ok(());
@@ -355,7 +355,7 @@ impl<'c> Machine<'c> {
     }
 
     /// Counts what a value takes that is kept in another.
-    pub(crate) fn keep(&mut self, value: &Value, at: At) -> Eval<()> {
+    pub(crate) fn keep(&mut self, value: &Value, at: Span) -> Eval<()> {
         if matches!(value.data, Data::Float(_)) {
             return self.take(size_of::<Value>(), at);
         }
@@ -366,11 +366,11 @@ impl<'c> Machine<'c> {
     }
 
     /// Runs the body of a loop; returns whether it has left the loop.
-    pub(crate) fn is_left(&mut self, body: &Run) -> Eval<bool> {
+    pub(crate) fn is_left(&mut self, body: &Thunk) -> Eval<bool> {
         self.left = Value::default();
         match body.eval(self) {
-            Err(Stop::Break) => Ok(true),
-            Err(Stop::Continue) | Ok(_) => Ok(false),
+            Err(EarlyExit::Break) => Ok(true),
+            Err(EarlyExit::Continue) | Ok(_) => Ok(false),
             Err(stop) => Err(stop),
         }
     }

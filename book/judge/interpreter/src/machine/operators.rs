@@ -8,12 +8,12 @@ use std::slice;
 
 use common::rtweekend::Vec3;
 
-use super::places::Place;
+use super::places::PlaceExpr;
 use super::value::{Data, Value};
-use super::{Eval, Form, Machine, Spot};
-use crate::operators::{Order, Sign};
-use crate::refusal::{At, Refusal};
-use crate::types::{Head, Type};
+use super::{Eval, ExprForm, ExprInfo, Machine};
+use crate::operators::{ArithOp, CompareOp};
+use crate::refusal::{Refusal, Span};
+use crate::types::{Ctor, Type};
 
 impl Machine<'_> {
     /// Returns a result as floats have it here.
@@ -37,13 +37,13 @@ impl Machine<'_> {
 
     /// Returns what comes out of an operator between two floats.
     #[inline]
-    pub(crate) fn of_floats(&self, sign: Sign, a: f64, b: f64) -> Value {
+    pub(crate) fn of_floats(&self, sign: ArithOp, a: f64, b: f64) -> Value {
         self.rounded(combine(sign, a, b)).into()
     }
 
     /// Returns what comes out of an operator between two values.
     #[inline]
-    pub(crate) fn combined(&mut self, sign: Sign, left: Value, right: Value, at: At) -> Eval {
+    pub(crate) fn combined(&mut self, sign: ArithOp, left: Value, right: Value, at: Span) -> Eval {
         if let (Data::Float(a), Data::Float(b)) = (&left.data, &right.data) {
             let result = self.of_floats(sign, *a, *b);
             // They have nothing to drop.
@@ -54,7 +54,7 @@ impl Machine<'_> {
     }
 
     #[inline(never)]
-    fn rarely_combined(&mut self, sign: Sign, left: Value, right: Value, at: At) -> Eval {
+    fn rarely_combined(&mut self, sign: ArithOp, left: Value, right: Value, at: Span) -> Eval {
         let vector = |own: &Self, a, b| Ok(own.all_rounded(combine(sign, a, b)).into());
         match (&left.data, &right.data) {
             (Data::Vec3(a), Data::Vec3(b)) => vector(self, *a, *b),
@@ -62,7 +62,7 @@ impl Machine<'_> {
             (Data::Float(a), Data::Vec3(b)) => vector(self, Vec3::splat(*a), *b),
             (Data::Single(a), Data::Single(b)) => Ok(combine(sign, *a, *b).into()),
             (Data::Str(a), Data::Str(b))
-                if sign == Sign::Plus && left.lent == 0 && right.lent > 0 =>
+                if sign == ArithOp::Plus && left.lent == 0 && right.lent > 0 =>
             {
                 self.take(a.len() + b.len(), at)?;
                 Ok(Value::str(format!("{a}{b}")))
@@ -86,22 +86,22 @@ impl Machine<'_> {
         }
     }
 
-    fn integer(&mut self, sign: Sign, a: i128, b: i128, at: At) -> Eval<i128> {
+    fn integer(&mut self, sign: ArithOp, a: i128, b: i128, at: Span) -> Eval<i128> {
         Ok(match sign {
-            Sign::Over if b == 0 => return self.panic(at, "attempt to divide by zero"),
-            Sign::Remainder if b == 0 => {
+            ArithOp::Over if b == 0 => return self.panic(at, "attempt to divide by zero"),
+            ArithOp::Remainder if b == 0 => {
                 let message = "attempt to calculate the remainder with a divisor of zero";
                 return self.panic(at, message);
             }
-            Sign::Times => a.saturating_mul(b),
+            ArithOp::Times => a.saturating_mul(b),
             sign => combine(sign, a, b),
         })
     }
 
     /// Returns the reader's function for an operator between these values.
-    fn operator(&self, sign: Sign, is_assignment: bool, values: [&Value; 2]) -> Option<usize> {
+    fn operator(&self, sign: ArithOp, is_assignment: bool, values: [&Value; 2]) -> Option<usize> {
         let names = &self.code.names;
-        let is_it = |it: &&(Sign, bool, usize)| {
+        let is_it = |it: &&(ArithOp, bool, usize)| {
             let wanted = &names.functions[it.2].parameters;
             let left = match is_assignment {
                 true => wanted[0].inner(),
@@ -117,18 +117,18 @@ impl Machine<'_> {
     /// Stops since these two do not go together.
     fn no_operator<T>(
         &mut self,
-        sign: Sign,
+        sign: ArithOp,
         is_assignment: bool,
         values: [&Value; 2],
-        at: At,
+        at: Span,
     ) -> Eval<T> {
-        let heads = values.map(|it| it.data.head());
-        if heads.contains(&Head::F32) && heads.contains(&Head::F64) {
+        let heads = values.map(|it| it.data.ctor());
+        if heads.contains(&Ctor::F32) && heads.contains(&Ctor::F64) {
             return self.unread(at, "a number that may be an `f32` or an `f64`");
         }
         let [one, other] = values.map(|it| self.named(it));
-        let is_integer = |it: &Head| matches!(it, Head::Int(_));
-        let is_number = |it: &Head| is_integer(it) || matches!(it, Head::F64 | Head::Vec3);
+        let is_integer = |it: &Ctor| matches!(it, Ctor::Int(_));
+        let is_number = |it: &Ctor| is_integer(it) || matches!(it, Ctor::F64 | Ctor::Vec3);
         let is_mixed = is_integer(&heads[0]) != is_integer(&heads[1]);
         let help = if !(is_mixed && heads.iter().all(is_number)) {
             ""
@@ -143,10 +143,10 @@ impl Machine<'_> {
     /// Changes a place, as `+=` and the like do.
     pub(crate) fn updated(
         &mut self,
-        place: &Place,
-        sign: Sign,
+        place: &PlaceExpr,
+        sign: ArithOp,
         right: Value,
-        (right_spot, at): (Spot, At),
+        (right_spot, at): (ExprInfo, Span),
     ) -> Eval {
         self.may_change(place)?;
         let address = (place.address)(self)?;
@@ -167,7 +167,7 @@ impl Machine<'_> {
             _ if left.lent > 0 => return self.no_operator(sign, true, [&left, &right], at),
             _ => {}
         }
-        let [left, right] = alike([left, right], [false, right_spot.form == Form::Float]);
+        let [left, right] = alike([left, right], [false, right_spot.form == ExprForm::Float]);
         let result = self.combined(sign, left.clone(), right.clone(), at)?;
         if !result.is_like(&left) {
             return self.no_operator(sign, true, [&left, &right], at);
@@ -178,7 +178,7 @@ impl Machine<'_> {
     }
 
     /// Adds to a text in its place.
-    pub(crate) fn append(&mut self, text: &Value, more: &str, at: At) -> Eval {
+    pub(crate) fn append(&mut self, text: &Value, more: &str, at: Span) -> Eval {
         self.take(more.len(), at)?;
         self.change(text, |text| {
             if let Data::Str(text) = &mut text.data {
@@ -189,7 +189,7 @@ impl Machine<'_> {
     }
 
     /// Returns what comes out of an operator on bits: a `^` is meant as a power.
-    pub(crate) fn bits(&mut self, sign: &str, values: [Value; 2], at: At) -> Eval {
+    pub(crate) fn bits(&mut self, sign: &str, values: [Value; 2], at: Span) -> Eval {
         if let [Data::Bool(one), Data::Bool(other)] = [&values[0].data, &values[1].data] {
             let truth = match sign {
                 "&" => one & other,
@@ -210,7 +210,7 @@ impl Machine<'_> {
     }
 
     /// Returns the opposite of a truth.
-    pub(crate) fn not(&mut self, value: &Value, at: At) -> Eval {
+    pub(crate) fn not(&mut self, value: &Value, at: Span) -> Eval {
         match self.end_of(value).data {
             Data::Bool(it) => Ok((!it).into()),
             Data::Int(..) => self.unread(at, "`!` of integers"),
@@ -219,7 +219,7 @@ impl Machine<'_> {
     }
 
     /// Returns a value with the other sign.
-    pub(crate) fn negated(&mut self, value: &Value, at: At) -> Eval {
+    pub(crate) fn negated(&mut self, value: &Value, at: Span) -> Eval {
         Ok(match &value.data {
             Data::Float(it) => (-it).into(),
             Data::Vec3(it) => (-*it).into(),
@@ -240,17 +240,17 @@ impl Machine<'_> {
         })
     }
 
-    fn no_unary(&mut self, sign: &str, value: &Value, at: At) -> Eval {
+    fn no_unary(&mut self, sign: &str, value: &Value, at: Span) -> Eval {
         let name = self.named(value);
         let message = format!("cannot apply unary operator `{sign}` to type `{name}`");
         self.wrong(at, message, "")
     }
 
     /// Converts a value as `as` does.
-    pub(crate) fn cast(&mut self, value: &Value, ty: &Type, at: At) -> Eval {
+    pub(crate) fn cast(&mut self, value: &Value, ty: &Type, at: Span) -> Eval {
         let cast = match ty.0 {
             _ if value.lent > 0 => None,
-            Head::Int(_) | Head::F64 | Head::F32 => value.cast(ty),
+            Ctor::Int(_) | Ctor::F64 | Ctor::F32 => value.cast(ty),
             _ => self.fits(value, ty).then(|| value.clone()),
         };
         match cast {
@@ -266,9 +266,9 @@ impl Machine<'_> {
     #[inline]
     pub(crate) fn compared(
         &mut self,
-        order: Order,
+        order: CompareOp,
         [left, right]: [Value; 2],
-        (at, spot): (At, Spot),
+        (at, spot): (Span, ExprInfo),
     ) -> Eval {
         if let (Data::Float(a), Data::Float(b)) = (&left.data, &right.data)
             && left.lent == right.lent
@@ -281,18 +281,23 @@ impl Machine<'_> {
     }
 
     #[inline(never)]
-    fn rarely_compared(&mut self, order: Order, both: [Value; 2], (at, spot): (At, Spot)) -> Eval {
+    fn rarely_compared(
+        &mut self,
+        order: CompareOp,
+        both: [Value; 2],
+        (at, spot): (Span, ExprInfo),
+    ) -> Eval {
         let [left, right] = both.map(|it| match it.data {
             Data::Mut(_) => self.end_of(&it),
             _ => it,
         });
-        let is_equality = matches!(order, Order::Equal | Order::Unequal);
-        let is_ordered = match left.data.head() {
-            Head::Own(kind) => {
-                is_equality && self.code.names.kinds[kind as usize].derives("PartialEq")
+        let is_equality = matches!(order, CompareOp::Equal | CompareOp::Unequal);
+        let is_ordered = match left.data.ctor() {
+            Ctor::Own(kind) => {
+                is_equality && self.code.names.structs[kind as usize].derives("PartialEq")
             }
-            Head::Fn | Head::Iterator | Head::Picture => false,
-            Head::Vec3 | Head::Ray => is_equality,
+            Ctor::Fn | Ctor::Iterator | Ctor::Picture => false,
+            Ctor::Vec3 | Ctor::Ray => is_equality,
             _ => true,
         };
         let sign = order.sign();
@@ -309,12 +314,12 @@ impl Machine<'_> {
         }
         self.must_be_like(&right, &left, spot)?;
         let is_number = matches!(
-            left.data.head(),
-            Head::Bool | Head::Int(_) | Head::F64 | Head::F32
+            left.data.ctor(),
+            Ctor::Bool | Ctor::Int(_) | Ctor::F64 | Ctor::F32
         );
         match order {
-            Order::Equal => Ok(left.equals(&right).into()),
-            Order::Unequal => Ok((!left.equals(&right)).into()),
+            CompareOp::Equal => Ok(left.equals(&right).into()),
+            CompareOp::Unequal => Ok((!left.equals(&right)).into()),
             order if is_number => Ok(order.holds(left.compared(&right)).into()),
             _ => {
                 let name = self.named(&left);
@@ -345,15 +350,15 @@ pub(crate) fn alike(both: [Value; 2], is_any: [bool; 2]) -> [Value; 2] {
     }
 }
 
-fn combine<T>(sign: Sign, a: T, b: T) -> T
+fn combine<T>(sign: ArithOp, a: T, b: T) -> T
 where
     T: Add<Output = T> + Sub<Output = T> + Mul<Output = T> + Div<Output = T> + Rem<Output = T>,
 {
     match sign {
-        Sign::Plus => a + b,
-        Sign::Minus => a - b,
-        Sign::Times => a * b,
-        Sign::Over => a / b,
-        Sign::Remainder => a % b,
+        ArithOp::Plus => a + b,
+        ArithOp::Minus => a - b,
+        ArithOp::Times => a * b,
+        ArithOp::Over => a / b,
+        ArithOp::Remainder => a % b,
     }
 }

@@ -1,12 +1,12 @@
 //! Addresses: where a place is, what stands there, and changes of it.
 
 use super::value::{Address, Data, Value};
-use super::{Eval, Machine, Spot};
-use crate::refusal::{At, Refusal};
-use crate::types::{Head, Int, Type};
+use super::{Eval, ExprInfo, Machine};
+use crate::refusal::{Refusal, Span};
+use crate::types::{Ctor, Int, Type};
 
 /// Something that can be assigned to: a variable, or a part of one.
-pub(crate) struct Place {
+pub(crate) struct PlaceExpr {
     /// The variable, if it is one by itself.
     pub(crate) local: Option<usize>,
     /// The variable that it is a part of.
@@ -14,25 +14,25 @@ pub(crate) struct Place {
     /// The refusal if that is no mutable reference, since it is not `mut`.
     pub(crate) fixed: Option<Refusal>,
     /// Finds where it is. Mutable references and boxes on the way are followed.
-    pub(crate) address: Box<Find>,
-    pub(crate) at: At,
+    pub(crate) address: Box<AddressFn>,
+    pub(crate) at: Span,
 }
 
-type Find = dyn Fn(&mut Machine<'_>) -> Eval<Address> + Send + Sync;
+type AddressFn = dyn Fn(&mut Machine<'_>) -> Eval<Address> + Send + Sync;
 
 /// A name after a point: which of its fields that is of a value.
-pub(crate) struct Field {
+pub(crate) struct FieldAccess {
     pub(crate) name: String,
-    /// Of each of the reader's kinds, if it may be seen.
+    /// Of each of the reader's structs, if it may be seen.
     pub(crate) own: Box<[Option<u32>]>,
     /// Of a vector, of a ray and of a tuple.
     pub(crate) vec3: Option<usize>,
     pub(crate) ray: Option<usize>,
     pub(crate) number: Option<usize>,
-    pub(crate) at: At,
+    pub(crate) at: Span,
 }
 
-impl Field {
+impl FieldAccess {
     fn of(&self, value: &Data) -> Option<usize> {
         match value {
             Data::Own(kind, _) => self.own[*kind as usize].map(|it| it as usize),
@@ -100,7 +100,7 @@ impl Machine<'_> {
     }
 
     /// Returns where a reference leads to that is to be changed.
-    pub(crate) fn address_behind(&mut self, reference: Value, at: At) -> Eval<Address> {
+    pub(crate) fn address_behind(&mut self, reference: Value, at: Span) -> Eval<Address> {
         match reference.data {
             Data::Mut(address) => Ok(address),
             _ if reference.lent > 0 => self.behind(at),
@@ -110,7 +110,7 @@ impl Machine<'_> {
     }
 
     /// Returns the value behind a reference or in a box.
-    pub(crate) fn dereferenced(&mut self, value: Value, at: At) -> Eval {
+    pub(crate) fn dereferenced(&mut self, value: Value, at: Span) -> Eval {
         match &value.data {
             _ if value.lent > 0 => Ok(Value {
                 lent: value.lent - 1,
@@ -122,13 +122,13 @@ impl Machine<'_> {
         }
     }
 
-    fn no_reference<T>(&mut self, value: &Value, at: At) -> Eval<T> {
+    fn no_reference<T>(&mut self, value: &Value, at: Span) -> Eval<T> {
         let name = self.named(value);
         self.wrong(at, format!("type `{name}` cannot be dereferenced"), "")
     }
 
     /// Checks that a place may be changed: that its variable is `mut`, or a mutable reference.
-    pub(crate) fn may_change(&mut self, place: &Place) -> Eval<()> {
+    pub(crate) fn may_change(&mut self, place: &PlaceExpr) -> Eval<()> {
         let (Some(slot), Some(fixed)) = (place.root, &place.fixed) else {
             return Ok(());
         };
@@ -141,7 +141,7 @@ impl Machine<'_> {
     }
 
     /// Returns what stands at an address that is to be changed, behind references and boxes.
-    pub(crate) fn opened(&mut self, mut address: Address, at: At) -> Eval<(Address, Value)> {
+    pub(crate) fn opened(&mut self, mut address: Address, at: Span) -> Eval<(Address, Value)> {
         loop {
             let value = self.read(&address);
             if value.lent > 0 {
@@ -156,13 +156,13 @@ impl Machine<'_> {
     }
 
     /// Stops since a shared reference does not let its value be changed.
-    pub(crate) fn behind<T>(&mut self, at: At) -> Eval<T> {
+    pub(crate) fn behind<T>(&mut self, at: Span) -> Eval<T> {
         let message = "cannot change this, as it is behind a `&` reference";
         self.wrong(at, message, "`&mut` instead of `&`")
     }
 
     /// Returns a mutable reference to a place.
-    pub(crate) fn borrowed(&mut self, place: &Place) -> Eval {
+    pub(crate) fn borrowed(&mut self, place: &PlaceExpr) -> Eval {
         self.may_change(place)?;
         let address = (place.address)(self)?;
         if place.local.is_none() && self.read(&address).lent > 0 {
@@ -172,7 +172,7 @@ impl Machine<'_> {
     }
 
     /// Puts a value in the place of another of its type.
-    pub(crate) fn put(&mut self, place: &Place, new: Value, spot: Spot) -> Eval {
+    pub(crate) fn put(&mut self, place: &PlaceExpr, new: Value, spot: ExprInfo) -> Eval {
         if let Some(slot) = place.local.map(|it| self.base + it)
             && new.is_like(&self.stack[slot])
         {
@@ -191,11 +191,11 @@ impl Machine<'_> {
     }
 
     /// Returns the parts of a tuple of so many.
-    pub(crate) fn parted(&mut self, value: &Value, count: usize, at: At) -> Eval<Vec<Value>> {
+    pub(crate) fn parted(&mut self, value: &Value, count: usize, at: Span) -> Eval<Vec<Value>> {
         match &value.data {
             Data::Tuple(all) if all.len() == count => Ok(all.to_vec()),
             _ => {
-                let wanted = Type(Head::Tuple, vec![Type::UNKNOWN; count]);
+                let wanted = Type(Ctor::Tuple, vec![Type::UNKNOWN; count]);
                 self.mismatch(value, &wanted, at.into())
             }
         }
@@ -203,7 +203,7 @@ impl Machine<'_> {
 
     /// Returns a part of a variable, without a copy of the whole.
     #[inline]
-    pub(crate) fn field_of_local(&mut self, slot: usize, field: &Field) -> Eval {
+    pub(crate) fn field_of_local(&mut self, slot: usize, field: &FieldAccess) -> Eval {
         match plain_field(&self.stack[self.base + slot], field) {
             Some(part) => Ok(part),
             None => self.field(self.local(slot), field),
@@ -211,7 +211,7 @@ impl Machine<'_> {
     }
 
     /// Returns a part of a value, behind references and boxes.
-    pub(crate) fn field(&mut self, value: Value, field: &Field) -> Eval {
+    pub(crate) fn field(&mut self, value: Value, field: &FieldAccess) -> Eval {
         if let Some(part) = plain_field(&value, field) {
             return Ok(part);
         }
@@ -223,28 +223,28 @@ impl Machine<'_> {
     }
 
     /// Returns the number of a field of a value.
-    pub(crate) fn number(&mut self, value: &Value, field: &Field) -> Eval<usize> {
+    pub(crate) fn number(&mut self, value: &Value, field: &FieldAccess) -> Eval<usize> {
         match field.of(&value.data) {
             Some(n) => Ok(n),
             None => self.no_field(value, field),
         }
     }
 
-    fn no_field<T>(&mut self, value: &Value, field: &Field) -> Eval<T> {
+    fn no_field<T>(&mut self, value: &Value, field: &FieldAccess) -> Eval<T> {
         let ty = self.ty(value);
         let refusal = self.code.names.no_field(&field.name, &ty, field.at);
         self.refused(refusal)
     }
 
     /// Returns a part of a list by its number.
-    pub(crate) fn indexed(&mut self, list: &Value, index: &Value, at: At) -> Eval {
+    pub(crate) fn indexed(&mut self, list: &Value, index: &Value, at: Span) -> Eval {
         let list = self.unboxed(list);
         let n = self.index(&list, index, at)?;
         Ok(list.part(n))
     }
 
     /// Returns the number of a part of a list, if it has that one.
-    pub(crate) fn index(&mut self, list: &Value, index: &Value, at: At) -> Eval<usize> {
+    pub(crate) fn index(&mut self, list: &Value, index: &Value, at: Span) -> Eval<usize> {
         let length = match &list.data {
             Data::List(list) => list.all.len(),
             Data::Vec3(_) => 3,
@@ -272,7 +272,7 @@ impl Machine<'_> {
 }
 
 #[inline]
-fn plain_field(value: &Value, field: &Field) -> Option<Value> {
+fn plain_field(value: &Value, field: &FieldAccess) -> Option<Value> {
     match &value.data {
         Data::Own(kind, fields) => field.own[*kind as usize].map(|n| fields[n as usize].clone()),
         Data::Vec3(vector) => field.vec3.map(|n| vector[n].into()),

@@ -13,8 +13,8 @@ use common::rtweekend::{Camera, Picture, Ray, Vec3};
 
 use super::iter::Iter;
 use super::{Closure, Native};
-use crate::refusal::At;
-use crate::types::{Head, Int, Type};
+use crate::refusal::Span;
+use crate::types::{Ctor, Int, Type};
 
 #[derive(Clone, Default)]
 pub(crate) struct Value {
@@ -28,7 +28,7 @@ pub(crate) enum Data {
     #[default]
     Unit,
     Bool(bool),
-    Int(Whole, Int),
+    Int(PackedInt, Int),
     Float(f64),
     Single(f32),
     Vec3(Vec3),
@@ -43,13 +43,13 @@ pub(crate) enum Data {
     /// One of the reader's structs, and its fields.
     Own(u32, Rc<[Value]>),
     Tuple(Rc<[Value]>),
-    List(Rc<List>),
+    List(Rc<ListValue>),
     /// From there to there, or on and on, and whether the end is part of it.
     Range(Rc<[Value; 2]>, bool),
     Iter(Rc<RefCell<Iter>>),
     Mut(Address),
     /// A closure, and the frame that it looks at or has taken along.
-    Closure(Arc<Closure>, Frame),
+    Closure(Arc<Closure>, Captures),
     Function(usize),
     Native(&'static Native),
 }
@@ -58,9 +58,9 @@ pub(crate) enum Data {
 /// vector.
 #[derive(Clone, Copy)]
 #[repr(C, packed(8))]
-pub(crate) struct Whole(i128);
+pub(crate) struct PackedInt(i128);
 
-impl Whole {
+impl PackedInt {
     pub(crate) fn get(self) -> i128 {
         self.0
     }
@@ -68,7 +68,7 @@ impl Whole {
 
 /// A vector or an array, and of which type its parts are said to be.
 #[derive(Clone, Default)]
-pub(crate) struct List {
+pub(crate) struct ListValue {
     pub(crate) all: Vec<Value>,
     pub(crate) of: Type,
     pub(crate) is_array: bool,
@@ -99,18 +99,18 @@ impl Address {
 }
 
 #[derive(Clone)]
-pub(crate) enum Frame {
+pub(crate) enum Captures {
     /// The first slot of its function's frame, and how many slots that has.
-    At(u32, u32),
-    Taken(Rc<Vec<Value>>),
+    Borrowed(u32, u32),
+    Moved(Rc<Vec<Value>>),
 }
 
 /// A function or a finished picture that colors pixels.
 pub(crate) enum Brush {
     /// A function of column and row, and where it is given.
-    Pixel(Value, At),
+    Pixel(Value, Span),
     /// A function of the ray that our camera casts.
-    Ray(Camera, Value, At),
+    Ray(Camera, Value, Span),
     /// A reader's `ray_color`, with a world if it takes one.
     Role(Camera, usize, Option<Value>),
     /// One that is drawn already.
@@ -148,7 +148,7 @@ macro_rules! taken {
         pub(crate) fn $name(&self) -> $ty {
             match &self.data {
                 Data::$variant(it, ..) => it.clone(),
-                other => unreachable!("types are checked, and this is {:?}", other.head()),
+                other => unreachable!("types are checked, and this is {:?}", other.ctor()),
             }
         }
     };
@@ -158,7 +158,7 @@ impl Value {
     taken!(truth, Bool, bool);
     taken!(vec3, Vec3, Vec3);
     taken!(ray, Ray, Rc<Ray>);
-    taken!(list, List, Rc<List>);
+    taken!(list, List, Rc<ListValue>);
     taken!(ordering, Ordering, Ordering);
     taken!(text, Str, Rc<String>);
 
@@ -167,19 +167,19 @@ impl Value {
             Data::Float(it) => it,
             Data::Single(it) => it.into(),
             Data::Int(it, _) => it.get() as f64,
-            ref other => unreachable!("types are checked, and this is {:?}", other.head()),
+            ref other => unreachable!("types are checked, and this is {:?}", other.ctor()),
         }
     }
 
     pub(crate) fn int(&self) -> i128 {
         match self.data {
             Data::Int(it, _) => it.get(),
-            ref other => unreachable!("types are checked, and this is {:?}", other.head()),
+            ref other => unreachable!("types are checked, and this is {:?}", other.ctor()),
         }
     }
 
     pub(crate) fn whole(number: i128, int: Int) -> Self {
-        Data::Int(Whole(number), int).into()
+        Data::Int(PackedInt(number), int).into()
     }
 
     pub(crate) fn usize(number: usize) -> Self {
@@ -192,7 +192,7 @@ impl Value {
 
     pub(crate) fn listed(all: Vec<Self>, is_array: bool) -> Self {
         let of = Type::UNKNOWN;
-        Data::List(Rc::new(List { all, of, is_array })).into()
+        Data::List(Rc::new(ListValue { all, of, is_array })).into()
     }
 
     pub(crate) fn vector(all: Vec<Self>) -> Self {
@@ -243,7 +243,7 @@ impl Value {
             Data::Vec3(vector) => vector[n].into(),
             Data::Ray(ray) => [ray.origin, ray.direction][n].into(),
             Data::Some(it) | Data::Box(it) => (**it).clone(),
-            other => unreachable!("types are checked, and {:?} has no parts", other.head()),
+            other => unreachable!("types are checked, and {:?} has no parts", other.ctor()),
         }
     }
 
@@ -270,14 +270,14 @@ impl Value {
                 let ray = Rc::make_mut(ray);
                 *[&mut ray.origin, &mut ray.direction][first] = part.vec3();
             }
-            other => unreachable!("types are checked, and {:?} has no parts", other.head()),
+            other => unreachable!("types are checked, and {:?} has no parts", other.ctor()),
         }
     }
 
     /// Finds whether its type may be that of another, as far as they show it.
     pub(crate) fn is_like(&self, other: &Self) -> bool {
-        let is_same = match (self.data.head(), other.data.head()) {
-            (Head::Int(one), Head::Int(other)) => one.joined(other).is_some(),
+        let is_same = match (self.data.ctor(), other.data.ctor()) {
+            (Ctor::Int(one), Ctor::Int(other)) => one.joined(other).is_some(),
             (one, other) => one == other,
         };
         let parts = match (&self.data, &other.data) {
@@ -329,16 +329,16 @@ impl Value {
     /// cuts integers off.
     pub(crate) fn cast(&self, ty: &Type) -> Option<Self> {
         Some(match (&self.data, ty.0) {
-            (Data::Float(_) | Data::Single(_), Head::Int(int)) => {
+            (Data::Float(_) | Data::Single(_), Ctor::Int(int)) => {
                 let (least, most) = int.ends();
                 Self::whole((self.float() as i128).clamp(least, most), int)
             }
-            (Data::Int(it, _), Head::Int(int)) => Self::whole(int.wrapped(it.get()), int),
-            (Data::Bool(it), Head::Int(int)) => Self::whole((*it).into(), int),
-            (Data::Int(it, _), Head::F32) => (it.get() as f32).into(),
-            (Data::Float(_) | Data::Single(_) | Data::Int(..), Head::F64) => self.float().into(),
-            (Data::Float(it), Head::F32) => (*it as f32).into(),
-            (Data::Single(it), Head::F32) => (*it).into(),
+            (Data::Int(it, _), Ctor::Int(int)) => Self::whole(int.wrapped(it.get()), int),
+            (Data::Bool(it), Ctor::Int(int)) => Self::whole((*it).into(), int),
+            (Data::Int(it, _), Ctor::F32) => (it.get() as f32).into(),
+            (Data::Float(_) | Data::Single(_) | Data::Int(..), Ctor::F64) => self.float().into(),
+            (Data::Float(it), Ctor::F32) => (*it as f32).into(),
+            (Data::Single(it), Ctor::F32) => (*it).into(),
             _ => return None,
         })
     }
@@ -346,27 +346,27 @@ impl Value {
 
 impl Data {
     /// Returns what its type is apart from those that it is made of.
-    pub(crate) fn head(&self) -> Head {
+    pub(crate) fn ctor(&self) -> Ctor {
         match self {
-            Data::Bool(_) => Head::Bool,
-            Data::Int(_, int) => Head::Int(*int),
-            Data::Float(_) => Head::F64,
-            Data::Single(_) => Head::F32,
-            Data::Vec3(_) => Head::Vec3,
-            Data::Ray(_) => Head::Ray,
-            Data::Picture(_) => Head::Picture,
-            Data::Str(_) => Head::Str,
-            Data::Ordering(_) => Head::Ordering,
-            Data::None | Data::Some(_) => Head::Option,
-            Data::Box(_) => Head::Box,
-            Data::Own(kind, _) => Head::Own(*kind),
-            Data::Unit | Data::Tuple(_) => Head::Tuple,
-            Data::List(list) if list.is_array => Head::Array(list.all.len()),
-            Data::List(_) => Head::Vec,
-            Data::Range(..) => Head::Range,
-            Data::Iter(_) => Head::Iterator,
-            Data::Mut(_) => Head::RefMut,
-            Data::Closure(..) | Data::Function(_) | Data::Native(_) => Head::Fn,
+            Data::Bool(_) => Ctor::Bool,
+            Data::Int(_, int) => Ctor::Int(*int),
+            Data::Float(_) => Ctor::F64,
+            Data::Single(_) => Ctor::F32,
+            Data::Vec3(_) => Ctor::Vec3,
+            Data::Ray(_) => Ctor::Ray,
+            Data::Picture(_) => Ctor::Picture,
+            Data::Str(_) => Ctor::Str,
+            Data::Ordering(_) => Ctor::Ordering,
+            Data::None | Data::Some(_) => Ctor::Option,
+            Data::Box(_) => Ctor::Box,
+            Data::Own(kind, _) => Ctor::Own(*kind),
+            Data::Unit | Data::Tuple(_) => Ctor::Tuple,
+            Data::List(list) if list.is_array => Ctor::Array(list.all.len()),
+            Data::List(_) => Ctor::Vec,
+            Data::Range(..) => Ctor::Range,
+            Data::Iter(_) => Ctor::Iterator,
+            Data::Mut(_) => Ctor::RefMut,
+            Data::Closure(..) | Data::Function(_) | Data::Native(_) => Ctor::Fn,
         }
     }
 }

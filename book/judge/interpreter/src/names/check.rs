@@ -1,14 +1,12 @@
 //! Item checks: that implementations have what their traits promise, and that structs end.
 
-use super::{Names, Signature};
+use super::{Names, Resolved, Signature};
 use crate::refusal::Refusal;
-use crate::types::{Head, Type};
-
-type Checked = Result<(), Refusal>;
+use crate::types::{Ctor, Type};
 
 impl Names {
     /// Checks that each implementation of a trait has what that promises, and nothing else.
-    pub(super) fn are_traits_complete(&self) -> Checked {
+    pub(super) fn are_traits_complete(&self) -> Resolved {
         let wrong = |at, message| Err(Refusal::new(at, message, "", ""));
         for own in &self.functions {
             let Some(of) = own.in_trait.map(|it| &self.traits[it]) else {
@@ -46,23 +44,23 @@ impl Names {
     }
 
     /// Checks that no struct is a part of itself.
-    pub(super) fn do_structs_end(&self) -> Checked {
-        for (n, kind) in self.kinds.iter().enumerate() {
-            let (own, mut known) = (Head::Own(n as u32), Vec::new());
+    pub(super) fn do_structs_end(&self) -> Resolved {
+        for (n, kind) in self.structs.iter().enumerate() {
+            let (own, mut known) = (Ctor::Own(n as u32), Vec::new());
             let mut parts: Vec<&Type> = kind.fields.iter().map(|it| &it.ty).collect();
             while let Some(ty) = parts.pop() {
                 match ty.0 {
-                    head if head == own => {
+                    ctor if ctor == own => {
                         let message = format!("recursive type `{}` has infinite size", kind.name);
                         let help = "a `Box` around the part makes an end";
                         return Err(Refusal::new(kind.at, message, "", help));
                     }
-                    Head::Own(part) if !known.contains(&part) => {
+                    Ctor::Own(part) if !known.contains(&part) => {
                         known.push(part);
-                        let fields = &self.kinds[part as usize].fields;
+                        let fields = &self.structs[part as usize].fields;
                         parts.extend(fields.iter().map(|it| &it.ty));
                     }
-                    Head::Option | Head::Tuple | Head::Array(_) => parts.extend(&ty.1),
+                    Ctor::Option | Ctor::Tuple | Ctor::Array(_) => parts.extend(&ty.1),
                     _ => {}
                 }
             }
@@ -75,8 +73,8 @@ impl Signature {
     fn is_as_promised(&self, promised: &Self) -> bool {
         // A `self` may be the type itself, or be behind a reference.
         let on = |it: &Self| match it.parameters.first().filter(|_| it.has_self)?.0 {
-            head @ (Head::Ref | Head::RefMut) => Some(head),
-            _ => Some(Head::Unknown),
+            ctor @ (Ctor::Ref | Ctor::RefMut) => Some(ctor),
+            _ => Some(Ctor::Unknown),
         };
         let rest = |it: &Self| it.parameters[usize::from(it.has_self)..].to_vec();
         (on(self), rest(self), &self.result) == (on(promised), rest(promised), &promised.result)

@@ -2,17 +2,15 @@
 
 use std::mem;
 
-use super::{Context, Field, Module, Named, Names, Signature, names};
-use crate::operators::Sign;
+use super::{FieldDef, Meaning, Module, Names, Resolved, Signature, TypeScope, names};
+use crate::operators::ArithOp;
 use crate::read::at;
-use crate::refusal::{At, Refusal};
-use crate::types::{Head, Type};
-
-pub(super) type Read<T = ()> = Result<T, Refusal>;
+use crate::refusal::{Refusal, Span};
+use crate::types::{Ctor, Type};
 
 /// The tree of a function's body, or of a constant's value.
 #[derive(Clone, Copy)]
-pub(crate) enum Inside<'a> {
+pub(crate) enum ItemBody<'a> {
     Function(&'a syn::Signature, &'a syn::Block),
     Constant(&'a syn::Expr),
 }
@@ -21,7 +19,7 @@ pub(crate) enum Inside<'a> {
 /// first. Of each function what is in it, if anything is.
 pub(crate) fn collect<'a>(
     files: &'a [(String, syn::File)],
-) -> Result<(Names, Vec<Option<Inside<'a>>>), Vec<Refusal>> {
+) -> Result<(Names, Vec<Option<ItemBody<'a>>>), Vec<Refusal>> {
     let mut collector = Collector {
         files,
         names: Names::default(),
@@ -52,15 +50,15 @@ pub(super) struct Collector<'a> {
     /// Each with its module.
     pub(super) items: Vec<(usize, &'a syn::Item)>,
     /// The paths of all imports, each with its module and its place.
-    pub(super) imports: Vec<(usize, Vec<String>, At)>,
+    pub(super) imports: Vec<(usize, Vec<String>, Span)>,
     /// Functions that declare something, and the modules that they are.
     pub(super) blocks: Vec<(&'a syn::Block, usize)>,
-    pub(super) bodies: Vec<Option<Inside<'a>>>,
+    pub(super) bodies: Vec<Option<ItemBody<'a>>>,
     pub(super) faults: Vec<Refusal>,
 }
 
 impl<'a> Collector<'a> {
-    pub(super) fn at(&self, module: usize, it: &impl syn::spanned::Spanned) -> At {
+    pub(super) fn at(&self, module: usize, it: &impl syn::spanned::Spanned) -> Span {
         at(self.names.modules[module].file, it)
     }
 
@@ -76,7 +74,7 @@ impl<'a> Collector<'a> {
     /// Finds what all names mean, now that all are known.
     fn define(&mut self) {
         let items = mem::take(&mut self.items);
-        let each = |own: &mut Self, work: fn(&mut Self, usize, &'a syn::Item) -> Read| {
+        let each = |own: &mut Self, work: fn(&mut Self, usize, &'a syn::Item) -> Resolved| {
             for &(module, item) in &items {
                 let done = work(own, module, item);
                 own.faults.extend(done.err());
@@ -104,20 +102,20 @@ impl<'a> Collector<'a> {
         }
     }
 
-    fn alias(&mut self, module: usize, item: &'a syn::Item) -> Read {
+    fn alias(&mut self, module: usize, item: &'a syn::Item) -> Resolved {
         let syn::Item::Type(it) = item else {
             return Ok(());
         };
-        let ty = self.names.ty(&Context::of(module), &it.ty)?;
+        let ty = self.names.ty(&TypeScope::of(module), &it.ty)?;
         let names = &mut self.names.modules[module].names;
         let entry = names.get_mut(&it.ident.to_string());
-        entry.expect("it was declared").named = Named::Type(ty);
+        entry.expect("it was declared").named = Meaning::Type(ty);
         Ok(())
     }
 
     /// Reads the types of an item's parts.
-    fn item(&mut self, module: usize, item: &'a syn::Item) -> Read {
-        let context = Context::of(module);
+    fn item(&mut self, module: usize, item: &'a syn::Item) -> Resolved {
+        let context = TypeScope::of(module);
         match item {
             syn::Item::Struct(it) => self.fields(&context, it),
             syn::Item::Trait(it) => self.promises(context, it),
@@ -139,25 +137,25 @@ impl<'a> Collector<'a> {
         }
     }
 
-    fn declared(&self, module: usize, name: &syn::Ident) -> Named {
+    fn declared(&self, module: usize, name: &syn::Ident) -> Meaning {
         let names = &self.names.modules[module].names;
         names[&name.to_string()].named.clone()
     }
 
     fn number(&self, module: usize, name: &syn::Ident) -> usize {
         match self.declared(module, name) {
-            Named::Function(number) => number,
+            Meaning::Function(number) => number,
             other => unreachable!("it was declared as a function, and not as {other:?}"),
         }
     }
 
-    fn promises(&mut self, context: Context, it: &'a syn::ItemTrait) -> Read {
-        let Named::Trait(own) = self.declared(context.module, &it.ident) else {
+    fn promises(&mut self, context: TypeScope, it: &'a syn::ItemTrait) -> Resolved {
+        let Meaning::Trait(own) = self.declared(context.module, &it.ident) else {
             return Ok(());
         };
         let module = context.module;
-        let context = Context {
-            own: Some(Head::Dyn(own).into()),
+        let context = TypeScope {
+            own: Some(Ctor::Dyn(own).into()),
             ..context
         };
         for item in &it.items {
@@ -174,19 +172,20 @@ impl<'a> Collector<'a> {
         Ok(())
     }
 
-    fn fields(&mut self, context: &Context, it: &syn::ItemStruct) -> Read {
-        let Named::Type(Type(Head::Own(own), _)) = self.declared(context.module, &it.ident) else {
+    fn fields(&mut self, context: &TypeScope, it: &syn::ItemStruct) -> Resolved {
+        let Meaning::Type(Type(Ctor::Own(own), _)) = self.declared(context.module, &it.ident)
+        else {
             return Ok(());
         };
         let fields = it.fields.iter().enumerate().map(|(n, field)| {
             let name = field.ident.as_ref();
-            Ok(Field {
+            Ok(FieldDef {
                 name: name.map_or(n.to_string(), ToString::to_string),
                 ty: self.names.ty(context, &field.ty)?,
                 is_public: is_public(&field.vis),
             })
         });
-        self.names.kinds[own as usize].fields = fields.collect::<Read<_>>()?;
+        self.names.structs[own as usize].fields = fields.collect::<Resolved<_>>()?;
         Ok(())
     }
 
@@ -194,11 +193,11 @@ impl<'a> Collector<'a> {
     fn put(
         &mut self,
         number: usize,
-        context: &Context,
+        context: &TypeScope,
         it: &'a syn::Signature,
         block: Option<&'a syn::Block>,
         is_public: bool,
-    ) -> Read {
+    ) -> Resolved {
         let mut signature = self.names.signature(context, it)?;
         let is_it = |own: &&(&syn::Block, usize)| block.is_some_and(|it| std::ptr::eq(it, own.0));
         if let Some((_, module)) = self.blocks.iter().find(is_it) {
@@ -206,17 +205,17 @@ impl<'a> Collector<'a> {
         }
         signature.is_public = is_public;
         self.names.functions[number] = signature;
-        self.bodies[number] = block.map(|block| Inside::Function(it, block));
+        self.bodies[number] = block.map(|block| ItemBody::Function(it, block));
         Ok(())
     }
 
     fn method(
         &mut self,
-        context: &Context,
+        context: &TypeScope,
         it: &'a syn::Signature,
         block: Option<&'a syn::Block>,
         is_public: bool,
-    ) -> Read<usize> {
+    ) -> Resolved<usize> {
         self.function();
         let number = self.names.functions.len() - 1;
         self.put(number, context, it, block, is_public)?;
@@ -226,10 +225,10 @@ impl<'a> Collector<'a> {
     fn constant(
         &mut self,
         number: usize,
-        context: &Context,
+        context: &TypeScope,
         name: &syn::Ident,
         (ty, value): (&syn::Type, &'a syn::Expr),
-    ) -> Read {
+    ) -> Resolved {
         self.names.functions[number] = Signature {
             name: name.to_string(),
             module: context.module,
@@ -241,22 +240,22 @@ impl<'a> Collector<'a> {
             result: self.names.ty(context, ty)?,
             ..Signature::default()
         };
-        self.bodies[number] = Some(Inside::Constant(value));
+        self.bodies[number] = Some(ItemBody::Constant(value));
         Ok(())
     }
 
-    fn implementation(&mut self, context: Context, it: &'a syn::ItemImpl) -> Read {
+    fn implementation(&mut self, context: TypeScope, it: &'a syn::ItemImpl) -> Resolved {
         let module = context.module;
         self.no_generics(module, &it.generics)?;
         let own = self.names.ty(&context, &it.self_ty)?;
         let (mut in_trait, mut in_standard) = (None, None);
         if let Some((path, _)) = &it.trait_ {
             match self.names.found(module, &names(path)) {
-                Ok(Named::Trait(found)) => {
+                Ok(Meaning::Trait(found)) => {
                     self.names.traits[found].implemented_for.push(own.clone());
                     in_trait = Some(found);
                 }
-                Ok(Named::Standard(name)) => in_standard = Some(name),
+                Ok(Meaning::Standard(name)) => in_standard = Some(name),
                 Err(lost) => {
                     let (at, path) = (self.at(module, path), names(path));
                     return Err(self.names.not_found(module, at, "trait", &path, lost));
@@ -264,7 +263,7 @@ impl<'a> Collector<'a> {
                 Ok(_) => return Err(self.unread(module, path, "this trait")),
             }
         }
-        let mut context = Context {
+        let mut context = TypeScope {
             own: Some(own),
             ..context
         };
@@ -309,36 +308,36 @@ impl<'a> Collector<'a> {
         for (n, own) in names.functions.iter().enumerate() {
             match (own.in_standard.as_deref(), own.of.as_ref().map(|it| it.0)) {
                 (Some("Neg"), _) => names.negations.push(n),
-                (Some("Default"), Some(Head::Own(kind))) => {
-                    names.kinds[kind as usize].default = Some(n);
+                (Some("Default"), Some(Ctor::Own(kind))) => {
+                    names.structs[kind as usize].default = Some(n);
                 }
                 (Some(name), _) => {
                     let plain = name.trim_end_matches("Assign");
-                    let sign = Sign::of_trait(plain);
+                    let sign = ArithOp::of_trait(plain);
                     let operator = sign.map(|it| (it, plain != name, n));
                     names.operators.extend(operator);
                 }
-                (None, Some(Head::Own(kind))) if own.name == "default" => {
-                    names.kinds[kind as usize].default = Some(n);
+                (None, Some(Ctor::Own(kind))) if own.name == "default" => {
+                    names.structs[kind as usize].default = Some(n);
                 }
                 _ => {}
             }
         }
         // Vectors are what a ray is made of, and that is what `ray_color` takes.
         let own_kind = |ty: Option<&Type>| match ty?.stripped().0 {
-            Head::Own(kind) => Some(kind),
+            Ctor::Own(kind) => Some(kind),
             _ => None,
         };
         let mut functions = names.functions.iter();
         let ray_color = functions.find(|it| it.name == "ray_color" && it.of.is_none());
         names.own_ray = ray_color.and_then(|it| own_kind(it.parameters.first()));
         names.own_vec3 = names.own_ray.and_then(|ray| {
-            let first = names.kinds[ray as usize].fields.first();
+            let first = names.structs[ray as usize].fields.first();
             own_kind(first.map(|it| &it.ty))
         });
     }
 
-    pub(super) fn no_generics(&self, module: usize, generics: &syn::Generics) -> Read {
+    pub(super) fn no_generics(&self, module: usize, generics: &syn::Generics) -> Resolved {
         let mut parameters = generics.params.iter();
         match parameters.find(|it| !matches!(it, syn::GenericParam::Lifetime(_))) {
             None => Ok(()),

@@ -1,9 +1,9 @@
 //! Declaration pass: which names the items of the trees declare, before any type is read.
 
-use super::{Entry, Kind, Module, Named, Signature, Trait, module_key};
-use crate::names::collect::{Collector, Read, is_public, is_test};
+use super::{Entry, Meaning, Module, Resolved, Signature, StructDef, TraitDef, module_key};
+use crate::names::collect::{Collector, is_public, is_test};
 use crate::refusal::Refusal;
-use crate::types::{Head, Type};
+use crate::types::{Ctor, Type};
 
 impl<'a> Collector<'a> {
     pub(super) fn module(
@@ -23,7 +23,7 @@ impl<'a> Collector<'a> {
         own
     }
 
-    fn declare(&mut self, module: usize, item: &'a syn::Item) -> Read {
+    fn declare(&mut self, module: usize, item: &'a syn::Item) -> Resolved {
         let (name, visibility, named) = match item {
             syn::Item::Struct(it) => {
                 self.no_generics(module, &it.generics)?;
@@ -32,10 +32,10 @@ impl<'a> Collector<'a> {
             }
             syn::Item::Trait(it) => {
                 self.no_generics(module, &it.generics)?;
-                let named = Named::Trait(self.names.traits.len());
-                self.names.traits.push(Trait {
+                let named = Meaning::Trait(self.names.traits.len());
+                self.names.traits.push(TraitDef {
                     name: it.ident.to_string(),
-                    ..Trait::default()
+                    ..TraitDef::default()
                 });
                 (&it.ident, &it.vis, named)
             }
@@ -48,7 +48,7 @@ impl<'a> Collector<'a> {
                 (&it.ident, &it.vis, self.function())
             }
             syn::Item::Mod(it) => (&it.ident, &it.vis, self.submodule(module, it)?),
-            syn::Item::Type(it) => (&it.ident, &it.vis, Named::Type(Type::UNKNOWN)),
+            syn::Item::Type(it) => (&it.ident, &it.vis, Meaning::Type(Type::UNKNOWN)),
             syn::Item::Use(it) => return self.import(module, &it.vis, Vec::new(), &it.tree),
             syn::Item::Impl(it) => {
                 for item in &it.items {
@@ -88,14 +88,14 @@ impl<'a> Collector<'a> {
         module: usize,
         name: &syn::Ident,
         visibility: &syn::Visibility,
-        named: Named,
-    ) -> Read {
+        named: Meaning,
+    ) -> Resolved {
         let entry = Entry {
             named,
             is_public: is_public(visibility),
         };
         let key = match entry.named {
-            Named::Module(_) => module_key(&name.to_string()),
+            Meaning::Module(_) => module_key(&name.to_string()),
             _ => name.to_string(),
         };
         match self.names.modules[module].names.insert(key, entry) {
@@ -108,13 +108,13 @@ impl<'a> Collector<'a> {
     }
 
     /// Makes a place for a function whose signature is read later.
-    pub(super) fn function(&mut self) -> Named {
+    pub(super) fn function(&mut self) -> Meaning {
         self.names.functions.push(Signature::default());
         self.bodies.push(None);
-        Named::Function(self.names.functions.len() - 1)
+        Meaning::Function(self.names.functions.len() - 1)
     }
 
-    fn submodule(&mut self, module: usize, it: &'a syn::ItemMod) -> Read<Named> {
+    fn submodule(&mut self, module: usize, it: &'a syn::ItemMod) -> Resolved<Meaning> {
         let name = it.ident.to_string();
         let mut own = Module {
             file: self.names.modules[module].file,
@@ -123,7 +123,7 @@ impl<'a> Collector<'a> {
             ..Module::default()
         };
         if let Some((_, items)) = &it.content {
-            return Ok(Named::Module(self.module(own, items)));
+            return Ok(Meaning::Module(self.module(own, items)));
         }
         let is_it = |(file, _): &(String, syn::File)| {
             let path = file.trim_end_matches("/mod.rs").trim_end_matches(".rs");
@@ -135,10 +135,10 @@ impl<'a> Collector<'a> {
         };
         own.file = file as u32;
         let files = self.files;
-        Ok(Named::Module(self.module(own, &files[file].1.items)))
+        Ok(Meaning::Module(self.module(own, &files[file].1.items)))
     }
 
-    fn kind(&mut self, module: usize, it: &syn::ItemStruct) -> Named {
+    fn kind(&mut self, module: usize, it: &syn::ItemStruct) -> Meaning {
         let mut derives = Vec::new();
         for derive in it.attrs.iter().filter(|it| it.path().is_ident("derive")) {
             let _ = derive.parse_nested_meta(|meta| {
@@ -146,7 +146,7 @@ impl<'a> Collector<'a> {
                 Ok(())
             });
         }
-        self.names.kinds.push(Kind {
+        self.names.structs.push(StructDef {
             name: it.ident.to_string(),
             module,
             fields: Vec::new(),
@@ -155,8 +155,8 @@ impl<'a> Collector<'a> {
             at: self.at(module, &it.ident),
             default: None,
         });
-        let kind = self.names.kinds.len() - 1;
-        Named::Type(Head::Own(kind as u32).into())
+        let kind = self.names.structs.len() - 1;
+        Meaning::Type(Ctor::Own(kind as u32).into())
     }
 
     fn import(
@@ -165,7 +165,7 @@ impl<'a> Collector<'a> {
         visibility: &syn::Visibility,
         mut path: Vec<String>,
         tree: &syn::UseTree,
-    ) -> Read {
+    ) -> Resolved {
         let (own, name) = match tree {
             syn::UseTree::Path(it) => {
                 path.push(it.ident.to_string());
@@ -195,7 +195,7 @@ impl<'a> Collector<'a> {
         self.imports.push((module, path.clone(), at));
         match name {
             Some(name) if name == "_" => Ok(()),
-            Some(name) => self.name(module, &name, visibility, Named::Import(path)),
+            Some(name) => self.name(module, &name, visibility, Meaning::Import(path)),
             None => {
                 let is_public = is_public(visibility);
                 self.names.modules[module].globs.push((path, is_public));

@@ -10,21 +10,24 @@ pub(crate) mod words;
 
 use std::collections::HashMap;
 
-use crate::operators::Sign;
-use crate::refusal::At;
-use crate::types::{Head, Type};
+use crate::operators::ArithOp;
+use crate::refusal::{Refusal, Span};
+use crate::types::{Ctor, Type};
+
+/// The result of a pass over names and types, or the fault that it finds.
+pub(crate) type Resolved<T = ()> = Result<T, Refusal>;
 
 /// All that the files declare.
 #[derive(Debug, Default)]
 pub(crate) struct Names {
     pub(crate) modules: Vec<Module>,
-    pub(crate) kinds: Vec<Kind>,
-    pub(crate) traits: Vec<Trait>,
+    pub(crate) structs: Vec<StructDef>,
+    pub(crate) traits: Vec<TraitDef>,
     pub(crate) functions: Vec<Signature>,
     /// The reader's functions for operators: those that change their left side, too.
-    pub(crate) operators: Vec<(Sign, bool, usize)>,
+    pub(crate) operators: Vec<(ArithOp, bool, usize)>,
     pub(crate) negations: Vec<usize>,
-    /// The reader's own kinds of rays and vectors, if they are not ours.
+    /// The reader's own structs of rays and vectors, if they are not ours.
     pub(crate) own_ray: Option<u32>,
     pub(crate) own_vec3: Option<u32>,
 }
@@ -45,13 +48,13 @@ pub(crate) struct Module {
 
 #[derive(Clone, Debug)]
 struct Entry {
-    named: Named,
+    named: Meaning,
     is_public: bool,
 }
 
 /// A meaning of a name.
 #[derive(Clone, Debug)]
-pub(crate) enum Named {
+pub(crate) enum Meaning {
     Module(usize),
     /// The module that our chapters import.
     Prelude,
@@ -60,7 +63,7 @@ pub(crate) enum Named {
     /// A function, or a constant, which is a function without parameters.
     Function(usize),
     /// A type of the library that takes others.
-    Generic(Head),
+    Generic(Ctor),
     /// A function of the library, by its name.
     Library(&'static str),
     /// A constant of the library.
@@ -73,26 +76,26 @@ pub(crate) enum Named {
 
 /// The number of the part of a path that was not found, which may be there but private.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Lost {
+pub(crate) struct PathError {
     part: usize,
     is_private: bool,
 }
 
 /// A struct of the reader's.
 #[derive(Debug)]
-pub(crate) struct Kind {
+pub(crate) struct StructDef {
     pub(crate) name: String,
     pub(crate) module: usize,
-    pub(crate) fields: Vec<Field>,
+    pub(crate) fields: Vec<FieldDef>,
     pub(crate) derives: Vec<String>,
     /// True if its fields have numbers, or there are none: its name is a value.
     pub(crate) is_tuple: bool,
-    pub(crate) at: At,
+    pub(crate) at: Span,
     /// The reader's own `default`.
     pub(crate) default: Option<usize>,
 }
 
-impl Kind {
+impl StructDef {
     pub(crate) fn field(&self, name: &str) -> Option<usize> {
         self.fields.iter().position(|it| it.name == name)
     }
@@ -103,14 +106,14 @@ impl Kind {
 }
 
 #[derive(Debug)]
-pub(crate) struct Field {
+pub(crate) struct FieldDef {
     pub(crate) name: String,
     pub(crate) ty: Type,
     pub(crate) is_public: bool,
 }
 
 #[derive(Debug, Default)]
-pub(crate) struct Trait {
+pub(crate) struct TraitDef {
     pub(crate) name: String,
     /// The functions that an implementation has.
     pub(crate) methods: Vec<usize>,
@@ -124,7 +127,7 @@ pub(crate) struct Signature {
     pub(crate) module: usize,
     /// The module in which its body looks names up: itself, if it declares something.
     pub(crate) inside: usize,
-    pub(crate) at: At,
+    pub(crate) at: Span,
     pub(crate) is_public: bool,
     pub(crate) parameters: Vec<Type>,
     /// True if the first is `self`.
@@ -140,13 +143,13 @@ pub(crate) struct Signature {
 
 /// The surroundings in which a type is read: its module, `Self` and type parameters.
 #[derive(Clone, Default)]
-pub(crate) struct Context {
+pub(crate) struct TypeScope {
     pub(crate) module: usize,
     pub(crate) own: Option<Type>,
     pub(crate) parameters: HashMap<String, Type>,
 }
 
-impl Context {
+impl TypeScope {
     pub(crate) fn of(module: usize) -> Self {
         Self {
             module,

@@ -1,7 +1,7 @@
 //! Name resolution: what a path means in a module, and who may see it.
 
-use super::{Context, Lost, Named, Names, Signature, module_key, standard};
-use crate::types::Head;
+use super::{Meaning, Names, PathError, Signature, TypeScope, module_key, standard};
+use crate::types::Ctor;
 
 /// So many imports may follow each other.
 const LONGEST: u32 = 8;
@@ -26,20 +26,20 @@ impl Names {
     }
 
     /// Finds what a path means in the module.
-    pub(crate) fn found(&self, module: usize, path: &[String]) -> Result<Named, Lost> {
+    pub(crate) fn found(&self, module: usize, path: &[String]) -> Result<Meaning, PathError> {
         self.resolved(module, path, 0)
     }
 
     /// Finds what a path means where `Self` has a meaning, too.
-    pub(crate) fn meant(&self, context: &Context, path: &[String]) -> Result<Named, Lost> {
+    pub(crate) fn meant(&self, context: &TypeScope, path: &[String]) -> Result<Meaning, PathError> {
         match (path, &context.own) {
-            ([name], Some(own)) if name == "Self" => Ok(Named::Type(own.clone())),
+            ([name], Some(own)) if name == "Self" => Ok(Meaning::Type(own.clone())),
             (path, _) => self.found(context.module, path),
         }
     }
 
-    fn resolved(&self, from: usize, path: &[String], depth: u32) -> Result<Named, Lost> {
-        let lost = |part, is_private| Lost { part, is_private };
+    fn resolved(&self, from: usize, path: &[String], depth: u32) -> Result<Meaning, PathError> {
+        let lost = |part, is_private| PathError { part, is_private };
         if depth > LONGEST {
             return Err(lost(0, false));
         }
@@ -55,9 +55,9 @@ impl Names {
             }
         };
         let mut named = match path[0].as_str() {
-            "crate" => Named::Module(0),
-            "self" => Named::Module(self.file_module(from)),
-            "super" => Named::Module(self.modules[self.file_module(from)].parent),
+            "crate" => Meaning::Module(0),
+            "self" => Meaning::Module(self.file_module(from)),
+            "super" => Meaning::Module(self.modules[self.file_module(from)].parent),
             _ => {
                 let mut seen = keys(0).into_iter();
                 let seen = seen.find_map(|name| self.seen(from, &name, depth));
@@ -66,14 +66,14 @@ impl Names {
         };
         for (part, name) in path.iter().enumerate().skip(1) {
             named = match named {
-                Named::Module(module) => {
+                Meaning::Module(module) => {
                     let [first, second] =
                         keys(part).map(|name| self.member(from, module, &name, depth));
                     let found = first.or_else(|one| second.map_err(|other| one || other));
                     found.map_err(|is_private| lost(part, is_private))?
                 }
-                Named::Prelude => standard::prelude(name).ok_or(lost(part, false))?,
-                Named::Standard(module) => {
+                Meaning::Prelude => standard::prelude(name).ok_or(lost(part, false))?,
+                Meaning::Standard(module) => {
                     standard::within(&module, name).ok_or(lost(part, false))?
                 }
                 _ => return Err(lost(part, false)),
@@ -83,7 +83,7 @@ impl Names {
     }
 
     /// Finds what a single name means, where nothing says where it is from.
-    fn seen(&self, from: usize, name: &str, depth: u32) -> Option<Named> {
+    fn seen(&self, from: usize, name: &str, depth: u32) -> Option<Meaning> {
         let own = self.member(from, from, name, depth).ok();
         let around = || match &self.modules[from] {
             it if it.is_block => self.seen(it.parent, name, depth),
@@ -93,12 +93,12 @@ impl Names {
     }
 
     /// Finds what a module has by that name; if nothing, whether it is there and private.
-    fn member(&self, from: usize, module: usize, name: &str, depth: u32) -> Result<Named, bool> {
+    fn member(&self, from: usize, module: usize, name: &str, depth: u32) -> Result<Meaning, bool> {
         let own = &self.modules[module];
         if let Some(entry) = own.names.get(name) {
             return match &entry.named {
                 _ if !self.sees(from, module, entry.is_public) => Err(true),
-                Named::Import(path) => self
+                Meaning::Import(path) => self
                     .resolved(module, path, depth + 1)
                     .map_err(|it| it.is_private),
                 named => Ok(named.clone()),
@@ -107,9 +107,9 @@ impl Names {
         let globs = own.globs.iter().filter(|it| self.sees(from, module, it.1));
         let mut found =
             globs.filter_map(|(path, _)| match self.resolved(module, path, depth + 1) {
-                Ok(Named::Prelude) => standard::prelude(name),
-                Ok(Named::Standard(module)) => standard::within(&module, name),
-                Ok(Named::Module(other)) if other != module => {
+                Ok(Meaning::Prelude) => standard::prelude(name),
+                Ok(Meaning::Standard(module)) => standard::within(&module, name),
+                Ok(Meaning::Module(other)) if other != module => {
                     self.member(module, other, name, depth + 1).ok()
                 }
                 _ => None,
@@ -120,7 +120,7 @@ impl Names {
     /// Finds whether a module knows a trait by its name, so that its methods may be called.
     fn has_in_scope(&self, module: usize, of: usize) -> bool {
         let name = &self.traits[of].name;
-        matches!(self.seen(module, name, 0), Some(Named::Trait(it)) if it == of)
+        matches!(self.seen(module, name, 0), Some(Meaning::Trait(it)) if it == of)
     }
 
     /// Finds whether a method may be called in a module: it is public there, or its trait is
@@ -134,29 +134,29 @@ impl Names {
     }
 
     /// Finds whether what is of that type has the trait.
-    pub(crate) fn implements(&self, head: Head, of: usize) -> bool {
-        head == Head::Dyn(of)
+    pub(crate) fn implements(&self, ctor: Ctor, of: usize) -> bool {
+        ctor == Ctor::Dyn(of)
             || self.traits[of]
                 .implemented_for
                 .iter()
-                .any(|it| it.0 == head)
+                .any(|it| it.0 == ctor)
     }
 
     /// Returns the number of a struct.
     pub(crate) fn kind(&self, name: &str) -> Option<u32> {
-        let kind = self.kinds.iter().position(|it| it.name == name)?;
+        let kind = self.structs.iter().position(|it| it.name == name)?;
         Some(kind as u32)
     }
 
     /// Returns the function of that name in an `impl` for the type.
-    pub(crate) fn method(&self, head: Head, name: &str) -> Option<usize> {
+    pub(crate) fn method(&self, ctor: Ctor, name: &str) -> Option<usize> {
         let is_it =
-            |it: &Signature| it.name == name && it.of.as_ref().is_some_and(|of| of.0 == head);
+            |it: &Signature| it.name == name && it.of.as_ref().is_some_and(|of| of.0 == ctor);
         self.functions.iter().position(is_it)
     }
 
     /// Lists all functions of that name in `impl`s, and whose they are.
-    pub(crate) fn methods(&self, name: &str) -> impl Iterator<Item = (Head, usize)> {
+    pub(crate) fn methods(&self, name: &str) -> impl Iterator<Item = (Ctor, usize)> {
         let all = self.functions.iter().enumerate();
         all.filter_map(move |(n, it)| Some((it.of.as_ref().filter(|_| it.name == name)?.0, n)))
     }

@@ -3,16 +3,18 @@
 use syn::punctuated::Punctuated;
 
 use super::words::unexpected;
-use super::{Context, Named, Names, Signature, names};
+use super::{Meaning, Names, Resolved, Signature, TypeScope, names};
 use crate::read::at;
 use crate::refusal::Refusal;
-use crate::types::{Head, Type};
-
-type Read<T> = Result<T, Refusal>;
+use crate::types::{Ctor, Type};
 
 impl Names {
     /// Reads a signature, whose type parameters stand for what has their traits.
-    pub(crate) fn signature(&self, context: &Context, it: &syn::Signature) -> Read<Signature> {
+    pub(crate) fn signature(
+        &self,
+        context: &TypeScope,
+        it: &syn::Signature,
+    ) -> Resolved<Signature> {
         let file = self.modules[context.module].file;
         let mut context = context.clone();
         for parameter in &it.generics.params {
@@ -34,8 +36,8 @@ impl Names {
                 };
                 match &receiver.kind {
                     syn::ReceiverKind::Value => Ok(own),
-                    syn::ReceiverKind::Reference(_, _, Some(_)) => Ok(Type::of(Head::RefMut, own)),
-                    syn::ReceiverKind::Reference(..) => Ok(Type::of(Head::Ref, own)),
+                    syn::ReceiverKind::Reference(_, _, Some(_)) => Ok(Type::of(Ctor::RefMut, own)),
+                    syn::ReceiverKind::Reference(..) => Ok(Type::of(Ctor::Ref, own)),
                     syn::ReceiverKind::Typed(_, ty) => self.ty(&context, ty),
                     _ => Err(Refusal::unread(at(file, receiver), "this kind of `self`")),
                 }
@@ -47,7 +49,7 @@ impl Names {
             inside: context.module,
             at: at(file, &it.ident),
             is_public: true,
-            parameters: parameters.collect::<Read<_>>()?,
+            parameters: parameters.collect::<Resolved<_>>()?,
             has_self: matches!(it.inputs.first(), Some(syn::FnArg::Receiver(_))),
             result: self.result(&context, &it.output)?,
             of: context.own,
@@ -55,7 +57,7 @@ impl Names {
         })
     }
 
-    pub(crate) fn result(&self, context: &Context, output: &syn::ReturnType) -> Read<Type> {
+    pub(crate) fn result(&self, context: &TypeScope, output: &syn::ReturnType) -> Resolved<Type> {
         match output {
             syn::ReturnType::Default => Ok(Type::UNIT),
             syn::ReturnType::Type(_, ty) => self.ty(context, ty),
@@ -63,23 +65,23 @@ impl Names {
     }
 
     /// Reads a type.
-    pub(crate) fn ty(&self, context: &Context, ty: &syn::Type) -> Read<Type> {
-        let one = |head, of: &syn::Type| Ok(Type::of(head, self.ty(context, of)?));
+    pub(crate) fn ty(&self, context: &TypeScope, ty: &syn::Type) -> Resolved<Type> {
+        let one = |ctor, of: &syn::Type| Ok(Type::of(ctor, self.ty(context, of)?));
         let place = || at(self.modules[context.module].file, ty);
         match ty {
             syn::Type::Paren(it) => self.ty(context, &it.elem),
             syn::Type::Group(it) => self.ty(context, &it.elem),
-            syn::Type::Never(_) => Ok(Head::Never.into()),
+            syn::Type::Never(_) => Ok(Ctor::Never.into()),
             syn::Type::Infer(_) => Ok(Type::UNKNOWN),
             syn::Type::Tuple(it) => {
                 let all = it.elems.iter().map(|it| self.ty(context, it));
-                Ok(Type(Head::Tuple, all.collect::<Read<_>>()?))
+                Ok(Type(Ctor::Tuple, all.collect::<Resolved<_>>()?))
             }
-            syn::Type::Reference(it) if it.mutability.is_some() => one(Head::RefMut, &it.elem),
-            syn::Type::Reference(it) => one(Head::Ref, &it.elem),
-            syn::Type::Slice(it) => one(Head::Slice, &it.elem),
+            syn::Type::Reference(it) if it.mutability.is_some() => one(Ctor::RefMut, &it.elem),
+            syn::Type::Reference(it) => one(Ctor::Ref, &it.elem),
+            syn::Type::Slice(it) => one(Ctor::Slice, &it.elem),
             syn::Type::Array(it) => match literal(&it.len) {
-                Some(length) => one(Head::Array(length), &it.elem),
+                Some(length) => one(Ctor::Array(length), &it.elem),
                 None => Err(Refusal::unread(place(), "lengths that are no number")),
             },
             syn::Type::TraitObject(it) => self.bounded(context, &it.bounds),
@@ -94,18 +96,18 @@ impl Names {
 
     fn function_type<'t>(
         &self,
-        context: &Context,
+        context: &TypeScope,
         inputs: impl Iterator<Item = &'t syn::Type>,
         output: &syn::ReturnType,
-    ) -> Read<Type> {
+    ) -> Resolved<Type> {
         let mut types = inputs
             .map(|it| self.ty(context, it))
-            .collect::<Read<Vec<_>>>()?;
+            .collect::<Resolved<Vec<_>>>()?;
         types.push(self.result(context, output)?);
-        Ok(Type(Head::Fn, types))
+        Ok(Type(Ctor::Fn, types))
     }
 
-    fn path(&self, context: &Context, path: &syn::Path) -> Read<Type> {
+    fn path(&self, context: &TypeScope, path: &syn::Path) -> Resolved<Type> {
         let place = at(self.modules[context.module].file, path);
         let last = path.segments.last().expect("a path has a name");
         let names = names(path);
@@ -118,14 +120,14 @@ impl Names {
                     syn::GenericArgument::Type(ty) => Some(self.ty(context, ty)),
                     _ => None,
                 });
-                types.collect::<Read<Vec<_>>>()?
+                types.collect::<Resolved<Vec<_>>>()?
             }
             _ => Vec::new(),
         };
         match self.expected(context, &names, "type", place)? {
-            Named::Type(ty) => Ok(ty),
-            Named::Generic(head) if arguments.len() == 1 => Ok(Type(head, arguments)),
-            Named::Generic(_) => {
+            Meaning::Type(ty) => Ok(ty),
+            Meaning::Generic(ctor) if arguments.len() == 1 => Ok(Type(ctor, arguments)),
+            Meaning::Generic(_) => {
                 let message = format!("missing generics for `{}`", last.ident);
                 let (label, help) = (
                     "expected 1 generic argument",
@@ -133,7 +135,7 @@ impl Names {
                 );
                 Err(Refusal::new(place, message, label, &help))
             }
-            Named::Trait(found) => {
+            Meaning::Trait(found) => {
                 let name = &self.traits[found].name;
                 let message = format!("expected a type, found the trait `{name}`");
                 let help = format!("`&dyn {name}`, or `Box<dyn {name}>`");
@@ -146,9 +148,9 @@ impl Names {
     /// Reads the type of what has these traits: functions, and what has one of the reader's.
     fn bounded(
         &self,
-        context: &Context,
+        context: &TypeScope,
         bounds: &Punctuated<syn::TypeParamBound, syn::Token![+]>,
-    ) -> Read<Type> {
+    ) -> Resolved<Type> {
         for bound in bounds {
             let syn::TypeParamBound::Trait(bound) = bound else {
                 continue;
@@ -162,13 +164,14 @@ impl Names {
                 _ => {
                     let place = at(self.modules[context.module].file, &bound.path);
                     let path = names(&bound.path);
-                    if matches!(self.meant(context, &path), Ok(Named::Standard(_))) {
+                    if matches!(self.meant(context, &path), Ok(Meaning::Standard(_))) {
                         continue;
                     }
-                    let Named::Trait(found) = self.expected(context, &path, "trait", place)? else {
+                    let Meaning::Trait(found) = self.expected(context, &path, "trait", place)?
+                    else {
                         return Err(unexpected("trait", &path, place));
                     };
-                    return Ok(Head::Dyn(found).into());
+                    return Ok(Ctor::Dyn(found).into());
                 }
             }
         }

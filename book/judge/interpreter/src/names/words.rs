@@ -2,13 +2,13 @@
 
 use strsim::levenshtein;
 
-use super::{Context, Lost, Named, Names, standard};
-use crate::refusal::{At, Refusal};
-use crate::types::{Head, Int, Type};
+use super::{Meaning, Names, PathError, TypeScope, standard};
+use crate::refusal::{Refusal, Span};
+use crate::types::{Ctor, Int, Type};
 
 impl Names {
     /// Says what is wrong with a path in a `use`.
-    pub(super) fn unresolved(&self, at: At, path: &[String], lost: Lost) -> Refusal {
+    pub(super) fn unresolved(&self, at: Span, path: &[String], lost: PathError) -> Refusal {
         let part = &path[lost.part];
         if lost.is_private {
             return private("item", part, at);
@@ -29,13 +29,13 @@ impl Names {
     /// Finds what a path means that should be the name of something, or says what is wrong.
     pub(crate) fn expected(
         &self,
-        context: &Context,
+        context: &TypeScope,
         path: &[String],
         what: &str,
-        at: At,
-    ) -> Result<Named, Refusal> {
+        at: Span,
+    ) -> Result<Meaning, Refusal> {
         match self.meant(context, path) {
-            Ok(Named::Standard(name)) => Err(Refusal::unread(at, &format!("`{name}`"))),
+            Ok(Meaning::Standard(name)) => Err(Refusal::unread(at, &format!("`{name}`"))),
             Ok(named) => Ok(named),
             Err(lost) => Err(self.not_found(context.module, at, what, path, lost)),
         }
@@ -45,10 +45,10 @@ impl Names {
     pub(crate) fn not_found(
         &self,
         module: usize,
-        at: At,
+        at: Span,
         what: &str,
         path: &[String],
-        lost: Lost,
+        lost: PathError,
     ) -> Refusal {
         let name = &path[lost.part];
         if lost.is_private {
@@ -74,18 +74,18 @@ impl Names {
     /// Returns the names of a type's fields.
     pub(crate) fn fields(&self, ty: &Type) -> Vec<&str> {
         match ty.0 {
-            Head::Own(kind) => {
-                let fields = self.kinds[kind as usize].fields.iter();
+            Ctor::Own(kind) => {
+                let fields = self.structs[kind as usize].fields.iter();
                 fields.map(|it| it.name.as_str()).collect()
             }
-            Head::Vec3 => vec!["x", "y", "z"],
-            Head::Ray => vec!["origin", "direction"],
+            Ctor::Vec3 => vec!["x", "y", "z"],
+            Ctor::Ray => vec!["origin", "direction"],
             _ => Vec::new(),
         }
     }
 
     /// Says that nothing has a field of that name, or that what is of this type has none.
-    pub(crate) fn no_field(&self, name: &str, ty: &Type, at: At) -> Refusal {
+    pub(crate) fn no_field(&self, name: &str, ty: &Type, at: Span) -> Refusal {
         let help = if self.methods(name).next().is_some() {
             format!("`{name}` is a method: `.{name}(…)`")
         } else {
@@ -100,7 +100,7 @@ impl Names {
     }
 
     /// Says that something else is declared than is found, which is said in these words.
-    pub(crate) fn mismatch(&self, wanted: &Type, found: &Type, said: &str, at: At) -> Refusal {
+    pub(crate) fn mismatch(&self, wanted: &Type, found: &Type, said: &str, at: Span) -> Refusal {
         let label = format!("expected {}, found {said}", wanted.said(self));
         Refusal::new(at, "mismatched types", &label, help(wanted, found))
     }
@@ -109,22 +109,22 @@ impl Names {
 /// Says what to do where a type is not what is wanted.
 fn help(wanted: &Type, found: &Type) -> &'static str {
     let is_like = |wanted: &Type| {
-        wanted.is_unknown() || wanted.0 == found.0 || matches!(wanted.0, Head::Dyn(_))
+        wanted.is_unknown() || wanted.0 == found.0 || matches!(wanted.0, Ctor::Dyn(_))
     };
     match (wanted.0, found.0) {
-        (Head::F64, Head::Int(Int::Any)) => "use a float literal, such as `1.0`",
-        (Head::F64, Head::Int(_)) => "convert it: `f64::from(…)`, or `… as f64`",
-        (Head::Option, _) if is_like(wanted.inner()) => {
+        (Ctor::F64, Ctor::Int(Int::Any)) => "use a float literal, such as `1.0`",
+        (Ctor::F64, Ctor::Int(_)) => "convert it: `f64::from(…)`, or `… as f64`",
+        (Ctor::Option, _) if is_like(wanted.inner()) => {
             "try wrapping the expression in `Some`: `Some(…)`"
         }
-        (Head::Box, head) if head != Head::Box => "store it in the heap: `Box::new(…)`",
-        (Head::Ref, _) if is_like(wanted.inner()) => "consider borrowing here: `&…`",
-        (Head::RefMut, _) if is_like(wanted.inner()) => "consider mutably borrowing here: `&mut …`",
-        (_, Head::Ref) if found.inner() == wanted => "consider dereferencing it: `*…`",
-        (_, Head::Option) if found.inner().0 == wanted.0 => {
+        (Ctor::Box, ctor) if ctor != Ctor::Box => "store it in the heap: `Box::new(…)`",
+        (Ctor::Ref, _) if is_like(wanted.inner()) => "consider borrowing here: `&…`",
+        (Ctor::RefMut, _) if is_like(wanted.inner()) => "consider mutably borrowing here: `&mut …`",
+        (_, Ctor::Ref) if found.inner() == wanted => "consider dereferencing it: `*…`",
+        (_, Ctor::Option) if found.inner().0 == wanted.0 => {
             "it is `None` where there is nothing: look with `if let Some(…) = …`"
         }
-        (Head::Own(_), Head::Fn) => "use parentheses to call this function: `…()`",
+        (Ctor::Own(_), Ctor::Fn) => "use parentheses to call this function: `…()`",
         _ => "",
     }
 }
@@ -133,7 +133,7 @@ impl Type {
     /// Returns the type as the compiler says it in a label: in its quotes if it has a name.
     pub(crate) fn said(&self, names: &Names) -> String {
         match self.0 {
-            Head::Int(Int::Any) => "integer".to_owned(),
+            Ctor::Int(Int::Any) => "integer".to_owned(),
             _ => format!("`{}`", self.name(names)),
         }
     }
@@ -143,31 +143,31 @@ impl Type {
         let all: Vec<String> = self.1.iter().map(|it| it.name(names)).collect();
         let of = |name: &str| format!("{name}<{}>", all.join(", "));
         let plain = match self.0 {
-            Head::Unknown | Head::Like => "_",
-            Head::Never => "!",
-            Head::Bool => "bool",
-            Head::Str => "str",
-            Head::F64 => "f64",
-            Head::F32 => "f32",
-            Head::Int(int) => int.name(),
-            Head::Vec3 => "Vec3",
-            Head::Ray => "Ray",
-            Head::Picture => "Picture",
-            Head::Ordering => "Ordering",
-            Head::Own(n) => &names.kinds[n as usize].name,
-            Head::Dyn(n) => return format!("dyn {}", names.traits[n].name),
-            Head::Option => return of("Option"),
-            Head::Box => return of("Box"),
-            Head::Vec => return of("Vec"),
-            Head::Range => return of("Range"),
-            Head::Iterator => "Iterator",
-            Head::Slice => return format!("[{}]", all[0]),
-            Head::Array(length) => return format!("[{}; {length}]", all[0]),
-            Head::Tuple if all.len() == 1 => return format!("({},)", all[0]),
-            Head::Tuple => return format!("({})", all.join(", ")),
-            Head::Ref => return format!("&{}", all[0]),
-            Head::RefMut => return format!("&mut {}", all[0]),
-            Head::Fn => {
+            Ctor::Unknown | Ctor::Like => "_",
+            Ctor::Never => "!",
+            Ctor::Bool => "bool",
+            Ctor::Str => "str",
+            Ctor::F64 => "f64",
+            Ctor::F32 => "f32",
+            Ctor::Int(int) => int.name(),
+            Ctor::Vec3 => "Vec3",
+            Ctor::Ray => "Ray",
+            Ctor::Picture => "Picture",
+            Ctor::Ordering => "Ordering",
+            Ctor::Own(n) => &names.structs[n as usize].name,
+            Ctor::Dyn(n) => return format!("dyn {}", names.traits[n].name),
+            Ctor::Option => return of("Option"),
+            Ctor::Box => return of("Box"),
+            Ctor::Vec => return of("Vec"),
+            Ctor::Range => return of("Range"),
+            Ctor::Iterator => "Iterator",
+            Ctor::Slice => return format!("[{}]", all[0]),
+            Ctor::Array(length) => return format!("[{}; {length}]", all[0]),
+            Ctor::Tuple if all.len() == 1 => return format!("({},)", all[0]),
+            Ctor::Tuple => return format!("({})", all.join(", ")),
+            Ctor::Ref => return format!("&{}", all[0]),
+            Ctor::RefMut => return format!("&mut {}", all[0]),
+            Ctor::Fn => {
                 let (result, parameters) = all.split_last().expect("a function has a result");
                 let result = match result.as_str() {
                     "()" => String::new(),
@@ -181,13 +181,13 @@ impl Type {
 }
 
 /// Says that a path means something else than it should.
-pub(crate) fn unexpected(what: &str, path: &[String], at: At) -> Refusal {
+pub(crate) fn unexpected(what: &str, path: &[String], at: Span) -> Refusal {
     let message = format!("expected {what}, found `{}`", path.join("::"));
     Refusal::new(at, message, &format!("not a {what}"), "")
 }
 
 /// Says that something is there, but not to be used here.
-pub(crate) fn private(what: &str, name: &str, at: At) -> Refusal {
+pub(crate) fn private(what: &str, name: &str, at: Span) -> Refusal {
     let message = format!("{what} `{name}` is private");
     let help = "`pub` before it shows it to other files";
     Refusal::new(at, message, &format!("private {what}"), help)
