@@ -111,13 +111,13 @@ impl AnswerFile {
 
 /// A line of the file. The smallest case that breaks a law is the last answer before the
 /// verdict.
-pub(crate) enum Line<'a> {
+pub(crate) enum AnswerLine<'a> {
     Answer(&'a Question, &'a [f64]),
     /// The verdict on the function of that name.
     Verdict(&'static str, &'a Outcome),
 }
 
-impl Line<'_> {
+impl AnswerLine<'_> {
     /// Adds the line to the file.
     ///
     /// # Panics

@@ -30,7 +30,7 @@ use speed_vs_accuracy::Case;
 use crate::oracle::ExactCase;
 use crate::question::{Question, telling};
 use crate::strategies::{anywhere, integers, ordinary};
-use crate::trial::Exam;
+use crate::trial::LawSuite;
 use crate::verdict::{BrokenLaw, LawResult};
 
 /// A function of the kind of `hit_sphere`: center, radius and ray to nearer root.
@@ -71,9 +71,9 @@ pub fn obeys_every_law(solve: &Solver, case: &Case) -> LawResult {
 /// Lists the cases and laws for a nearer root. Cases of whole numbers come first, since they can be
 /// checked by hand, and ordinary cases before those where only rounding or an overflow shows a
 /// mistake.
-pub(crate) fn exam<'a>(solve: &'a Solver<'a>) -> Exam<'a, Case> {
+pub(crate) fn suite<'a>(solve: &'a Solver<'a>) -> LawSuite<'a, Case> {
     let law = |law: RootLaw| Box::new(move |case: &Case| law(solve, case)) as _;
-    Exam {
+    LawSuite {
         of: "hit_sphere",
         kinds: vec![integers().boxed(), ordinary().boxed(), anywhere().boxed()],
         telling: telling(&ordinary()),

@@ -31,11 +31,11 @@ pub struct PreludeFunction {
     call: &'static str,
     /// How far rounding may take an answer, in relation to it.
     rounding: f64,
-    answer: Answering,
+    answer: PreludeCall,
 }
 
 /// Asks the function in a prelude, and writes its answer as numbers.
-type Answering = fn(&Prelude, &PreludeQuestion) -> Vec<f64>;
+type PreludeCall = fn(&Prelude, &PreludeQuestion) -> Vec<f64>;
 
 /// A question to a function of a prelude: two vectors and a number.
 #[derive(Clone, Copy, Debug)]
@@ -72,7 +72,7 @@ pub fn small_numbers_are_worked_out_by_head(
 }
 
 impl PreludeFunction {
-    const fn new(call: &'static str, rounding: f64, answer: Answering) -> Self {
+    const fn new(call: &'static str, rounding: f64, answer: PreludeCall) -> Self {
         Self {
             call,
             rounding,

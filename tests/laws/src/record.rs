@@ -11,7 +11,7 @@ use crate::nearer_root::{self, U};
 use crate::oracle::ExactCase;
 use crate::question::{IntervalCase, Question, of_hit, telling};
 use crate::strategies::{anywhere, integers, ordinary, ordinary_asked, with_interval};
-use crate::trial::Exam;
+use crate::trial::LawSuite;
 use crate::verdict::{BrokenLaw, LawResult};
 
 /// The record of a hit.
@@ -59,9 +59,9 @@ pub fn obeys_every_law(record: &RecordSolver, asked: &IntervalCase) -> LawResult
 }
 
 /// Lists the cases and laws for a record, in the order of those for a nearer root.
-pub(crate) fn exam<'a>(record: &'a RecordSolver<'a>) -> Exam<'a, IntervalCase> {
+pub(crate) fn suite<'a>(record: &'a RecordSolver<'a>) -> LawSuite<'a, IntervalCase> {
     let kinds = [integers().boxed(), ordinary().boxed(), anywhere().boxed()];
-    Exam {
+    LawSuite {
         of: "sphere",
         kinds: kinds.map(|kind| with_interval(kind).boxed()).into(),
         telling: telling(&ordinary_asked()),

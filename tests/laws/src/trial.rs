@@ -14,7 +14,7 @@ use proptest::prelude::*;
 use proptest::test_runner::{Config, TestError, TestRunner};
 use speed_vs_accuracy::Case;
 
-use crate::answers::{ANSWERS, Answered, Answers, Line};
+use crate::answers::{ANSWERS, AnswerLine, Answered, Answers};
 use crate::camera::{CameraPixel, the_ray_of_a_pixel_goes_through_its_center};
 use crate::face::{SetFaceNormal, the_normal_is_turned_against_the_ray};
 use crate::list::{ListSolver, World, the_nearest_of_all_members_is_returned};
@@ -72,10 +72,10 @@ impl Default for Trial {
 pub(crate) type Law<'a, Q> = Box<dyn Fn(&Q) -> LawResult + 'a>;
 
 /// Asks a function, and writes its answer as numbers.
-pub(crate) type Answering<'a, Q> = Box<dyn Fn(&Q) -> Vec<f64> + 'a>;
+pub(crate) type AnswerFn<'a, Q> = Box<dyn Fn(&Q) -> Vec<f64> + 'a>;
 
 /// The cases and the laws for one function.
-pub(crate) struct Exam<'a, Q> {
+pub(crate) struct LawSuite<'a, Q> {
     /// The name of the function.
     pub(crate) of: &'static str,
     /// The cases, one kind after the other.
@@ -83,7 +83,7 @@ pub(crate) struct Exam<'a, Q> {
     /// Questions to which different mistakes give different answers.
     pub(crate) telling: Vec<Q>,
     pub(crate) question: fn(Q) -> Question,
-    pub(crate) answer: Answering<'a, Q>,
+    pub(crate) answer: AnswerFn<'a, Q>,
     pub(crate) laws: Vec<Law<'a, Q>>,
     /// The body of a test that asks this again. It stands where the function has its name, so it
     /// need not guess from where to import it.
@@ -97,11 +97,11 @@ impl Trial {
     /// As every method here: the smallest case found that breaks a law, or a `todo!()`.
     pub fn decision(&self, decide: &dyn Fn(Point3, f64, &Ray) -> bool) -> Outcome {
         let solve = nearer_root::decision(decide);
-        self.put(&Exam {
+        self.put(&LawSuite {
             question: Question::Decision,
             answer: Box::new(|case: &Case| decided(case.solve(&solve).is_some())),
             test: &nearer_root::decision_as_test,
-            ..nearer_root::exam(&solve)
+            ..nearer_root::suite(&solve)
         })
     }
 
@@ -110,7 +110,7 @@ impl Trial {
     /// # Errors
     /// See [`Trial::decision`].
     pub fn nearer_root(&self, solve: &Solver) -> Outcome {
-        self.put(&nearer_root::exam(solve))
+        self.put(&nearer_root::suite(solve))
     }
 
     /// Tries a function that returns the record of the nearest hit between `t_min` and `t_max`, as
@@ -119,7 +119,7 @@ impl Trial {
     /// # Errors
     /// See [`Trial::decision`].
     pub fn record(&self, record: &RecordSolver) -> Outcome {
-        self.put(&record::exam(record))
+        self.put(&record::suite(record))
     }
 
     /// Tries a list that is searched for the nearest hit of its spheres, whose own answers are the
@@ -128,7 +128,7 @@ impl Trial {
     /// # Errors
     /// See [`Trial::decision`].
     pub fn list(&self, record: &RecordSolver, search: &ListSolver) -> Outcome {
-        let mut outcome = self.outcome(&Exam {
+        let mut outcome = self.outcome(&LawSuite {
             of: "list",
             kinds: vec![
                 strategies::whole_worlds().boxed(),
@@ -163,7 +163,7 @@ impl Trial {
     pub fn prelude(&self, prelude: &Prelude) -> Outcome {
         let mut outcome = Ok(());
         for function in &FUNCTIONS {
-            let one = self.outcome(&Exam {
+            let one = self.outcome(&LawSuite {
                 of: function.name(),
                 kinds: vec![function.questions().boxed()],
                 telling: function.telling(),
@@ -180,7 +180,7 @@ impl Trial {
             }
             outcome = outcome.and(one);
         }
-        self.keep(&Line::Verdict("prelude", &outcome));
+        self.keep(&AnswerLine::Verdict("prelude", &outcome));
         outcome
     }
 
@@ -189,7 +189,7 @@ impl Trial {
     /// # Errors
     /// See [`Trial::decision`].
     pub fn pixel_ray(&self, ray: &dyn Fn(&CameraPixel) -> Ray) -> Outcome {
-        self.put(&Exam {
+        self.put(&LawSuite {
             of: "pixel_ray",
             kinds: vec![strategies::pixels().boxed()],
             telling: telling(&strategies::pixels()),
@@ -209,7 +209,7 @@ impl Trial {
     /// See [`Trial::decision`].
     pub fn ray_color(&self, scene: ChapterScene, ray_color: &dyn Fn(&Ray) -> Color) -> Outcome {
         let law = |ray: &Ray| a_ray_has_its_color_from_anywhere(scene, ray_color(ray), ray);
-        let exam = Exam {
+        let suite = LawSuite {
             of: "ray_color",
             kinds: vec![ray_color::rays().boxed()],
             telling: telling(&ray_color::rays()),
@@ -219,7 +219,7 @@ impl Trial {
             test: &|ray| scene.as_test(ray),
         };
         match written(|| scene.looks_right(ray_color)) {
-            Ok(true) => self.put(&exam),
+            Ok(true) => self.put(&suite),
             Ok(false) => Ok(()),
             Err(complaint) => self.kept("ray_color", Err(complaint)),
         }
@@ -249,39 +249,39 @@ impl Trial {
     }
 
     /// Puts a function under its laws, and keeps what comes of it.
-    pub(crate) fn put<Q: Clone + Debug>(&self, exam: &Exam<Q>) -> Outcome {
-        self.kept(exam.of, self.outcome(exam))
+    pub(crate) fn put<Q: Clone + Debug>(&self, suite: &LawSuite<Q>) -> Outcome {
+        self.kept(suite.of, self.outcome(suite))
     }
 
     fn kept(&self, of: &'static str, outcome: Outcome) -> Outcome {
-        self.keep(&Line::Verdict(of, &outcome));
+        self.keep(&AnswerLine::Verdict(of, &outcome));
         outcome
     }
 
     fn keep_answer(&self, answers: &mut Answers, question: Question, answer: Vec<f64>) {
-        self.keep(&Line::Answer(&question, &answer));
+        self.keep(&AnswerLine::Answer(&question, &answer));
         answers.given.push(Answered { question, answer });
     }
 
-    fn keep(&self, line: &Line) {
+    fn keep(&self, line: &AnswerLine) {
         if let Some(file) = &self.answers {
             line.keep(file);
         }
     }
 
-    fn outcome<Q: Clone + Debug>(&self, exam: &Exam<Q>) -> Outcome {
+    fn outcome<Q: Clone + Debug>(&self, suite: &LawSuite<Q>) -> Outcome {
         let mut answers = Answers::default();
         // What panics does so here, and not again and again while a case is made smaller.
-        for asked in &exam.telling {
-            let answer = written(|| (exam.answer)(asked))?;
-            self.keep_answer(&mut answers, (exam.question)(asked.clone()), answer);
+        for asked in &suite.telling {
+            let answer = written(|| (suite.answer)(asked))?;
+            self.keep_answer(&mut answers, (suite.question)(asked.clone()), answer);
         }
-        let smallest = |cases| exam.laws.iter().find_map(|law| self.smallest(cases, law));
-        let Some((smallest, broken)) = exam.kinds.iter().find_map(smallest) else {
+        let smallest = |cases| suite.laws.iter().find_map(|law| self.smallest(cases, law));
+        let Some((smallest, broken)) = suite.kinds.iter().find_map(smallest) else {
             return Ok(());
         };
-        let (test, answer) = ((exam.test)(&smallest), (exam.answer)(&smallest));
-        self.keep_answer(&mut answers, (exam.question)(smallest), answer);
+        let (test, answer) = ((suite.test)(&smallest), (suite.answer)(&smallest));
+        self.keep_answer(&mut answers, (suite.question)(smallest), answer);
         Err(Complaint::Broken(Box::new(Report {
             broken,
             answers,
