@@ -123,18 +123,18 @@ impl Program {
     }
 
     /// Returns the integers that a function of integers comes to.
-    pub fn integers(&self, function: &str, given: &[u32]) -> Option<Vec<i32>> {
+    pub fn call_with_integers(&self, function: &str, given: &[u32]) -> Option<Vec<i32>> {
         let given: Vec<Value> = given.iter().copied().map(u32_value).collect();
         self.called(function, &given)?.integers()
     }
 
     /// Returns the integers that a function of a color comes to.
-    pub fn integers_of(&self, function: &str, color: Color) -> Option<Vec<i32>> {
+    pub fn call_with_color(&self, function: &str, color: Color) -> Option<Vec<i32>> {
         self.called(function, &[color.into()])?.integers()
     }
 
     /// Returns the number, or the numbers of the vector, that a function of vectors comes to.
-    pub fn of_vectors(&self, function: &str, given: &[Vec3]) -> Option<Vec<f64>> {
+    pub fn call_with_vectors(&self, function: &str, given: &[Vec3]) -> Option<Vec<f64>> {
         let given: Vec<Value> = given.iter().copied().map(Value::from).collect();
         match self.called(function, &given)?.data {
             Data::Float(it) => Some(vec![it]),

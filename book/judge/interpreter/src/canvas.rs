@@ -36,7 +36,7 @@ pub struct TracedValue {
     pub function: String,
     /// The name that a `let` gives the value; `None` for the value of a `return`.
     pub name: Option<String>,
-    /// The value as text: numbers as [`number`] formats them, a vector as `(x, y, z)`.
+    /// The value as text: numbers as [`format_number`] formats them, a vector as `(x, y, z)`.
     pub value: String,
 }
 
@@ -172,7 +172,7 @@ impl Canvas {
 }
 
 /// Formats a number to a millionth, or with four digits that count if it is smaller than most.
-pub fn number(it: f64) -> String {
+pub fn format_number(it: f64) -> String {
     match it.abs() {
         small if small != 0.0 && small < 1e-3 => format!("{it:.3e}"),
         _ => format!("{}", (it * 1e6).round() / 1e6),
@@ -181,11 +181,11 @@ pub fn number(it: f64) -> String {
 
 fn said(value: &Value) -> Option<String> {
     Some(match &value.data {
-        Data::Float(it) => number(*it),
+        Data::Float(it) => format_number(*it),
         Data::Int(it, _) => it.get().to_string(),
         Data::Bool(it) => it.to_string(),
         Data::Vec3(it) => {
-            let [x, y, z] = it.to_array().map(number);
+            let [x, y, z] = it.to_array().map(format_number);
             format!("({x}, {y}, {z})")
         }
         Data::Some(it) => return said(it),

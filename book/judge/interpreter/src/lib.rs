@@ -24,7 +24,7 @@ mod refusal;
 mod types;
 
 pub use asked::{Ball, SphereHit};
-pub use canvas::{Canvas, TracedValue, number};
+pub use canvas::{Canvas, TracedValue, format_number};
 pub use program::{ExpectedPixel, Program, SourceFile, UncheckedLines, read};
 pub use refusal::{Fault, FaultKind, SourceSpan};
 

@@ -64,7 +64,7 @@ impl Program {
 
     /// Returns the program with the other's functions where these are not those of a program from
     /// which both were made; `None` if both have changed the same one. Nothing is read.
-    pub fn joined(&self, other: &Self, from: &Self) -> Option<Self> {
+    pub fn merged_with(&self, other: &Self, from: &Self) -> Option<Self> {
         let [own, other, from] = [self, other, from].map(|it| &it.code);
         let mut code = Code::clone(own);
         for (n, function) in other.functions.iter().enumerate() {

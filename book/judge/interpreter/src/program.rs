@@ -132,7 +132,7 @@ impl Program {
     ///
     /// # Errors
     /// As for the picture.
-    pub fn matches(&self, width: u32, pixels: &[ExpectedPixel]) -> Result<usize, Fault> {
+    pub fn count_matching(&self, width: u32, pixels: &[ExpectedPixel]) -> Result<usize, Fault> {
         // A reader's own loop over all pixels can't be asked for some.
         let canvas = match self.code.names.own_ray {
             Some(_) => self.by_ray_color(width)?,
@@ -148,7 +148,7 @@ impl Program {
     }
 
     /// Returns what the compiler refuses and was seen only when functions were asked by themselves.
-    pub fn refused(&self) -> Option<&Fault> {
+    pub fn first_refusal(&self) -> Option<&Fault> {
         self.refused.get()
     }
 

@@ -197,17 +197,17 @@ impl Functions for ChapterProgram {
 
     // Where the text has no function of these, glam's is meant.
     fn dot(&self, u: Vec3, v: Vec3) -> f64 {
-        let own = self.code().of_vectors("dot", &[u, v]);
+        let own = self.code().call_with_vectors("dot", &[u, v]);
         own.map_or(u.dot(v), |it| it[0])
     }
 
     fn length_squared(&self, v: Vec3) -> f64 {
-        let own = self.code().of_vectors("length_squared", &[v]);
+        let own = self.code().call_with_vectors("length_squared", &[v]);
         own.map_or(v.length_squared(), |it| it[0])
     }
 
     fn normalize(&self, v: Vec3) -> Vec3 {
-        let own = self.code().of_vectors("normalize", &[v]);
+        let own = self.code().call_with_vectors("normalize", &[v]);
         own.map_or(v.normalize(), |it| Vec3::from_slice(&it))
     }
 }

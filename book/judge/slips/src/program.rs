@@ -222,7 +222,7 @@ impl ChapterProgram {
     /// Returns this program with what another one has changed, where both were made from a
     /// third; `None` if both have changed the same function.
     pub fn joined(&self, other: &Self, from: &Self) -> Option<Self> {
-        let code = self.code.joined(&other.code, &from.code)?;
+        let code = self.code.merged_with(&other.code, &from.code)?;
         Some(Self {
             code,
             ..self.clone()
@@ -244,7 +244,7 @@ impl ChapterProgram {
     pub fn run(&self, width: u32) -> Output {
         let canvas = self.code.canvas(width).ok();
         let (columns, rows) = canvas.as_ref().map_or((0, 0), Canvas::size);
-        let header = self.code.integers("header", &[columns, rows]);
+        let header = self.code.call_with_integers("header", &[columns, rows]);
         let size = match header.as_deref() {
             Some([columns, rows]) => (*columns as u32, *rows as u32),
             _ => (0, 0),
@@ -312,7 +312,7 @@ impl Output {
         }
         let program = &self.program;
         let code = program.levels.as_deref().unwrap_or(&program.code);
-        let levels = code.integers_of("print", color)?;
+        let levels = code.call_with_color("print", color)?;
         levels.try_into().ok()
     }
 
@@ -335,7 +335,10 @@ impl Output {
         if self.is_right_around {
             return Some((n.checked_rem(columns)?, n / columns));
         }
-        let place = self.program.code.integers("place", &[n, columns, rows])?;
+        let place = self
+            .program
+            .code
+            .call_with_integers("place", &[n, columns, rows])?;
         Some((place[0] as u32, place[1] as u32))
     }
 

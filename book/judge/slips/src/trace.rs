@@ -1,7 +1,7 @@
 //! Tracing: the numbers of one pixel on their way from the viewport to the levels.
 
 use common::rtweekend::*;
-use interpreter::{TracedValue, number};
+use interpreter::{TracedValue, format_number};
 
 use crate::program::Output;
 
@@ -86,6 +86,6 @@ pub fn side_by_side(traces: &[Vec<TraceRow>]) -> String {
 }
 
 fn vector(of: Vec3) -> String {
-    let [x, y, z] = of.to_array().map(number);
+    let [x, y, z] = of.to_array().map(format_number);
     format!("({x}, {y}, {z})")
 }

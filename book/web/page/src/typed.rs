@@ -210,7 +210,7 @@ impl Draft {
 
     /// Returns the feedback on a fault of compilation that only came to light when the laws ran.
     fn refused(&self, program: &interpreter::Program) -> Option<Feedback> {
-        let fault = program.refused()?;
+        let fault = program.first_refusal()?;
         Some(self.not_compiled(std::slice::from_ref(fault)))
     }
 

@@ -47,7 +47,7 @@ pub(super) fn draws(program: &Program, reading: &Reading, count: u32) -> bool {
     };
     let sample = spread(count, reading.pixels.len() as u32);
     let sample: Vec<ExpectedPixel> = sample.map(pixel).collect();
-    program.matches(reading.width, &sample).ok() == Some(sample.len())
+    program.count_matching(reading.width, &sample).ok() == Some(sample.len())
 }
 
 impl Goal {
@@ -106,7 +106,7 @@ impl Goal {
     /// Returns true if the program is right, by its answers and by what it draws.
     pub(super) fn is_met_by(&self, program: &Program) -> bool {
         let has = |sample: &[ExpectedPixel]| {
-            program.matches(self.width, sample).ok() == Some(sample.len())
+            program.count_matching(self.width, sample).ok() == Some(sample.len())
         };
         let loops = |small: &Picture| program.draw(SMALL).is_ok_and(|it| it == *small);
         has(&self.sample)
