@@ -7,7 +7,8 @@ use std::{env, fs};
 use quote::{ToTokens, format_ident, quote};
 use syn::{Expr, ImplItem, ImplItemFn, Item, Local, Pat, Stmt, parse_quote};
 
-/// The module of each copy, the file of its chapter, and the function.
+/// Each instrumented copy: the name of its module, the file that it is copied from, and the
+/// function.
 const COPIES: [[&str; 3]; 4] = [
     ["red_sphere", "2_red_sphere/src/lib.rs", "hit_sphere"],
     ["normals", "3_normals/src/lib.rs", "hit_sphere"],
@@ -35,7 +36,7 @@ fn main() {
     fs::write(Path::new(&folder).join("traced.rs"), copies).expect("the folder takes it");
 }
 
-/// Returns the function, or the methods of a type.
+/// Returns a function of the file as a method, or all methods of an `impl` block.
 fn functions(item: Item) -> Vec<ImplItemFn> {
     match item {
         Item::Fn(it) => vec![parse_quote!(#it)],
@@ -44,6 +45,7 @@ fn functions(item: Item) -> Vec<ImplItemFn> {
     }
 }
 
+/// Returns the method, if the item of an `impl` block is one.
 fn method(item: ImplItem) -> Option<ImplItemFn> {
     match item {
         ImplItem::Fn(it) => Some(it),
@@ -51,8 +53,8 @@ fn method(item: ImplItem) -> Option<ImplItemFn> {
     }
 }
 
-/// Returns the names of the function's lines, in order, and the function with a note of the value
-/// behind each `let`, unless that changes later.
+/// Returns a copy of the function that appends each value to `notes`: of every `let` that is not
+/// mutable, and of the returned result. A constant `LINES` beside it names the noted lines.
 fn traced(mut function: ImplItemFn) -> impl ToTokens {
     let mut names = Vec::new();
     let mut body = Vec::new();

@@ -12,7 +12,8 @@ parameters! {
         Parameter::new("v, upwards", -1.0, 1.0, 1.0);
 }
 
-/// The figure, as a reader moves it.
+/// The live figure: two arrows to be dragged, with their sum, difference, multiples and dot
+/// product.
 pub(crate) static LIVE: Live<Parameters> = Live {
     figure: figure!("arrows"),
     handles: &[point!(BOTH, u), point!(BOTH, v)],
@@ -26,14 +27,14 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     answer,
 };
 
-/// The two arrows as they are dragged.
+/// The plane in which the two arrows are dragged, at the upper left.
 const BOTH: Plane = Plane::new(100.0, 92.0, SCALE);
 
-/// Units of the sheet for each unit of an arrow.
+/// The length of an arrow of length 1 on the sheet.
 const SCALE: f64 = 40.0;
 
-/// Makes a plane with its middle at (x, y) of the sheet, for arrows from 0 to
-/// these points.
+/// Makes a plane for arrows from the origin to `points`, so that their middle is at (x, y) of the
+/// sheet.
 fn around(x: f64, y: f64, points: &[Vec3]) -> Plane {
     let all = || points.iter().copied().chain([Vec3::ZERO]);
     let least = all().fold(Vec3::ZERO, Vec3::min);
@@ -42,6 +43,7 @@ fn around(x: f64, y: f64, points: &[Vec3]) -> Plane {
     Plane::new(x - SCALE * middle.x, y + SCALE * middle.y, SCALE)
 }
 
+/// Draws the figure and says what the dot product comes to.
 fn answer(&Parameters { u, v }: &Parameters) -> DrawnFigure {
     let (product, length) = (u.dot(v), u.length());
     let [product_said, length_said] = [product, length].map(spoken);
@@ -93,13 +95,13 @@ fn draw(u: Vec3, v: Vec3) -> Svg {
     svg
 }
 
-/// Draws the title of a drawing, and the dot where its arrows start.
+/// Writes the title of one small drawing, and a dot where its arrows start.
 fn start(svg: &mut Svg, plane: &Plane, title: DVec2, words: &str) {
     svg.label("ink", title, Middle, words);
     svg.circle("ink solid", plane.origin, 2.5);
 }
 
-/// Draws an arrow from the start, with its name beyond its tip.
+/// Draws an arrow from the start of both, and its name beyond the tip.
 fn named(svg: &mut Svg, arrow: Vec3, class: &str, name: &str) {
     let (tip, along) = (BOTH.point(arrow), BOTH.vector(arrow).normalize_or_zero());
     svg.arrow(class, BOTH.origin, tip);
@@ -107,7 +109,7 @@ fn named(svg: &mut Svg, arrow: Vec3, class: &str, name: &str) {
     svg.label(idea, (tip + 20.0 * along).down(5.0), Middle, name);
 }
 
-/// Draws the shadow of v: the light falls onto the line of u at a right angle.
+/// Draws the shadow of v on the line of u, with light at a right angle to u.
 fn draw_shadow(svg: &mut Svg, u: Vec3, v: Vec3) {
     let panel = around(100.0, 400.0, &[u, v]);
     start(svg, &panel, spot(100.0, 330.0), "the shadow of **v**");
@@ -122,7 +124,7 @@ fn draw_shadow(svg: &mut Svg, u: Vec3, v: Vec3) {
     svg.circle("normal solid", foot, 4.0);
 }
 
-/// Writes the arrows in numbers, beside the shadow.
+/// Writes the coordinates of both arrows and the sum of products, beside the shadow.
 fn draw_numbers(svg: &mut Svg, u: Vec3, v: Vec3) {
     let pair = |it: Vec3| format!("({}, {})", spoken(it.x), spoken(it.y));
     let product = |one: f64, other: f64| format!("{} · {}", spoken(one), bracketed(other));
@@ -136,7 +138,7 @@ fn draw_numbers(svg: &mut Svg, u: Vec3, v: Vec3) {
     svg.readout(spot(232.0, 352.0), &lines);
 }
 
-/// Writes a factor, a negative one in brackets.
+/// Writes a factor of a product: a negative one in brackets.
 fn bracketed(value: f64) -> String {
     let said = spoken(value);
     if value < 0.0 {

@@ -5,24 +5,28 @@ use glam::DVec2;
 use crate::svg::{Anchor, Shift, Svg, spot};
 use crate::text::{SMALL, width};
 
-/// The numbers from `least` to `most` on a straight stretch of the sheet, to the right or
-/// upwards.
+/// An axis of a diagram: a straight stretch of the sheet, to the right or upwards, for the numbers
+/// from `least` to `most`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Axis {
+    /// The place of `least` on the sheet.
     pub(crate) start: DVec2,
+    /// The place of `most` on the sheet.
     pub(crate) end: DVec2,
+    /// The number at the start; greater than 0 on a logarithmic axis.
     pub(crate) least: f64,
+    /// The number at the end.
     pub(crate) most: f64,
-    /// True if equal steps are equal ratios.
+    /// True if equal lengths of the axis stand for equal ratios, false if for equal differences.
     pub(crate) is_logarithmic: bool,
 }
 
-/// A number, and what stands there.
+/// A marked number of an axis, and the words beside it.
 pub(crate) type Tick = (f64, String);
 
 impl Axis {
-    /// Makes a linear axis to the right, from (x, y) on, `long` units of the
-    /// sheet.
+    /// Makes a linear axis from (x, y) of the sheet to the right, `long` units of the sheet in
+    /// length.
     pub(crate) const fn new(x: f64, y: f64, long: f64, least: f64, most: f64) -> Self {
         Self {
             start: spot(x, y),
@@ -33,8 +37,8 @@ impl Axis {
         }
     }
 
-    /// Returns the place of `value` on the sheet, or the end that is nearer to
-    /// it.
+    /// Returns the place of `value` on the sheet: the nearer end, if the axis does not reach so
+    /// far.
     pub(crate) fn point(&self, value: f64) -> DVec2 {
         let Self { least, most, .. } = *self;
         let part = if self.is_logarithmic {
@@ -45,20 +49,21 @@ impl Axis {
         self.start.lerp(self.end, part.clamp(0.0, 1.0))
     }
 
-    /// Returns the number that is there on a linear axis to the right, or would be beyond its end.
+    /// Returns the number of a linear axis to the right that is above or below `at`; also beyond
+    /// its ends.
     pub(crate) fn place(&self, at: DVec2) -> f64 {
         let part = (at.x - self.start.x) / (self.end.x - self.start.x);
         self.least + part * (self.most - self.least)
     }
 
-    /// Draws it to the right, with a short line at each tick.
+    /// Draws an axis to the right, with a short line and words at each tick.
     pub(crate) fn draw(&self, svg: &mut Svg, ticks: &[Tick]) {
         svg.line("ink line", self.start, self.end);
         self.draw_ticks(svg, "ink line", spot(0.0, 5.0), ticks);
     }
 
-    /// Draws a line of that class at each tick, as far as `reach`, and its words: below the
-    /// axis, or left of it if it is upright.
+    /// Draws a line at each tick, from the axis along `reach`, and the words of the tick: below the
+    /// axis, or left of an upright one. Words that would overlap others are left out.
     pub(crate) fn draw_ticks(&self, svg: &mut Svg, class: &str, reach: DVec2, ticks: &[Tick]) {
         let is_upright = self.start.x == self.end.x;
         let mut written = f64::NEG_INFINITY;
@@ -77,7 +82,7 @@ impl Axis {
     }
 }
 
-/// Makes ticks of numbers.
+/// Makes a tick of each number, with `words` for it.
 pub(crate) fn ticks(
     numbers: impl Iterator<Item = f64>,
     words: impl Fn(f64) -> String,

@@ -12,7 +12,7 @@ parameters! {
     };
 }
 
-/// The figure, as a reader moves it.
+/// The live figure: a ray goes from the eye through a square of the pane that a reader chooses.
 pub(crate) static LIVE: Live<Parameters> = Live {
     figure: figure!("backwards"),
     handles: &[Handle {
@@ -24,12 +24,12 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     answer,
 };
 
-/// The scene in the plane, with the eye at 0.
+/// The lamp and the ball in the plane of the scene, whose origin is the eye.
 const LAMP: Point3 = xy(2.0, 1.25);
 const BALL: Point3 = xy(3.0, -0.25);
 const RADIUS: f64 = 0.8;
 
-/// The pane: how far ahead it is, where it begins, and how many squares of which side it has.
+/// The pane: its x, its top, the side of a square, and the number of squares.
 const AHEAD: f64 = 1.4;
 const TOP: f64 = 1.08;
 const SIDE: f64 = 0.24;
@@ -39,19 +39,20 @@ const SQUARES: u32 = 9;
 const PLANE: Plane = Plane::new(34.0, 138.0, 80.0);
 const SIZE: DVec2 = spot(400.0, 246.0);
 
-/// Returns the middle of a square, counted from 1 at the top.
+/// Returns the middle of a square of the pane; squares are counted from 1 at the top.
 fn middle(square: f64) -> Point3 {
     xy(AHEAD, TOP - (square - 0.5) * SIDE)
 }
 
-/// Returns the ray from the eye through the middle of a square, and the point where it meets the
-/// ball.
+/// Returns the ray from the eye through the middle of a square, and the point of the ball that it
+/// meets, if any.
 fn seen(square: f64) -> (Ray, Option<Point3>) {
     let ray = Ray::new(Point3::ZERO, middle(square));
     let hit = hit_sphere(BALL, RADIUS, &ray).map(|t| ray.at(t));
     (ray, hit)
 }
 
+/// Draws the figure and says what the ray of the chosen square meets.
 fn answer(&Parameters { square }: &Parameters) -> DrawnFigure {
     let (ray, hit) = seen(square);
     let meets = match hit {
@@ -79,14 +80,14 @@ fn draw(square: f64, ray: &Ray, hit: Option<Point3>) -> Svg {
     svg
 }
 
-/// Returns true if light comes from the lamp to that point of the ball: nothing of the ball is
-/// nearer.
+/// Returns true if light from the lamp reaches a point of the ball: no nearer point of the ball is
+/// in the way.
 fn is_lit(point: Point3) -> bool {
     let light = Ray::new(LAMP, point - LAMP);
     hit_sphere(BALL, RADIUS, &light).is_some_and(|t| t > 1.0 - 1e-9)
 }
 
-/// Draws the lamp, and some of the ways that its light goes: up to the ball, or to the rim.
+/// Draws the lamp and some ways of its light, which end at the ball or at the rim of the drawing.
 fn draw_lamp(svg: &mut Svg) {
     let lamp = PLANE.point(LAMP);
     for n in 0..20 {
@@ -100,7 +101,7 @@ fn draw_lamp(svg: &mut Svg) {
     svg.label("normal", lamp, UpperRight, "lamp");
 }
 
-/// Draws the squares of the pane: those are filled whose ray meets the ball.
+/// Draws the squares of the pane: filled where the ray meets the ball, and with a mark at `chosen`.
 fn draw_pane(svg: &mut Svg, chosen: f64) {
     let (wide, high) = (10.0, PLANE.scale * SIDE);
     for square in (1..=SQUARES).map(f64::from) {

@@ -15,7 +15,7 @@ parameters! {
     };
 }
 
-/// The figure, as a reader turns it.
+/// The live figure: the camera's scene in perspective, which a reader turns, and one row of rays.
 pub(crate) static LIVE: Live<Parameters> = Live {
     figure: figure!("camera_frame"),
     handles: &[Handle {
@@ -38,6 +38,7 @@ pub(crate) static LIVE: Live<Parameters> = Live {
 const CENTER: Point3 = Point3::new(0.0, 0.0, -1.0);
 const RADIUS: f64 = 0.5;
 
+/// Draws the figure and says how many rays of the chosen row meet the sphere.
 fn answer(&Parameters { side, row }: &Parameters) -> DrawnFigure {
     let camera = Camera::with_size(16, 9);
     let rays: Vec<Ray> = (0..16).map(|i| camera.ray(i, row as u32)).collect();
@@ -52,17 +53,19 @@ fn answer(&Parameters { side, row }: &Parameters) -> DrawnFigure {
     DrawnFigure::new(drawing, sentence, [])
 }
 
-/// The view of a reader who looks at the scene from outside.
+/// The view of somebody who looks at the camera and its scene from outside, in perspective.
 struct OutsideView {
+    /// The unit vector of the scene that points to the right on the sheet.
     right: Vec3,
+    /// The unit vector of the scene that points upwards on the sheet.
     up: Vec3,
-    /// The unit vector from the scene towards the reader's eye.
+    /// The unit vector from the scene towards the viewer.
     back: Vec3,
 }
 
 impl OutsideView {
-    /// Looks from behind the eye, turned to the right and tilted upwards, in
-    /// degrees.
+    /// Makes the view from behind the camera, turned by `side.x` degrees to the right and tilted
+    /// upwards by `side.y` degrees.
     fn new(side: Vec3) -> Self {
         let (sin_turn, cos_turn) = side.x.to_radians().sin_cos();
         let (sin_tilt, cos_tilt) = side.y.to_radians().sin_cos();
@@ -72,15 +75,15 @@ impl OutsideView {
         Self { right, up, back }
     }
 
-    /// Returns the place of a point of the scene on the sheet, in perspective.
+    /// Returns the place on the sheet where a point of the scene is seen.
     fn point(&self, point: Point3) -> DVec2 {
         let way = point - PIVOT;
         let scale = ZOOM / (DISTANCE - way.dot(self.back));
         MIDDLE + scale * spot(way.dot(self.right), -way.dot(self.up))
     }
 
-    /// Returns a circle of the scene, around a unit normal, as points on the
-    /// sheet.
+    /// Returns points on the sheet along a circle of the scene, which lies at right angles to a
+    /// unit `normal`. The last point is the first again.
     fn circle(&self, center: Point3, radius: f64, normal: Vec3) -> [DVec2; 49] {
         let (one, other) = normal.any_orthonormal_pair();
         std::array::from_fn(|n| {
@@ -90,15 +93,16 @@ impl OutsideView {
     }
 }
 
-/// The point that the scene turns around, and the distance from which it is seen.
+/// The point that the scene turns around, and its distance from the viewer.
 const PIVOT: Point3 = Point3::new(0.0, 0.0, -0.7);
 const DISTANCE: f64 = 7.0;
 
-/// The place of the pivot on the sheet, and the size of a unit at a distance of 1.
+/// The place of the pivot on the sheet, and the size on the sheet of a unit at distance 1.
 const MIDDLE: DVec2 = spot(200.0, 140.0);
 const ZOOM: f64 = 620.0;
 
-/// The place of the knob that turns the scene, and how far it can be moved.
+/// The place on the sheet of the knob that turns the scene, and how far it slides across and
+/// upwards.
 const KNOB: DVec2 = spot(200.0, 302.0);
 const KNOB_ROOM: DVec2 = spot(150.0, 26.0);
 
@@ -122,7 +126,7 @@ fn draw(view: &OutsideView, camera: &Camera, row: u32, rays: &[Ray]) -> Svg {
     svg
 }
 
-/// Draws the pixels, those of the row filled.
+/// Draws the pixels of the viewport: those of `row` filled.
 fn draw_viewport(svg: &mut Svg, view: &OutsideView, camera: &Camera, row: u32) {
     let (width, height) = (camera.image_width, camera.image_height);
     let (u, v) = (camera.pixel_delta_u, camera.pixel_delta_v);
@@ -141,8 +145,7 @@ fn draw_viewport(svg: &mut Svg, view: &OutsideView, camera: &Camera, row: u32) {
     }
 }
 
-/// Draws the sphere's outline, where the lines of sight touch it, and its
-/// equator.
+/// Draws the sphere's outline, where lines of sight touch it, and its equator.
 fn draw_sphere(svg: &mut Svg, view: &OutsideView) {
     let (towards, distance) = (PIVOT + DISTANCE * view.back - CENTER).normalize_and_length();
     let nearer = RADIUS * RADIUS / distance;
@@ -161,7 +164,7 @@ fn draw_axes(svg: &mut Svg, view: &OutsideView, eye: Point3) {
     svg.dot("ink", view.point(eye), UpperLeft, "eye");
 }
 
-/// Draws the cross on which the knob slides.
+/// Draws the cross along which the knob slides.
 fn draw_knob(svg: &mut Svg) {
     let DVec2 { x, y } = KNOB_ROOM;
     svg.line("faint thin", KNOB.right(-x), KNOB.right(x));

@@ -5,24 +5,25 @@ use speed_vs_accuracy::{Case, Method, exact_discriminant};
 use crate::decimal::{PLACES, agreeing, exponent, places};
 use crate::prelude::*;
 
-/// The numbers that are computed for a ray, and the right ones.
+/// The numbers that `half_b` computes for a ray, beside the exact ones: how cancellation in the
+/// discriminant D = h² − a·c takes digits away.
 pub(crate) struct Numbers {
     /// h², rounded.
     h_squared: f64,
     /// a·c, rounded.
     ac: f64,
-    /// D, as `half_b` has it.
+    /// D as `half_b` computes it.
     pub(crate) discriminant: f64,
-    /// D, to within an ulp.
+    /// D, correct to an ulp.
     pub(crate) exact_discriminant: f64,
-    /// The root that `half_b` finds.
+    /// The root that `half_b` finds, or `None` for a miss.
     pub(crate) t: Option<f64>,
-    /// The root, rounded once.
+    /// The true root, rounded once, or `None` for a miss.
     pub(crate) exact_t: Option<f64>,
 }
 
 impl Numbers {
-    /// Computes the numbers of a `case` that is finite and seen from outside.
+    /// Computes the numbers for a `case`, whose ray has to start outside of the sphere.
     pub(crate) fn of(case: &Case) -> Self {
         let nearest = |method| case.put_to(method, 0.0, f64::INFINITY);
         let exact_discriminant = exact_discriminant(case.center, case.radius, &case.ray);
@@ -36,27 +37,26 @@ impl Numbers {
         }
     }
 
-    /// Counts the leading digits in which h² and a·c agree.
+    /// Counts the leading digits that h² and a·c have in common.
     pub(crate) fn agreeing(&self) -> usize {
         let [one, other] = [self.h_squared, self.ac].map(|it| places(it, self.first()));
         agreeing(&one, &other)
     }
 
-    /// Counts the digits of t that are right; `None` unless there is a t, and
-    /// should be one.
+    /// Counts the leading digits of t that are right; returns `None` unless `half_b` and the exact
+    /// answer both are hits.
     pub(crate) fn right_digits(&self) -> Option<usize> {
         let (t, exact) = (self.t?, self.exact_t?);
         let first = exponent(t).max(exponent(exact));
         Some(agreeing(&places(t, first), &places(exact, first)))
     }
 
-    /// Returns how far off D is, relative to the exact D.
+    /// Returns the error of D, relative to the exact D.
     pub(crate) fn error(&self) -> f64 {
         ((self.discriminant - self.exact_discriminant) / self.exact_discriminant).abs()
     }
 
-    /// Draws six rows: how D comes about and what it should be, then t and what it should
-    /// be.
+    /// Draws six rows of digits: h², a·c, D, the exact D, t and the exact t.
     pub(crate) fn draw(&self, svg: &mut Svg) {
         let first = self.first();
         let row = |y, name, x| DigitRow { y, name, x, first };
@@ -95,8 +95,8 @@ impl Numbers {
         }
     }
 
-    /// Returns three places in D: up to the first there are only zeros, as there should be; up to
-    /// the second the digits are right; up to the third the exact D has only zeros.
+    /// Returns three lengths in the digits of D: of the zeros that should be there, of these with
+    /// the right digits behind them, and of all zeros of the exact D.
     fn digits_of_discriminant(&self) -> [usize; 3] {
         let both = [self.discriminant, self.exact_discriminant];
         let [found, exact] = both.map(|it| places(it, self.first()));
@@ -110,8 +110,8 @@ impl Numbers {
         [shared, right, zeros(&exact)]
     }
 
-    /// Returns the exponent of the first place of the largest number. D has none before it, because
-    /// c is positive here.
+    /// Returns the power of ten of the first digit that is drawn: that of the larger one of h² and
+    /// a·c. D is less than h², because c is positive here.
     fn first(&self) -> i32 {
         exponent(self.h_squared).max(exponent(self.ac))
     }
@@ -120,7 +120,7 @@ impl Numbers {
 const RIGHT: &str = "certain vector";
 const WRONG: &str = "wrong underlined";
 
-/// A number with its name, at that height: from the place of 10 to the power `first` on.
+/// A row of digits: a number's name and its digits, from the place of ten to the power `first` on.
 #[derive(Clone, Copy)]
 struct DigitRow {
     y: f64,
@@ -130,7 +130,8 @@ struct DigitRow {
 }
 
 impl DigitRow {
-    /// Draws the digits: of each class those up to a place.
+    /// Draws the digits in stretches: each class holds from the end of the last one up to its
+    /// digit.
     fn draw(&self, svg: &mut Svg, classes: &[(&str, usize)]) {
         let at = spot(84.0, self.y);
         svg.label("ink", at.right(-19.0), End, self.name);
@@ -152,7 +153,7 @@ impl DigitRow {
     }
 }
 
-/// Counts the zeros that come first.
+/// Counts the leading zeros of these digits.
 fn zeros(digits: &str) -> usize {
     digits.bytes().take_while(|digit| *digit == b'0').count()
 }

@@ -3,13 +3,13 @@
 /// The number of decimal digits that tell every `f64` from its neighbors.
 pub(crate) const PLACES: usize = 17;
 
-/// Returns the exponent of the first decimal digit of `x`; that of 0 is 0.
+/// Returns the power of ten of the first decimal digit of `x`; 0 for 0.
 pub(crate) fn exponent(x: f64) -> i32 {
     scientific(x, PLACES - 1).1
 }
 
-/// Writes the digits of |x|, rounded, from the place of 10 to the power `first` on. No digit but 0
-/// may stand before that place.
+/// Writes [`PLACES`] digits of |x|, rounded, the first of which counts ten to the power `first`.
+/// All digits before that place must be 0.
 pub(crate) fn places(x: f64, first: i32) -> String {
     let before = first - exponent(x);
     let Some(after) = (PLACES as i32 - 1).checked_sub(before).filter(|n| *n >= 0) else {
@@ -21,7 +21,7 @@ pub(crate) fn places(x: f64, first: i32) -> String {
     format!("{:0<PLACES$}", zeros + &digits)
 }
 
-/// Counts the digits in which the two agree, from the first on.
+/// Counts the leading digits that two texts have in common.
 pub(crate) fn agreeing(one: &str, other: &str) -> usize {
     one.bytes()
         .zip(other.bytes())
@@ -29,8 +29,8 @@ pub(crate) fn agreeing(one: &str, other: &str) -> usize {
         .count()
 }
 
-/// Writes |x| with `after` digits behind the first one, and returns them with the
-/// exponent of the first.
+/// Writes |x| with `after` digits behind the first one; returns all digits, and the power of ten of
+/// the first.
 fn scientific(x: f64, after: usize) -> (String, i32) {
     let text = format!("{:.after$e}", x.abs());
     let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));

@@ -13,11 +13,12 @@ parameters! {
         Parameter::whole("Pixel, above the middle", -7.0, 7.0, 2.0);
 }
 
-/// The radius of the star: not such that squares are round numbers, of which *ac* is a
-/// little less and has no digit in common.
+/// The radius of the star. Its square is no round number: else *a·c* would be a little less than a
+/// round number, and have no digit in common with it.
 const RADIUS: f64 = 6.0 / 7.0;
 
-/// The figure, as a reader moves it.
+/// The live figure: a star at a distance that a reader chooses, seen by two methods, and the digits
+/// of one ray.
 pub(crate) static LIVE: Live<Parameters> = Live {
     figure: figure!("digits"),
     handles: &[
@@ -49,7 +50,7 @@ fn answer(it: &Parameters) -> DrawnFigure {
     DrawnFigure::new(draw(it, &found), sentence, says)
 }
 
-/// Says what is left of D.
+/// Says how many digits of D are left.
 fn of_discriminant(found: &Numbers) -> String {
     match found.error() {
         0.0 => "*D* has lost no digit.".to_owned(),
@@ -63,7 +64,7 @@ fn of_discriminant(found: &Numbers) -> String {
     }
 }
 
-/// Says what is left of t. A t of 1 is `radii` radii long.
+/// Says how many digits of t are left; a t of 1 is `radii` radii long.
 fn of_t(found: &Numbers, radii: f64) -> String {
     match (found.t, found.exact_t, found.right_digits()) {
         (Some(t), Some(exact), _) if t == exact => "No digit of *t* is wrong.".to_owned(),
@@ -77,16 +78,17 @@ fn of_t(found: &Numbers, radii: f64) -> String {
     }
 }
 
-/// Pixels in a row, and how many of them are as wide as the radius: the half keeps rays
-/// off the rim.
+/// The number of pixels in a row of a star's picture, and the number in a radius: the half keeps
+/// rays off the rim.
 const PIXELS: u32 = 15;
 const PER_RADIUS: f64 = 5.5;
 
-/// The rays of the book's camera are so many times closer together here, and the lens makes
-/// up for it. Behind them is so little of the sky that it has few colors.
+/// The factor by which the rays of the book's camera are closer together here, for which the lens
+/// makes up. Behind them is so little of the sky that it has few colors.
 const CLOSER: f64 = 16.0;
 
-/// The places of the two stars, in pixels from their middles, and the methods that draw them.
+/// The planes of the two stars' pictures, in pixels from the middle of each, and the methods that
+/// draw them.
 const SKIES: [Plane; 2] = [
     Plane::new(97.75, 115.75, SIDE),
     Plane::new(301.75, 115.75, SIDE),
@@ -94,16 +96,16 @@ const SKIES: [Plane; 2] = [
 const EYES: [Method; 2] = [Method::HALF_B, Method::CERTIFIED_T];
 const SIDE: f64 = 12.5;
 
-/// The distances, as powers of ten.
+/// The axis of distances, as powers of ten.
 const AXIS: Axis = Axis::new(20.0, 236.0, 360.0, 0.0, 16.0);
 
 impl Parameters {
-    /// Returns the distance from the eye to the center, in radii.
+    /// Returns the distance from the eye to the star's center, in radii.
     fn away(&self) -> f64 {
         (0..self.exponent as u8).fold(1.0, |power, _| 10.0 * power)
     }
 
-    /// Returns the star, with the chosen ray.
+    /// Returns the star and the ray through the chosen pixel.
     fn case(&self) -> Case {
         Case {
             center: self.center(),
@@ -127,8 +129,7 @@ impl Parameters {
         }
     }
 
-    /// Returns the ray of the book's camera that the lens sends through that
-    /// pixel.
+    /// Returns the ray of the book's camera that the lens turns into the ray through a pixel.
     fn ray(&self, pixel: Vec3) -> Ray {
         let through = Vec3::new(0.25, -0.5, -CLOSER) + pixel / PER_RADIUS;
         Ray::new(Point3::ZERO, through / CLOSER)
@@ -144,7 +145,7 @@ impl Parameters {
     }
 }
 
-/// Draws the star twice, the axis, and the numbers of the chosen ray.
+/// Draws the star by both methods, the axis of distances, and the digits of the chosen ray.
 fn draw(it: &Parameters, numbers: &Numbers) -> Svg {
     let mut svg = LIVE.figure.sheet(410.0);
     for (sky, method) in SKIES.into_iter().zip(EYES) {

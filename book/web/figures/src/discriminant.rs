@@ -18,7 +18,7 @@ parameters! {
     radius: f64 = Parameter::new("radius", 0.2, 1.3, 1.2);
 }
 
-/// The figure, as a reader moves it.
+/// The live figure: a ray and a sphere to be moved, and the roots on an axis of t.
 pub(crate) static LIVE: Live<Parameters> = Live {
     figure: figure!("discriminant"),
     handles: &[
@@ -42,7 +42,7 @@ pub(crate) static LIVE: Live<Parameters> = Live {
 };
 
 impl Parameters {
-    /// Puts eye and sphere there; the ray goes to the right.
+    /// Puts the origin of the ray and the sphere there; the ray points to the right.
     fn put(&mut self, q: Point3, c: Point3, radius: f64) {
         let d = Vec3::X;
         *self = Self { q, d, c, radius };
@@ -52,7 +52,7 @@ impl Parameters {
         ray(self.q, self.d)
     }
 
-    /// Finds all t at which the line meets the sphere.
+    /// Finds all t at which the line of the ray meets the sphere.
     fn roots(&self) -> Vec<f64> {
         roots(&self.ray(), |ray| hit_sphere(self.c, self.radius, ray))
     }
@@ -76,12 +76,13 @@ fn answer(it: &Parameters) -> DrawnFigure {
     DrawnFigure::new(draw(it, &roots), sentence(&roots), says)
 }
 
+/// Writes roots with "and" between them.
 fn listed(roots: &[f64]) -> String {
     let roots: Vec<String> = roots.iter().copied().map(spoken).collect();
     roots.join(" and ")
 }
 
-/// Says what the roots mean.
+/// Says what the number and the signs of the roots mean.
 fn sentence(roots: &[f64]) -> String {
     let at = listed(roots);
     match roots[..] {
@@ -118,7 +119,7 @@ const SIZE: DVec2 = spot(400.0, 226.0);
 /// The axis of t, below the scene.
 const AXIS: Axis = Axis::new(23.0, 258.0, 357.0, -2.5, 6.0);
 
-/// Draws the scene and the axis.
+/// Draws the scene and the axis, with a mark for each root on both.
 fn draw(it: &Parameters, roots: &[f64]) -> Svg {
     let mut svg = LIVE.figure.sheet(286.0);
     draw_scene(&mut svg, it);

@@ -12,7 +12,7 @@ parameters! {
         Parameter::new("Origin, upwards", -1.3, 1.4, -0.65);
 }
 
-/// The figure, as a reader moves it.
+/// The live figure: a ray whose origin a reader moves, and both ways to direct the normal.
 pub(crate) static LIVE: Live<Parameters> = Live {
     figure: figure!("face_normal"),
     handles: &[point!(PLANES[0], origin), point!(PLANES[1], origin)],
@@ -59,13 +59,13 @@ const PLANES: [Plane; 2] = [
     Plane::new(302.0, 148.0, 64.0),
 ];
 
-/// Finds where a ray meets the sphere. It has radius 1 around the origin, so a point of it is the
-/// normal there that points out.
+/// Finds where a ray meets the sphere, which has radius 1 around the origin: so a point of the
+/// sphere is the outward normal there.
 fn hit(ray: &Ray) -> Option<HitRecord> {
     Sphere::new(Point3::ZERO, 1.0).hit(ray, 0.0, f64::INFINITY)
 }
 
-/// Draws both ways side by side.
+/// Draws both ways to direct the normal, side by side.
 fn draw(ray: &Ray) -> Svg {
     let mut svg = LIVE.figure.sheet(296.0);
     let titles = [("outward", false), ("against the ray", true)];
@@ -81,7 +81,8 @@ fn draw(ray: &Ray) -> Svg {
     svg
 }
 
-/// Draws a ray, and the normal where it meets the sphere; returns what there is to say.
+/// Draws a ray, and the normal where it meets the sphere: as set against the ray if `against`, else
+/// outward. Returns the words below.
 fn meet(svg: &mut Svg, plane: &Plane, ray: &Ray, against: bool) -> String {
     let origin = plane.point(ray.origin);
     svg.dot("ray", origin, UpperRight, "**d**");

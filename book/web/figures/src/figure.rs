@@ -1,21 +1,21 @@
-//! The words of a figure, which stand in a text beside its code: `walk.md` beside `walk.rs`.
+//! The words of a figure, read from a Markdown text beside its code: `walk.md` beside `walk.rs`.
 
 use crate::svg::Svg;
 
-/// The words of a figure.
+/// The words of a figure: its title, caption and description, and a question about it.
 #[derive(Clone, Debug)]
 pub struct Figure {
-    /// The name in `{{figure NAME}}` of a page.
+    /// The name of the figure in `{{figure NAME}}` on a page.
     pub name: &'static str,
-    /// A few words, read aloud where the drawing cannot be seen.
+    /// A title of a few words, read aloud to a reader who cannot see the drawing.
     pub title: String,
     /// A description in sentences, for a reader who cannot see the drawing.
     pub description: String,
-    /// The words below it on the page; `*t*` is a number, `**P**` a vector.
+    /// The caption below the figure; `*t*` marks a number, `**P**` a vector.
     pub caption: String,
-    /// A question to the reader; `*t*` is a number, `**P**` a vector.
+    /// A question to the reader about the figure; `*t*` marks a number, `**P**` a vector.
     pub question: String,
-    /// The answer to it: closed on the page, until it is asked for.
+    /// The answer to the question: the page shows it when the reader asks for it.
     pub solution: String,
 }
 
@@ -41,13 +41,14 @@ impl Figure {
         }
     }
 
-    /// Returns an empty drawing with the words of this figure.
+    /// Returns an empty drawing with the title and description of the figure, 400 by `height`
+    /// units.
     pub(crate) fn sheet(&self, height: f64) -> Svg {
         Svg::new(self.name, &self.title, &self.description, height)
     }
 }
 
-/// Reads the words of a figure, once, from the text beside its code.
+/// Reads the words of a figure from the text beside its code, when they are first needed.
 macro_rules! figure {
     ($name:literal) => {
         std::sync::LazyLock::new(|| {

@@ -1,8 +1,8 @@
-//! The figures of the book: pure functions from numbers to SVG.
+//! The figures and charts of the book: functions from numbers to SVG drawings.
 //!
-//! What a figure shows is computed by the functions that it explains: the pixel
-//! grid by the camera, the roots by `hit_sphere`, the turned normal by
-//! `set_face_normal`. So a figure cannot drift from the code.
+//! The content of a figure is computed by the very functions that it explains: the pixel grid by
+//! the camera, the roots by `hit_sphere`, the turned normal by `set_face_normal`. So a figure
+//! cannot drift from the code.
 
 mod arrows;
 mod axis;
@@ -42,7 +42,7 @@ pub use style::{CSS, standalone};
 pub use svg::Svg;
 pub use text::{escape, html};
 
-/// The figures of the lesson, in reading order. A page names them by their place.
+/// The figures of the lesson, in reading order. A page names a figure by its index here.
 pub static LESSON: &[&dyn Movable] = &[
     &backwards::LIVE,
     &arrows::LIVE,
@@ -57,10 +57,11 @@ pub static LESSON: &[&dyn Movable] = &[
     &face_normal::LIVE,
 ];
 
-/// The figure of chapter 6. It calls all methods, and needs integers of any size.
+/// The figure of chapter 6, apart from the others because it needs all methods and integers of any
+/// size.
 pub static ACCURACY: &[&dyn Movable] = &[&digits::LIVE];
 
-/// Returns all figures, in reading order.
+/// Returns all figures of the book, in reading order.
 pub fn figures() -> impl Iterator<Item = &'static dyn Movable> {
     LESSON.iter().chain(ACCURACY).copied()
 }

@@ -20,19 +20,19 @@ use crate::parameters::{FigureParameters, Parameter};
 use crate::svg::Svg;
 use crate::text::html;
 
-/// A place on the drawing that a reader can drag.
+/// A place on a drawing that a reader can drag, and the field of the parameters that follows.
 #[derive(Debug)]
 pub(crate) struct Handle<P> {
-    /// The field of the parameters that it changes.
+    /// The name of the field that dragging changes.
     pub(crate) field: &'static str,
-    /// Its place on the sheet.
+    /// Returns the place of the handle on the sheet.
     pub(crate) at: fn(&P) -> DVec2,
-    /// Brings it as near as can be to a place on the sheet.
+    /// Changes the field so that the handle comes as near as possible to a place on the sheet.
     pub(crate) drag: fn(&mut P, DVec2),
 }
 
-/// A draggable point: a field that is a point of a plane or a number on an axis, or that is
-/// a vector from such a point.
+/// Makes the handle of a field: a point of a plane, a number on an axis, or a vector that starts at
+/// such a point.
 macro_rules! point {
     ($frame:expr, $field:ident) => {
         crate::live::Handle {
@@ -51,40 +51,41 @@ macro_rules! point {
 }
 pub(crate) use point;
 
-/// The words on a button, and its effect on the parameters.
+/// The words on a button, and the change that it makes to the parameters.
 pub(crate) type Action<P> = (&'static str, fn(&mut P));
 
 /// A figure that a reader can move by changing parameters of type `P`.
 #[derive(Debug)]
 pub(crate) struct Live<P: 'static> {
-    /// The figure, as the page shows it.
+    /// The words of the figure.
     pub(crate) figure: LazyLock<Figure>,
-    /// The places at which the drawing can be grasped: of two in one place, the later one is.
+    /// The places at which the drawing can be dragged. Where two coincide, a reader drags the later
+    /// one.
     pub(crate) handles: &'static [Handle<P>],
     /// The buttons below the drawing.
     pub(crate) actions: &'static [Action<P>],
-    /// The figure for these parameters, each within its range.
+    /// Draws the figure for parameters that are each within their ranges.
     pub(crate) answer: fn(&P) -> DrawnFigure,
 }
 
-/// Words by name: for sentences of the page, and for the lines of a listing.
+/// Words by name, for sentences of the page and for the lines of a listing.
 pub(crate) type Says = BTreeMap<&'static str, String>;
 
-/// A figure for certain parameters.
+/// A figure as drawn for certain parameters, and all that the page says of it.
 #[derive(Clone, Debug)]
 pub struct DrawnFigure {
-    /// The drawing.
+    /// The drawing itself.
     pub drawing: Svg,
-    /// A sentence about the drawing; `*t*` is a number, `**P**` a vector.
+    /// A sentence about this drawing; `*t*` marks a number, `**P**` a vector.
     pub sentence: String,
-    /// The place of each handle on the sheet.
+    /// The place of each handle on the sheet: x to the right, y down, in units of the viewBox.
     pub handles: Vec<DVec2>,
-    /// Values, by name, that the page shows in its sentences and beside listings.
+    /// Words by name, such as values, that the page shows in its sentences and beside listings.
     pub says: BTreeMap<&'static str, String>,
 }
 
 impl DrawnFigure {
-    /// Makes an answer whose handles are where the figure says.
+    /// Makes a drawn figure without its handles, which [`Movable::answer`] adds.
     pub(crate) fn new(drawing: Svg, sentence: String, says: impl Into<Says>) -> Self {
         Self {
             drawing,
@@ -95,43 +96,48 @@ impl DrawnFigure {
     }
 }
 
-/// A figure, whatever its parameters are: they go in and come out as a list of numbers.
+/// A live figure, whatever its parameters: callers pass these as a list of numbers.
 pub trait Movable: Sync {
     /// Returns the words of the figure.
     fn figure(&self) -> &Figure;
 
-    /// Returns the numbers that a reader can change, in the order of all lists of
-    /// them.
+    /// Returns the parameters that a reader can change. All lists of numbers have their order.
     fn parameters(&self) -> &'static [Parameter];
 
-    /// Returns, for each handle, the places in that order of the numbers that it
-    /// changes.
+    /// Returns, for each handle, the indices of the parameters that dragging it changes.
     fn handles(&self) -> Vec<Vec<usize>>;
 
     /// Returns the words on each button.
     fn actions(&self) -> Vec<&'static str>;
 
-    /// Drags a handle to a place on the sheet: what it changes comes onto a step.
+    /// Changes `numbers` as dragging a handle to a place on the sheet does: the parameters that it
+    /// changes come onto the nearest step of their sliders, within their ranges.
+    ///
+    /// # Panics
+    /// If there is no such handle.
     fn drag(&self, handle: usize, numbers: &mut [f64], to: DVec2);
 
-    /// Does what a button says.
+    /// Changes `numbers` as pressing a button does, within their ranges.
+    ///
+    /// # Panics
+    /// If there is no such button.
     fn act(&self, action: usize, numbers: &mut [f64]);
 
-    /// Draws the figure for these numbers, each within its range.
+    /// Draws the figure for these numbers, each of which has to be within its range.
     fn answer(&self, numbers: &[f64]) -> DrawnFigure;
 
-    /// Returns the name that pages call the figure by.
+    /// Returns the name by which pages call the figure.
     fn name(&self) -> &'static str {
         self.figure().name
     }
 
-    /// Returns the numbers of the figure on the page.
+    /// Returns the numbers with which the figure is first shown on its page.
     fn defaults(&self) -> Vec<f64> {
         self.parameters().iter().map(|it| it.default).collect()
     }
 
-    /// Puts each number into its range, and whole ones on a whole number; what is no number
-    /// becomes the default.
+    /// Brings each number into its range, and a whole one onto a whole number. NaN and infinity
+    /// become the default.
     fn confine(&self, numbers: &mut [f64]) {
         for (n, number) in self.parameters().iter().enumerate() {
             numbers[n] = number.confine(numbers[n]);
@@ -139,9 +145,9 @@ pub trait Movable: Sync {
         }
     }
 
-    /// Writes the answer in lines: the drawing, the sentence, and then, each with a word before it,
-    /// the places of the handles, the numbers with their words and their greatest values, and what
-    /// sentences of the page show.
+    /// Draws the figure, as lines for a script: the `<svg>` element, the sentence, and then lines
+    /// with tabs between their fields: `handle`, x, y; `value`, the number, its words, its greatest
+    /// value; `says`, a name, its words.
     fn text(&self, numbers: &[f64]) -> String {
         let answer = self.answer(numbers);
         let mut text = format!("{}\n{}", answer.drawing.finish(), html(&answer.sentence));

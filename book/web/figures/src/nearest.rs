@@ -24,7 +24,7 @@ parameters! {
     list: f64 = Parameter::choice("The list", LISTS);
 }
 
-/// The figure, as a reader moves it.
+/// The live figure: three spheres and a ray to be moved, and the order in which a list asks them.
 pub(crate) static LIVE: Live<Parameters> = Live {
     figure: figure!("nearest"),
     handles: &[
@@ -38,7 +38,7 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     answer,
 };
 
-/// The list: the spheres in their order.
+/// The orders that the list of spheres can have.
 const LISTS: &[&str] = &[
     "1, 2, 3", "1, 3, 2", "2, 1, 3", "2, 3, 1", "3, 1, 2", "3, 2, 1",
 ];
@@ -46,17 +46,18 @@ const LISTS: &[&str] = &[
 /// The radii of the three spheres.
 const RADII: [f64; 3] = [0.7, 0.6, 0.5];
 
-/// The turn of a sphere in the search.
+/// One step of the search: the list asks a sphere for a hit.
 struct Turn {
-    /// The number of the sphere.
+    /// The number of the sphere, counted from 1.
     sphere: usize,
-    /// The end of the range for which it is asked.
+    /// The end of the interval of t for which the sphere is asked.
     t_max: f64,
-    /// The t at which it is hit before that.
+    /// The t at which the ray hits the sphere inside the interval, or `None`.
     hit: Option<f64>,
 }
 
 impl Turn {
+    /// Says what the sphere is asked and what it answers.
     fn in_words(&self) -> String {
         let (sphere, end) = (self.sphere, in_digits(self.t_max));
         let result = match self.hit.map(in_digits) {
@@ -66,7 +67,7 @@ impl Turn {
         format!("Sphere {sphere} is asked for 0 < *t* < {end}, and {result}.")
     }
 
-    /// Returns the t that the search holds after this turn.
+    /// Returns the least t that the search has found after this step.
     fn closest_so_far(&self) -> f64 {
         self.hit.unwrap_or(self.t_max)
     }
@@ -81,6 +82,7 @@ impl Parameters {
         Ray::new(self.q, self.d)
     }
 
+    /// Searches the list for the nearest hit; returns all steps.
     fn turns(&self) -> Vec<Turn> {
         let mut t_max = f64::INFINITY;
         let list = LISTS[self.list as usize].split(", ");
@@ -119,7 +121,7 @@ fn answer(it: &Parameters) -> DrawnFigure {
     DrawnFigure::new(draw(it, &turns), sentence, [("held", held.join(", "))])
 }
 
-/// Writes the t of a hit, or the end of an interval, in few digits.
+/// Writes the t of a hit, or the end of an interval, which may be infinite, in three digits.
 fn in_digits(t: f64) -> String {
     match t {
         f64::INFINITY => "∞".to_owned(),
@@ -134,14 +136,14 @@ const SIZE: DVec2 = spot(400.0, 192.0);
 /// The greatest t on a bar.
 const MOST: f64 = 4.4;
 
-/// Returns the axis of all t for which a sphere is asked, in that row below the scene. Below a ray
-/// to the right, one unit of t is as long as in the scene.
+/// Returns the axis of t in a row below the scene. If the ray points to the right and has length 1,
+/// a unit of t is as long as in the scene.
 fn bar(row: usize) -> Axis {
     let y = 226.0 + 38.0 * row as f64;
     Axis::new(PLANE.origin.x, y, MOST * PLANE.scale, 0.0, MOST)
 }
 
-/// Draws the spheres and the ray, then a bar for each turn, and what is held at the end.
+/// Draws the spheres and the ray, a bar for each step of the search, and a last bar for its result.
 fn draw(it: &Parameters, turns: &[Turn]) -> Svg {
     let mut svg = LIVE.figure.sheet(352.0);
     for ((center, radius), name) in it.centers().iter().zip(RADII).zip(1..) {

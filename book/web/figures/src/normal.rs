@@ -15,7 +15,7 @@ parameters! {
         Parameter::new("d, upwards", -2.0, 2.0, -0.25);
 }
 
-/// The figure, as a reader moves it.
+/// The live figure: a ray to be moved, and the normal where it hits a sphere.
 pub(crate) static LIVE: Live<Parameters> = Live {
     figure: figure!("normal"),
     handles: &[point!(PLANE, d from q), point!(PLANE, q)],
@@ -31,7 +31,7 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     answer,
 };
 
-/// The sphere, in the plane of x and y, and where that is on the sheet.
+/// The sphere in the plane of x and y, and the place of that plane on the sheet.
 const CENTER: Point3 = Point3::ZERO;
 const RADIUS: f64 = 1.6;
 const PLANE: Plane = Plane::new(235.0, 180.0, 68.0);
@@ -60,7 +60,7 @@ fn normal(point: Point3) -> Vec3 {
     (point - CENTER).normalize()
 }
 
-/// Draws the sphere and the ray, and if it hits, the normal.
+/// Draws the sphere, the ray and, if there is a root, the normal at the hit.
 fn draw(ray: &Ray, root: Option<f64>) -> Svg {
     let mut svg = LIVE.figure.sheet(SIZE.y);
     let middle = PLANE.point(CENTER);
@@ -75,7 +75,7 @@ fn draw(ray: &Ray, root: Option<f64>) -> Svg {
     svg
 }
 
-/// Draws the radius to a point of the sphere, what touches there, and the normal.
+/// Draws the radius to a point of the sphere, the tangent and the normal there.
 fn draw_normal(svg: &mut Svg, point: Point3) {
     let unit = normal(point);
     let [middle, hit, tip] = [CENTER, point, point + unit].map(|it| PLANE.point(it));

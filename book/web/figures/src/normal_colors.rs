@@ -10,7 +10,7 @@ parameters! {
         Parameter::new("The point, upwards", -0.9, 0.9, 0.3);
 }
 
-/// The figure, as a reader moves it.
+/// The live figure: a point of the picture of chapter 3 to be moved, with its normal and its color.
 pub(crate) static LIVE: Live<Parameters> = Live {
     figure: figure!("normal_colors"),
     handles: &[point!(viewport(), point)],
@@ -22,7 +22,7 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     answer,
 };
 
-/// The width of the picture in pixels, and where it is on the sheet.
+/// The width of the picture in pixels, and its place on the sheet.
 const WIDTH: u32 = 32;
 const FRAME: PixelGrid = PixelGrid::new(8.0, 8.0, 12.0);
 
@@ -30,10 +30,10 @@ fn viewport() -> Plane {
     FRAME.viewport(&Camera::new(WIDTH))
 }
 
-/// The sphere of chapter 3; its radius is ½.
+/// The center of the sphere of chapter 3, whose radius is ½.
 const CENTER: Point3 = Point3::new(0.0, 0.0, -1.0);
 
-/// Returns the color of the ray through a point of the viewport, and the normal where it hits the
+/// Returns the color of the ray through a point of the viewport, and the normal if the ray hits the
 /// sphere.
 fn seen(point: Point3) -> (Color, Option<Vec3>) {
     let ray = Ray::new(Point3::ZERO, point - Vec3::Z);
@@ -62,7 +62,7 @@ fn answer(&Parameters { point }: &Parameters) -> DrawnFigure {
     DrawnFigure::new(draw(point, color, normal), sentence, [("levels", levels)])
 }
 
-/// Draws the picture, the normal of a point, and below them the normal and the color in numbers.
+/// Draws the picture, the normal at the chosen point, and below them both in numbers.
 fn draw(point: Point3, color: Color, normal: Option<Vec3>) -> Svg {
     let mut svg = LIVE.figure.sheet(264.0);
     FRAME.draw(&mut svg, &normals::picture(WIDTH));

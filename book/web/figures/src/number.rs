@@ -4,8 +4,8 @@ use std::cmp::Ordering;
 
 use common::rtweekend::*;
 
-/// Writes a number in three digits, such as 0.41, 158, 1.3e-16; what is not
-/// finite as `inf` or `NaN`.
+/// Writes a number with three digits, for a file: 0.41, 158, 1.3e-16. A number that is not finite
+/// becomes `inf`, `-inf` or `NaN`.
 pub fn three_digits(value: f64) -> String {
     let rounded = format!("{value:.2e}");
     let Some((digits, exponent)) = rounded.split_once('e') else {
@@ -18,7 +18,7 @@ pub fn three_digits(value: f64) -> String {
     }
 }
 
-/// Writes a number in three digits as it is printed: −0.41, 158, 1.3·10⁻¹⁶.
+/// Writes a number with three digits, for a page: −0.41, 158, 1.3·10⁻¹⁶.
 pub fn printed(value: f64) -> String {
     let text = three_digits(value).replace('-', "−");
     match text.split_once('e') {
@@ -27,12 +27,12 @@ pub fn printed(value: f64) -> String {
     }
 }
 
-/// Cuts the zeros at the end of decimals, and the point if none is left.
+/// Cuts the zeros off the end of decimals, and the point if none is left.
 fn trimmed(decimals: &str) -> &str {
     decimals.trim_end_matches('0').trim_end_matches('.')
 }
 
-/// Writes a number as an exponent.
+/// Writes a whole number in superscript digits.
 pub(crate) fn raised(number: impl ToString) -> String {
     let raised = |digit: char| match digit.to_digit(10) {
         Some(digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(digit as usize),
@@ -41,25 +41,26 @@ pub(crate) fn raised(number: impl ToString) -> String {
     number.to_string().chars().filter_map(raised).collect()
 }
 
-/// Writes ten to that power.
+/// Writes ten to that power: 10⁻¹⁶.
 pub(crate) fn power_of_ten(exponent: i32) -> String {
     format!("10{}", raised(exponent))
 }
 
-/// Writes a number with at most two decimals, and no minus before zero.
+/// Writes a number with at most two decimals, and without a minus before zero, for an SVG
+/// attribute.
 pub(crate) fn number(value: f64) -> String {
     let text = format!("{value:.2}");
     let short = trimmed(&text);
     if short == "-0" { "0" } else { short }.to_owned()
 }
 
-/// Writes a number as a reader writes it: two decimals at most, a half rounded up as at school, and
-/// a real minus.
+/// Writes a number with at most two decimals, for a page: a half is rounded away from zero, and the
+/// minus is a real one.
 pub fn spoken(value: f64) -> String {
     number((100.0 * value).round() / 100.0).replace('-', "−")
 }
 
-/// Returns `<`, `=` or `>`, as one number stands to the other.
+/// Returns `<`, `=` or `>`: how one number compares with the other.
 pub(crate) fn sign(one: f64, other: f64) -> char {
     match one.total_cmp(&other) {
         Ordering::Less => '<',
@@ -68,7 +69,7 @@ pub(crate) fn sign(one: f64, other: f64) -> char {
     }
 }
 
-/// Writes a vector as three numbers with at most two decimals.
+/// Writes a vector as three numbers in brackets, with at most two decimals.
 pub(crate) fn triple(vector: Vec3) -> String {
     let [x, y, z] = vector.to_array().map(spoken);
     format!("({x}, {y}, {z})")

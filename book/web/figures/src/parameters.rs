@@ -5,26 +5,28 @@ use common::rtweekend::*;
 use crate::number::spoken;
 use crate::plane::xy;
 
-/// A number that a reader can change.
+/// A number of a figure that a reader can change, with its name, range, step and default.
 #[derive(Clone, Copy, Debug)]
 pub struct Parameter {
-    /// The field of the parameters that it belongs to.
+    /// The field of the figure's parameters that it is a part of: a point has two parameters.
     pub field: &'static str,
-    /// Its name, for a reader.
+    /// The label of its slider.
     pub name: &'static str,
     /// The least value.
     pub least: f64,
     /// The greatest value.
     pub most: f64,
-    /// The number of steps of the slider that make 1.
+    /// The number of steps of the slider in an interval of length 1; 1 for a whole number.
     pub steps: f64,
-    /// The value of the figure on the page.
+    /// The value with which the figure is first shown.
     pub default: f64,
-    /// The greatest value beside these numbers, if they leave less room.
+    /// Returns the greatest value while all parameters have these values, or `None` if that is
+    /// always `most`.
     pub most_beside: Option<fn(&[f64]) -> f64>,
-    /// True if more is farther down on the drawing.
+    /// True if a greater value is farther down on the drawing, so that the arrow key for down means
+    /// more.
     pub downwards: bool,
-    /// The names of the values, from `least` on, if it is a choice.
+    /// The names of the values, from `least` on, if a reader chooses from a list; else empty.
     pub choices: &'static [&'static str],
 }
 
@@ -52,7 +54,7 @@ impl Parameter {
         }
     }
 
-    /// Makes a choice of these, of which the first is on the page.
+    /// Makes a choice from a list, whose first entry is the default.
     pub(crate) const fn choice(name: &'static str, choices: &'static [&'static str]) -> Self {
         Self {
             choices,
@@ -60,12 +62,14 @@ impl Parameter {
         }
     }
 
-    /// Returns the greatest value beside the others.
+    /// Returns the greatest value while all parameters have the values `numbers`.
     pub(crate) fn most_among(&self, numbers: &[f64]) -> f64 {
         let most = self.most_beside.map(|most_beside| most_beside(numbers));
         most.map_or(self.most, |most| most.min(self.most))
     }
 
+    /// Brings a value into the range, and onto a whole number if it is one; the default for NaN or
+    /// infinity.
     pub(crate) fn confine(&self, value: f64) -> f64 {
         let confined = value.clamp(self.least, self.most);
         match self.steps {
@@ -75,12 +79,12 @@ impl Parameter {
         }
     }
 
-    /// Returns the nearest value on a step: the quotient is the double nearest to a short decimal.
+    /// Returns the value on the nearest step of the slider: the `f64` nearest to a short decimal.
     pub(crate) fn on_a_step(&self, value: f64) -> f64 {
         self.confine((value * self.steps).round() / self.steps)
     }
 
-    /// Writes the value in words, for a reader who cannot see the slider.
+    /// Writes a value in words, for a reader who cannot see the slider.
     pub(crate) fn in_words(&self, value: f64) -> String {
         match self.choices.get((value - self.least) as usize) {
             Some(&choice) => choice.to_owned(),
@@ -89,21 +93,25 @@ impl Parameter {
     }
 }
 
-/// The parameters of a figure, as numbers.
+/// The parameters of a figure as a struct, which can be read from a list of numbers and written as
+/// one.
 pub(crate) trait FigureParameters: Sized + 'static {
-    /// The numbers, in the order of the fields.
+    /// The parameters, in the order of the fields: two for a point.
     const PARAMETERS: &'static [Parameter];
 
-    /// Reads them from a list in that order.
+    /// Reads the struct from numbers in the order of `PARAMETERS`.
     fn of(numbers: &[f64]) -> Self;
 
-    /// Returns them as such a list.
+    /// Returns the numbers of the struct in the order of `PARAMETERS`.
     fn numbers(&self) -> Vec<f64>;
 }
 
-/// A field of the parameters: a number, or a point of the plane, which is two.
+/// A field of a figure's parameters: a number, or a point or vector of the plane, which is two
+/// numbers.
 pub(crate) trait ParameterField {
+    /// Takes the field's numbers from the front of a list.
     fn read(numbers: &mut impl Iterator<Item = f64>) -> Self;
+    /// Appends the field's numbers to a list.
     fn write(&self, numbers: &mut Vec<f64>);
 }
 
@@ -127,8 +135,8 @@ impl ParameterField for Vec3 {
     }
 }
 
-/// Declares the parameters of a figure, each field with the one [`Parameter`] or the two that it
-/// is.
+/// Declares the parameters of a figure: for each field, its type and one [`Parameter`], or two for
+/// a point.
 macro_rules! parameters {
     ($($field:ident: $kind:ty = $($number:expr),+;)*) => {
         /// The parameters that a reader can change.

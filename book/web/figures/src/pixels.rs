@@ -6,12 +6,12 @@ use glam::DVec2;
 use crate::plane::Plane;
 use crate::svg::Svg;
 
-/// Squares in rows on the sheet.
+/// A place on the sheet for a picture whose pixels are large squares.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PixelGrid {
-    /// The upper left corner.
+    /// The upper left corner of the picture.
     pub(crate) corner: DVec2,
-    /// The side of a square.
+    /// The side of a pixel.
     pub(crate) side: f64,
 }
 
@@ -21,7 +21,7 @@ impl PixelGrid {
         Self { corner, side }
     }
 
-    /// Draws `picture`, and a thin line around it.
+    /// Draws the pixels of `picture`, and a thin line around it.
     pub(crate) fn draw(&self, svg: &mut Svg, picture: &Picture) {
         // Strip by strip: so small a picture needs no threads, and a page has none.
         let mut rgb = Vec::new();
@@ -43,8 +43,8 @@ impl PixelGrid {
         svg.rect("faint thin", self.corner, self.side * size);
     }
 
-    /// Returns the plane of the viewport of `camera`, where a picture of it is
-    /// drawn.
+    /// Returns the plane of the viewport of `camera`, so that a point of the viewport lies on its
+    /// pixel.
     pub(crate) fn viewport(&self, camera: &Camera) -> Plane {
         let scale = self.side / camera.pixel_delta_u.x;
         let first = scale * DVec2::new(camera.pixel00.x, -camera.pixel00.y);

@@ -13,7 +13,8 @@ parameters! {
     t: f64 = Parameter::new("t", -2.0, 4.0, 2.0);
 }
 
-/// The figure, as a reader moves it.
+/// The live figure: a ray to be moved, its point P at a t that a reader chooses, and marks along
+/// it.
 pub(crate) static LIVE: Live<Parameters> = Live {
     figure: figure!("ray"),
     handles: &[
@@ -38,7 +39,8 @@ impl Parameters {
         Ray::new(self.q, self.d)
     }
 
-    /// Makes d longer or shorter by a `factor`, where there is room, and leaves P in its place.
+    /// Multiplies d by `factor` and divides t by it, so that P stays; changes nothing if either
+    /// would leave its range.
     fn stretch(&mut self, factor: f64) {
         let (d, t) = (factor * self.d, self.t / factor);
         let stretched = Self { d, t, ..*self };
@@ -99,12 +101,12 @@ fn draw(ray: &Ray, t: f64) -> Svg {
     svg
 }
 
-/// Returns the way from the line of the ray to what is written beside it.
+/// Returns a vector on the sheet from the ray's line to the labels beside it.
 fn aside(ray: &Ray) -> DVec2 {
     20.0 * PLANE.vector(ray.direction).perp().normalize_or_zero()
 }
 
-/// Draws a dot on the line and its t, as long as the marks leave room for words.
+/// Draws a dot on the line at the t `mark`, and its value if the marks are not too close for words.
 fn draw_mark(svg: &mut Svg, ray: &Ray, mark: f64) {
     let point = PLANE.point(ray.at(mark));
     svg.circle("ray solid", point, 4.5);

@@ -10,9 +10,9 @@ use speed_vs_accuracy::Precision;
 
 use crate::table::{Record, Table};
 
-/// The accuracy of a method in a regime, all levels together, with t from 0 to
-/// infinity. The regime `book` is each pixel of the book's picture, `book_ball` and
-/// `book_ground` are its two spheres by themselves.
+/// The accuracy of one method on all questions of a regime (a kind of rays and spheres), with t
+/// from 0 to infinity. The regime `book` has each pixel of the book's picture, `book_ball` and
+/// `book_ground` only its rays against one of its two spheres.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Accuracy {
     /// The name of the regime.
@@ -22,73 +22,79 @@ pub struct Accuracy {
     pub precision: Precision,
     /// The name of the method.
     pub method: String,
-    /// The number of questions.
+    /// The number of questions, each a ray against a sphere.
     pub cases: usize,
-    /// The number of questions that have a root.
+    /// The number of questions whose exact answer is a hit.
     pub hits: usize,
-    /// Hits where there is no root, and misses where there is one.
+    /// The number of wrong decisions in a million questions: hits where there is no root, and
+    /// misses where there is one.
     pub wrong_per_million: f64,
-    /// The error of t where both say hit, in units of the last place that the
-    /// root has in this precision. None where nothing was hit, as with those below.
+    /// The error of t that half of the hits do not exceed, in ulps of the exact root in this
+    /// precision; `None`, like the four fields below, if the method hit nothing.
     pub median_ulps: Option<f64>,
-    /// The error that 999 of 1000 do not exceed.
+    /// The error of t that 999 of 1000 hits do not exceed, in ulps.
     pub p999_ulps: Option<f64>,
-    /// The largest error.
+    /// The largest error of t, in ulps.
     pub largest_ulps: Option<f64>,
-    /// The distance of the point at t from the sphere, in radii: the median.
+    /// The distance of the point at t from the sphere's surface, in radii, that half of the hits do
+    /// not exceed.
     pub surface_median_radii: Option<f64>,
-    /// The greatest such distance.
+    /// The largest distance of the point at t from the sphere's surface, in radii.
     pub surface_largest_radii: Option<f64>,
-    /// A sum of the first few answers, by which a test knows them again.
+    /// A checksum of the method's first answers, by which a test knows that they have not changed.
     pub answers: u64,
 }
 
-/// The case that comes closest to an error bound of chapter 6, of all that a search has
-/// found: its witness. A smaller constant in the code answers it wrongly.
+/// An error bound of a certified method of chapter 6, beside the case of all that a search has
+/// tried that comes closest to it: its witness. With a smaller constant the code would answer the
+/// witness wrongly.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Tightness {
-    /// The letter of the proof, and which side of it.
+    /// The letter of the bound in the proof, and its side.
     pub bound: String,
-    /// The unit of the three numbers that follow: `u` = 2⁻⁵³, `u2` = u², the `bound` that
-    /// is computed with the numbers; `log2` if they are exponents of two.
+    /// The unit of the three constants that follow: `u` = 2⁻⁵³, `u2` = u², the `bound` that is
+    /// computed with the numbers, or `log2` for exponents of two.
     pub unit: String,
     /// The constant in the code.
     pub constant: f64,
-    /// The least for which there is a proof.
+    /// The least constant for which there is a proof.
     pub proved: f64,
-    /// Below this, the witness is answered wrongly.
+    /// The constant below which the witness is answered wrongly.
     pub attained: f64,
-    /// Center, radius, origin and direction, with all their digits.
+    /// The witness: center, radius, origin and direction, with all their digits.
     pub witness: String,
-    /// The lower end of the range of t, excluded.
+    /// The lower end of the witness's range of t, excluded.
     pub t_min: f64,
-    /// The upper end of the range of t, excluded.
+    /// The upper end of the witness's range of t, excluded.
     pub t_max: f64,
 }
 
-/// The accuracy of a method at one level of a regime.
+/// The accuracy of one method at one distance of the rays' origin from the sphere.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Level {
-    /// `far`.
+    /// The name of the regime: always `far`.
     pub regime: String,
-    /// The k of 10ᵏ radii away.
+    /// The power of ten of the distance, in radii.
     pub level: i32,
-    /// As in [`Accuracy`], like all that follow.
+    /// The numbers that the method computes with: `f64` or `f32`.
     #[serde(with = "PrecisionName")]
     pub precision: Precision,
     /// The name of the method.
     pub method: String,
-    /// Hits where there is no root, and misses where there is one.
+    /// The number of wrong decisions in a million questions: hits where there is no root, and
+    /// misses where there is one.
     pub wrong_per_million: f64,
-    /// The error of t that half of the hits do not exceed.
+    /// The error of t that half of the hits do not exceed, in ulps; `None` if the method hit
+    /// nothing.
     pub median_ulps: Option<f64>,
-    /// The error of t that 999 of 1000 hits do not exceed.
+    /// The error of t that 999 of 1000 hits do not exceed, in ulps; `None` if the method hit
+    /// nothing.
     pub p999_ulps: Option<f64>,
-    /// A sum of the first few answers, by which a test knows them again.
+    /// A checksum of the method's first answers, by which a test knows that they have not changed.
     pub answers: u64,
 }
 
-/// The number of pixels of a scene that a method gets wrong.
+/// The number of pixels that one method gets wrong in the picture of a scene.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct WrongPixels {
     /// The name of the scene.
@@ -98,17 +104,17 @@ pub struct WrongPixels {
     pub precision: Precision,
     /// The name of the method.
     pub method: String,
-    /// The number of pixels.
+    /// The number of pixels of the picture.
     pub pixels: usize,
-    /// The number of those that are more than one level off, in some component, from the exact
-    /// picture.
+    /// The number of pixels that differ from the exact picture by more than one level (of 0–255) in
+    /// some color.
     pub wrong: usize,
 }
 
-/// The time of one test, or of one ray, as the benchmark `clock` measured it.
+/// The time of one ray against one sphere, as the benchmark `clock` measured it.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Timing {
-    /// The kind of loop that was timed.
+    /// The kind of loop that was timed, which says what `name` is:
     ///
     /// | `what` | `name` | |
     /// |---|---|---|
@@ -116,65 +122,64 @@ pub struct Timing {
     /// | `rays` | a method | a block of rays against one sphere, in SIMD lanes |
     /// | `limit` | `divider`, `memory` | in lanes, a root and two divisions; or only the numbers of a ray |
     /// | `record` | `half_b` | chapter 5's own function, with its record of the hit |
-    /// | `ray` | `nothing` | the ray is made, and nothing is asked |
+    /// | `ray` | `nothing` | the ray is made, and no sphere is tried |
     pub what: String,
-    /// A method.
+    /// The method, or another name from the table above.
     pub name: String,
-    /// The numbers that it computes with.
+    /// The numbers that the loop computes with: `f64` or `f32`.
     #[serde(with = "PrecisionName")]
     pub precision: Precision,
-    /// A regime, or `all_hits`: the rays of `book` that hit.
+    /// The name of the regime of the rays, or `all_hits` for those rays of `book` that hit.
     #[serde(rename = "where")]
     pub place: String,
-    /// The number of questions.
+    /// The number of rays in a round.
     pub n: usize,
-    /// Nanoseconds: half of the rounds took less, half more. It has the digits on which
-    /// half of the rounds agree, as `ratio` has.
+    /// The time of a ray in nanoseconds: the median over rounds, with the digits on which half of
+    /// the rounds agree.
     pub median_ns: f64,
-    /// The median, over rounds, of the time divided by that of `half_b` on the same rays in
-    /// the same round.
+    /// The time divided by that of `half_b` on the same rays in the same round: the median over
+    /// rounds, with the digits on which half of the rounds agree.
     pub ratio: f64,
-    /// Instructions, as valgrind counts them. Only of `book` and `all_hits`.
+    /// The instructions of a ray, as valgrind counts them; `None` but for `book` and `all_hits`.
     pub instructions: Option<f64>,
 }
 
 impl Table<Timing> {
-    /// Returns the row of that kind, name and place.
+    /// Returns the first row with this `what`, `name` and `place`, if there is one.
     pub fn find(&self, what: &str, name: &str, place: &str) -> Option<&Timing> {
         let same = |row: &&Timing| row.what == what && row.name == name && row.place == place;
         self.rows.iter().find(same)
     }
 }
 
-/// The times of our program and of the C++ program for one picture, as the benchmark
-/// `race` measured them. Whole programs are timed from the start of each
-/// process to its end.
+/// The times of our program and of the book's C++ program for the same picture, as the benchmark
+/// `race` measured them: of whole processes, from start to end.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Race {
-    /// The picture.
+    /// The name of the chapter whose picture it is.
     pub chapter: String,
-    /// Its width in pixels.
+    /// The width of the picture in pixels.
     pub width: u32,
-    /// The place of the text, `nowhere`; or `traced`, if there was none: then each kept the
-    /// bytes of the picture in memory, on one thread.
+    /// `nowhere` if both programs wrote the picture's text to where it is thrown away; `traced` if
+    /// they wrote none, and kept the bytes of the picture in memory, on one thread.
     pub to: String,
-    /// Milliseconds of our program: half of the runs took less, half more.
+    /// The median time of our program's runs, in milliseconds.
     pub rust_median_ms: f64,
-    /// Milliseconds of our quickest run.
+    /// The time of our program's fastest run, in milliseconds.
     pub rust_least_ms: f64,
-    /// Milliseconds of our slowest run.
+    /// The time of our program's slowest run, in milliseconds.
     pub rust_greatest_ms: f64,
-    /// Milliseconds of the C++ program.
+    /// The median time of the C++ program's runs, in milliseconds.
     pub cpp_median_ms: f64,
-    /// Milliseconds of its quickest run.
+    /// The time of the C++ program's fastest run, in milliseconds.
     pub cpp_least_ms: f64,
-    /// Milliseconds of its slowest run.
+    /// The time of the C++ program's slowest run, in milliseconds.
     pub cpp_greatest_ms: f64,
-    /// The time of the C++ program divided by ours, by the medians.
+    /// The median time of the C++ program divided by ours.
     pub ratio: f64,
 }
 
-/// Says in which file the rows of a type are.
+/// Names the file of each type of row.
 macro_rules! files {
     ($($row:ident: $file:literal,)*) => {
         $(impl Record for $row {
@@ -192,7 +197,7 @@ files! {
     Race: "speed/heats.csv",
 }
 
-/// A precision as it is written: chapter 6, whose type it is, writes no files.
+/// The names of precisions in files, for `Precision` of chapter 6, which has none.
 #[derive(Deserialize, Serialize)]
 #[serde(remote = "Precision")]
 enum PrecisionName {

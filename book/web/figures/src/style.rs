@@ -1,11 +1,11 @@
 //! One visual language for all drawings.
 
-/// The style sheet of all drawings, which pages load: a color for each idea,
-/// for light and for dark, and a class for each way to show it.
+/// The style sheet of all drawings, which the pages load: for each idea a color in light and in
+/// dark, and a class for each way to draw.
 pub const CSS: &str = include_str!("../../../theme/figures.css");
 
-/// Makes a file of its own of the drawing `svg`: it brings the style sheet and
-/// the paper, and follows the reader's light or dark preference.
+/// Makes a complete SVG file of the drawing `svg`: with the style sheet, a background, and colors
+/// that follow the reader's preference for light or dark.
 pub fn standalone(svg: &str) -> String {
     let style = format!(
         "<style>:root {{ color-scheme: light dark }}\n{CSS}</style>\

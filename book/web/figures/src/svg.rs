@@ -5,31 +5,31 @@ use glam::DVec2;
 use crate::number::number;
 use crate::text::{SMALL, TEXT, escape, plain, spans};
 
-/// A drawing while it is made: x to the right, y down, in units of the viewBox.
+/// A drawing while it is made: 400 units wide, x to the right, y down, in units of the viewBox.
 ///
-/// An element has a class of two words: the idea that it shows, which gives its
-/// color, and how it shows it (`line`, `dashed`, `area`, `label` …). Both are
-/// defined in the style sheet, so the drawing follows the theme of its page.
+/// The class of an element has two words: the idea that it shows, which gives its color, and the
+/// way it is drawn (`line`, `dashed`, `area`, `label` …). The style sheet defines both, so the
+/// drawing follows the theme of its page.
 #[derive(Clone, Debug)]
 pub struct Svg {
     name: String,
     title: String,
     description: String,
     height: f64,
-    /// The elements so far.
+    /// The elements so far, as SVG.
     text: String,
 }
 
-/// Makes a place on a sheet.
+/// Makes a place on a sheet: x to the right, y down.
 pub(crate) const fn spot(x: f64, y: f64) -> DVec2 {
     DVec2::new(x, y)
 }
 
-/// Steps on a sheet.
+/// Moves of a place on a sheet.
 pub(crate) trait Shift {
-    /// Moves to the right.
+    /// Moves the place to the right.
     fn right(self, by: f64) -> Self;
-    /// Moves down.
+    /// Moves the place down.
     fn down(self, by: f64) -> Self;
 }
 
@@ -46,11 +46,11 @@ impl Shift for DVec2 {
 /// The place of a label relative to its point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Anchor {
-    /// The point is at its left end.
+    /// The label begins at the point.
     Start,
-    /// The point is below its middle.
+    /// The middle of the label is at the point.
     Middle,
-    /// The point is at its right end.
+    /// The label ends at the point.
     End,
     // Off a dot at the point:
     Above,
@@ -63,7 +63,8 @@ pub(crate) enum Anchor {
 }
 
 impl Anchor {
-    /// Returns the way from the point to where the text is written, and which of its ends is there.
+    /// Returns the vector from the point to the written text, and the SVG `text-anchor` of the
+    /// text.
     fn place(self) -> (DVec2, &'static str) {
         let (x, y, end) = match self {
             Self::Start => (0.0, 0.0, ""),
@@ -82,9 +83,9 @@ impl Anchor {
 }
 
 impl Svg {
-    /// Makes an empty drawing, 400 units wide, which is as wide as the screen of a phone lets one
-    /// read. Its ids begin with `name`, so several drawings can share a page; a reader who cannot
-    /// see it hears `title` and `description`.
+    /// Makes an empty drawing, 400 units wide, so that its labels can be read on a phone. Its ids
+    /// begin with `name`, so several drawings can share a page. A reader who cannot see it hears
+    /// `title` and `description`.
     pub(crate) fn new(name: &str, title: &str, description: &str, height: f64) -> Self {
         Self {
             name: name.to_owned(),
@@ -95,7 +96,7 @@ impl Svg {
         }
     }
 
-    /// Replaces the description; in `text`, `*t*` is a number, `**P**` a vector.
+    /// Replaces the description by `text`, in the notation of [`crate::text`].
     pub(crate) fn describe(&mut self, text: &str) {
         self.description = plain(text);
     }
@@ -106,7 +107,7 @@ impl Svg {
         self.element("line", class, &ends);
     }
 
-    /// Draws a line through several points; filled, if the class says so.
+    /// Draws a line through several points; its class may fill the area inside.
     pub(crate) fn path(&mut self, class: &str, points: &[DVec2]) {
         let mut path = String::new();
         for (n, point) in points.iter().enumerate() {
@@ -116,13 +117,13 @@ impl Svg {
         self.text += &format!("<path class=\"{class}\" d=\"{path}\"/>");
     }
 
-    /// Draws a circle, or where the class fills it, a disc.
+    /// Draws a circle; its class may fill the disc.
     pub(crate) fn circle(&mut self, class: &str, center: DVec2, radius: f64) {
         let numbers = [("cx", center.x), ("cy", center.y), ("r", radius)];
         self.element("circle", class, &numbers);
     }
 
-    /// Draws a dot with its name beside it.
+    /// Draws a dot with a label beside it.
     pub(crate) fn dot(&mut self, idea: &str, at: DVec2, anchor: Anchor, name: &str) {
         self.circle(&format!("{idea} solid"), at, 4.5);
         self.label(idea, at, anchor, name);
@@ -145,14 +146,13 @@ impl Svg {
         self.path(&format!("{idea} solid"), &[to, neck + side, neck - side]);
     }
 
-    /// Draws a bold arrow with its name above the middle.
+    /// Draws a bold arrow with a label above its middle.
     pub(crate) fn vector(&mut self, idea: &str, from: DVec2, to: DVec2, name: &str) {
         self.arrow(&format!("{idea} bold"), from, to);
         self.label(idea, 0.5 * (from + to), Anchor::Above, name);
     }
 
-    /// Draws a small square at `corner`, where two lines meet at a right angle, along these unit
-    /// vectors.
+    /// Draws the sign of a right angle at `corner`, between the unit vectors `one` and `other`.
     pub(crate) fn right_angle(&mut self, corner: DVec2, one: DVec2, other: DVec2) {
         let points = [one, one + other, other].map(|way| corner + 9.0 * way);
         self.path("faint thin", &points);
@@ -163,7 +163,7 @@ impl Svg {
         self.sized_label(idea, "", at, anchor, text);
     }
 
-    /// Writes a smaller label.
+    /// Writes a label in smaller letters, in the notation of [`crate::text`].
     pub(crate) fn small_label(&mut self, idea: &str, at: DVec2, anchor: Anchor, text: &str) {
         self.sized_label(idea, &format!(" font-size=\"{SMALL}\""), at, anchor, text);
     }
@@ -181,7 +181,7 @@ impl Svg {
         );
     }
 
-    /// Writes numbers in words, line below line.
+    /// Writes lines of text below each other, the first one at `at`.
     pub(crate) fn readout(&mut self, at: DVec2, lines: &[String]) {
         for (line, n) in lines.iter().zip(0..) {
             let line_below = at.down(21.0 * f64::from(n));
@@ -189,7 +189,7 @@ impl Svg {
         }
     }
 
-    /// Writes digits of equal width: stretches of a class and digits.
+    /// Writes digits of equal width: `stretches` are pairs of a class and the digits that have it.
     pub(crate) fn digits(&mut self, at: DVec2, stretches: &[(&str, &str)]) {
         let [x, y] = at.to_array().map(number);
         self.text += &format!("<text class=\"digits label\" x=\"{x}\" y=\"{y}\">");
@@ -199,7 +199,7 @@ impl Svg {
         self.text += "</text>";
     }
 
-    /// Fills a rectangle with a color that no theme changes.
+    /// Fills a rectangle with a color that is the same in all themes: red, green and blue, 0–255.
     pub(crate) fn pixel(&mut self, corner: DVec2, size: DVec2, [red, green, blue]: [u8; 3]) {
         let [x, y, width, height] = [corner.x, corner.y, size.x, size.y].map(number);
         self.text += &format!(
@@ -207,14 +207,14 @@ impl Svg {
         );
     }
 
-    /// Draws what `draw` draws as a group of that class.
+    /// Puts the elements that `draw` draws into a group of that class.
     pub(crate) fn group(&mut self, class: &str, draw: impl FnOnce(&mut Self)) {
         self.text += &format!("<g class=\"{class}\">");
         draw(self);
         self.text += "</g>";
     }
 
-    /// Returns the finished drawing as an `<svg>` element in one line, which a page can take in.
+    /// Returns the finished drawing as an `<svg>` element in one line.
     pub fn finish(self) -> String {
         let id = format!("drawing-{}", self.name.replace('_', "-"));
         let [title, description] = [&self.title, &self.description].map(|words| escape(words));
@@ -229,6 +229,7 @@ impl Svg {
         )
     }
 
+    /// Writes an element with a class and numbers as attributes.
     fn element(&mut self, name: &str, class: &str, attributes: &[(&str, f64)]) {
         self.text += &format!("<{name} class=\"{class}\"");
         for (attribute, value) in attributes {

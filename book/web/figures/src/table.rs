@@ -1,8 +1,7 @@
-//! Comma-separated values (CSV): a file of numbers as rows of one type, read and
-//! written.
+//! Comma-separated values (CSV): a file of numbers as rows of one type, read and written.
 //!
-//! First there may be lines `# key: value` that say how it was measured, then a
-//! line of column names, which are the names of the fields, then the rows.
+//! A file may begin with lines `# key: value` that say how its numbers were measured. Then come a
+//! line of column names, which are the names of the fields, and the rows.
 
 use std::collections::BTreeMap;
 
@@ -12,16 +11,16 @@ use serde::de::DeserializeOwned;
 
 use crate::number::three_digits;
 
-/// A type of row, of which one file is made.
+/// A type of row, all of which stand in one file.
 pub trait Record: Serialize + DeserializeOwned {
-    /// The file, as a path from the folder `book/notes`.
+    /// The path of the file from the folder `book/notes`.
     const FILE: &str;
 }
 
-/// A file of numbers.
+/// A file of numbers: rows of one type, and facts about them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table<Row> {
-    /// The lines `# key: value` at the top.
+    /// The facts from the lines `# key: value` at the top of the file, by key.
     pub about: BTreeMap<String, String>,
     /// The rows, from the top.
     pub rows: Vec<Row>,
@@ -35,10 +34,10 @@ impl<Row> From<Vec<Row>> for Table<Row> {
 }
 
 impl<Row: Record> Table<Row> {
-    /// Reads the table in `text`.
+    /// Reads a file from its `text`.
     ///
     /// # Errors
-    /// A message that names the line and the column that is wrong.
+    /// A message that names the file and the line that is wrong, or says that there are no rows.
     pub fn read(text: &str) -> Result<Self, String> {
         let rows: Result<Vec<Row>, Error> = reader(text).deserialize().collect();
         let rows = rows.map_err(|error| format!("{}: {error}", Row::FILE))?;
@@ -49,7 +48,7 @@ impl<Row: Record> Table<Row> {
         Ok(Self { about, rows })
     }
 
-    /// Writes the file that [`Table::read`] reads, with three digits of a number with a fraction.
+    /// Writes the file that [`Table::read`] reads; numbers with a fraction have three digits.
     ///
     /// # Panics
     /// If a field of a row is a list.
@@ -79,14 +78,15 @@ fn in_few_digits(field: &str) -> String {
     }
 }
 
-/// Makes a reader of `text` that skips lines which begin with `#`.
+/// Makes a CSV reader of `text` that skips lines which begin with `#`.
 pub fn reader(text: &str) -> Reader<&[u8]> {
     ReaderBuilder::new()
         .comment(Some(b'#'))
         .from_reader(text.as_bytes())
 }
 
-/// Returns the lines `# key: value` of `text`, by key.
+/// Returns the facts from the lines `# key: value` of `text`, by key. Other lines count for
+/// nothing.
 pub fn about(text: &str) -> BTreeMap<String, String> {
     let remarks = text.lines().filter_map(|line| line.strip_prefix("# "));
     remarks

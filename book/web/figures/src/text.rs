@@ -1,25 +1,25 @@
-//! The text of labels: `*t*` is a number, `**P**` a vector, and `_{0}` a subscript.
+//! Markup of labels and sentences: `*t*` marks a number, `**P**` a vector, and `_{0}` a subscript.
 
-/// The size of a label, in units of the viewBox.
+/// The size of letters in a label, in units of the viewBox.
 pub(crate) const TEXT: f64 = 14.0;
 
-/// The size of a less important label.
+/// The size of letters in a less important label, in units of the viewBox.
 pub(crate) const SMALL: f64 = 12.0;
 
-/// The size of a subscript.
+/// The size of letters in a subscript, in units of the viewBox.
 const SUBSCRIPT: f64 = 11.0;
 
-/// Returns the text without its marks.
+/// Returns the text without the marks of numbers and vectors.
 pub(crate) fn plain(text: &str) -> String {
     text.replace('*', "")
 }
 
-/// Writes the text in HTML.
+/// Returns the text as HTML, numbers in italics and vectors bold.
 pub fn html(text: &str) -> String {
     marked(text, ["<i>", "</i>"], ["<b>", "</b>"])
 }
 
-/// Writes the text in SVG.
+/// Returns the text of a label as SVG.
 pub(crate) fn spans(label: &str) -> String {
     let mut spans = String::new();
     for (n, piece) in label.split(['{', '}']).enumerate() {
@@ -35,7 +35,7 @@ pub(crate) fn spans(label: &str) -> String {
     spans
 }
 
-/// Puts these tags around each number, and around each vector.
+/// Puts the tags `number` around each number of the text, and the tags `vector` around each vector.
 fn marked(text: &str, number: [&str; 2], vector: [&str; 2]) -> String {
     let within = |text: String, n: usize, [open, close]: [&str; 2]| match n % 2 {
         0 => text,
@@ -53,7 +53,8 @@ fn marked(text: &str, number: [&str; 2], vector: [&str; 2]) -> String {
         .collect()
 }
 
-/// Returns how wide a label is at most, in the usual fonts.
+/// Estimates the width of a label from above, in units of the viewBox, for the usual fonts and
+/// letters of this `size`.
 pub(crate) fn width(label: &str, size: f64) -> f64 {
     let advance = |letter: char| match letter {
         '*' => 0.0,
@@ -66,7 +67,7 @@ pub(crate) fn width(label: &str, size: f64) -> f64 {
     size * label.chars().map(advance).sum::<f64>()
 }
 
-/// Writes text that means itself in XML.
+/// Escapes the characters that have a meaning in XML and HTML.
 pub fn escape(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")

@@ -1,6 +1,6 @@
-//! The chapters' own functions, line by line: what each line comes to for a ray.
+//! The chapters' own functions, line by line: the value of each line for a ray.
 //!
-//! The functions are copied by `build.rs`, with a note behind each `let`.
+//! `build.rs` copies the functions and adds a note behind each `let`.
 
 use common::rtweekend::*;
 use hittable_list::HitRecord;
@@ -10,7 +10,7 @@ use crate::number::{spoken, triple};
 
 include!(concat!(env!("OUT_DIR"), "/traced.rs"));
 
-/// A sphere of chapter 5, whose own fields are private.
+/// A sphere of chapter 5 with fields that can be read from here.
 struct TracedSphere {
     center: Point3,
     radius: f64,
@@ -37,8 +37,7 @@ pub(crate) fn half_b_lines(center: Point3, radius: f64, ray: &Ray) -> Says {
     })
 }
 
-/// Returns the values of the lines of `Sphere::hit` in chapter 5, for everything
-/// in front of the ray.
+/// Returns the values of the lines of `Sphere::hit` in chapter 5, for t from 0 to infinity.
 pub(crate) fn sphere_lines(center: Point3, radius: f64, ray: &Ray) -> Says {
     lines(sphere::LINES, |notes| {
         let record = TracedSphere { center, radius }.hit(ray, 0.0, f64::INFINITY, notes)?;
@@ -46,12 +45,13 @@ pub(crate) fn sphere_lines(center: Point3, radius: f64, ray: &Ray) -> Says {
     })
 }
 
+/// Writes a root as the `Option` that holds it.
 fn some(t: f64) -> String {
     format!("Some({})", spoken(t))
 }
 
-/// Returns the value of each line, by the name that the line gives; `none` is the line that returns
-/// nothing, and `result` the last one. A line that is not reached has an empty value.
+/// Returns the value of each line by the name that the line defines. The line that returns nothing
+/// is called `none`, and the last one `result`; a line that was not reached has an empty value.
 fn lines(
     names: &[&'static str],
     function: impl FnOnce(&mut Vec<String>) -> Option<String>,
@@ -64,8 +64,9 @@ fn lines(
     names.iter().copied().zip(notes).collect()
 }
 
-/// A value that a page can show beside a line.
+/// A value that a page shows beside a line.
 trait Shown {
+    /// Writes the value with at most two decimals.
     fn shown(&self) -> String;
 }
 

@@ -17,7 +17,8 @@ parameters! {
         };
 }
 
-/// The figure, as a reader moves it: the height jumps, and a pixel has its ray.
+/// The live figure: a reader changes the width of the picture, whose height follows in jumps, and
+/// chooses a pixel.
 pub(crate) static LIVE: Live<Parameters> = Live {
     figure: figure!("viewport_grid"),
     handles: &[Handle {
@@ -60,7 +61,7 @@ fn answer(it: &Parameters) -> DrawnFigure {
     DrawnFigure::new(draw(&grid), sentence, says)
 }
 
-/// Says why there are so many rows.
+/// Says why a picture of this width has so many rows.
 fn because(width: u32) -> String {
     // In sixteenths, so that no digit is cut.
     let quotient = f64::from(9 * width) / 16.0;
@@ -72,22 +73,23 @@ fn because(width: u32) -> String {
     format!("{width} / (16/9) = {quotient}{end}")
 }
 
-/// A grid with a pixel that is marked.
+/// The pixels of a viewport, of which one is marked.
 struct Grid {
-    /// Whose grid it is.
+    /// The camera whose viewport it is.
     camera: Camera,
-    /// Column and row of the pixel.
+    /// The marked pixel: its column and its row, from 0 at the upper left.
     pixel: [u32; 2],
-    /// The viewport's upper edge from left to right, and its left edge downwards.
+    /// The upper edge of the viewport from left to right, and its left edge downwards.
     edges: [Vec3; 2],
     /// The upper left corner of the viewport, by the formula of the page.
     corner: Point3,
-    /// The place of the scene on the sheet: the viewport as wide, or as high, as there is room.
+    /// The place of the scene on the sheet, so that the viewport fills the room in width or in
+    /// height.
     plane: Plane,
 }
 
 impl Grid {
-    /// Makes the grid of the chapter's camera.
+    /// Makes the grid of the chapter's camera for these parameters.
     fn of(it: &Parameters) -> Self {
         let camera = Camera::new(it.width as u32);
         let u = f64::from(camera.image_width) * camera.pixel_delta_u;
@@ -104,12 +106,12 @@ impl Grid {
         }
     }
 
-    /// Returns the point through which the ray of a pixel goes.
+    /// Returns the point of the scene through which the ray of a pixel goes.
     fn place(&self, [i, j]: [u32; 2]) -> Point3 {
         self.camera.ray(i, j).at(1.0)
     }
 
-    /// Returns the place of that point on the sheet.
+    /// Returns the place on the sheet of the point through which the ray of a pixel goes.
     fn at(&self, pixel: [u32; 2]) -> DVec2 {
         self.plane.point(self.place(pixel))
     }
@@ -124,8 +126,7 @@ impl Grid {
         )
     }
 
-    /// Returns the ways from one pixel to the next on the sheet, along both
-    /// edges.
+    /// Returns the vectors on the sheet from a pixel to its neighbors on the right and below.
     fn steps(&self) -> [DVec2; 2] {
         let steps = [self.camera.pixel_delta_u, self.camera.pixel_delta_v];
         steps.map(|step| self.plane.vector(step))
@@ -138,7 +139,7 @@ const CORNER: DVec2 = spot(84.0, 40.0);
 /// The greatest size of the viewport on the sheet.
 const ROOM: DVec2 = spot(288.0, 164.0);
 
-/// Draws the grid with its points and vectors, and the numbers below.
+/// Draws the pixels with their points and vectors, and below them the numbers.
 fn draw(grid: &Grid) -> Svg {
     let mut svg = LIVE.figure.sheet(326.0);
     draw_grid(&mut svg, grid);
@@ -149,7 +150,7 @@ fn draw(grid: &Grid) -> Svg {
     svg
 }
 
-/// Draws the edges of all pixels, of which one is marked, and where their rays go through.
+/// Draws the edges of all pixels, of which one is marked, and a dot where each ray goes through.
 fn draw_grid(svg: &mut Svg, grid: &Grid) {
     let (width, height) = (grid.camera.image_width, grid.camera.image_height);
     let [u, v] = grid.steps();
@@ -169,7 +170,7 @@ fn draw_grid(svg: &mut Svg, grid: &Grid) {
     }
 }
 
-/// Draws the two edges from the corner.
+/// Draws the two edges of the viewport as vectors from its corner.
 fn draw_viewport(svg: &mut Svg, grid: &Grid) {
     let [u, v] = grid.edges.map(|edge| grid.plane.vector(edge));
     svg.vector("viewport", CORNER, CORNER + u, "**V**_{u}");
@@ -179,7 +180,7 @@ fn draw_viewport(svg: &mut Svg, grid: &Grid) {
     svg.label("viewport", CORNER + 0.85 * v, Left, "**V**_{v}");
 }
 
-/// Draws the first point, and from there the steps to its neighbors, as far as there are any.
+/// Draws the point of the first pixel, and the vectors to its neighbors, if there are any.
 fn draw_steps(svg: &mut Svg, grid: &Grid) {
     let ([u, v], first) = (grid.steps(), grid.at([0, 0]));
     if grid.camera.image_width > 1 {
@@ -216,7 +217,7 @@ fn draw_pixel(svg: &mut Svg, grid: &Grid) {
     svg.label("ink", point + spot(right, down), anchor, &name);
 }
 
-/// Writes the vectors in numbers, below the grid in two columns.
+/// Writes the vectors in numbers, in two columns below the grid.
 fn draw_numbers(svg: &mut Svg, grid: &Grid) {
     let [i, j] = grid.pixel;
     let [u, v] = grid.edges.map(triple);

@@ -14,7 +14,7 @@ parameters! {
     length: f64 = Parameter::new("|d|", 0.5, 2.0, 1.0);
 }
 
-/// The figure, as a reader moves it.
+/// The live figure: a reader moves and resizes the sphere, and stretches the ray's direction.
 pub(crate) static LIVE: Live<Parameters> = Live {
     figure: figure!("walk"),
     handles: &[
@@ -46,7 +46,7 @@ pub(crate) static LIVE: Live<Parameters> = Live {
 };
 
 impl Parameters {
-    /// Puts a ball of chapter 2's size there, with a direction of that length.
+    /// Puts a ball with the radius of chapter 2's there, and gives the direction this length.
     fn put(&mut self, c: Point3, length: f64) {
         let radius = 0.5;
         *self = Self { c, radius, length };
@@ -56,11 +56,12 @@ impl Parameters {
         Ray::new(Point3::ZERO, self.length * Vec3::X)
     }
 
+    /// Finds all t at which the line of the ray meets the sphere.
     fn roots(&self) -> Vec<f64> {
         roots(&self.ray(), |ray| hit_sphere(self.c, self.radius, ray))
     }
 
-    /// Returns the t of the point that is nearest to the center.
+    /// Returns the t of the line's point that is nearest to the center.
     fn foot(&self) -> f64 {
         nearest(&self.ray(), self.c)
     }
@@ -125,8 +126,8 @@ fn draw(it: &Parameters, roots: &[f64]) -> Svg {
     svg
 }
 
-/// Draws a measured stretch of the ray with a short line at each mark, `below`
-/// units below it.
+/// Draws a dimension line `below` units below the ray, with a short line at each mark (a t), and
+/// words.
 fn measure(svg: &mut Svg, ray: &Ray, marks: &[f64], below: f64, words: &str) {
     let at = |t: f64| PLANE.point(ray.at(t)).down(below);
     let (from, to) = (at(marks[0]), at(marks[marks.len() - 1]));

@@ -5,42 +5,43 @@ use std::path::Path;
 
 use crate::svg::Svg;
 
-/// A chart: words, the files that it is drawn from, and a function that does it.
+/// A chart of the book: its words, the files with its numbers, and the function that draws it.
 #[derive(Clone, Copy, Debug)]
 pub struct Chart {
-    /// The name in `{{chart NAME}}` of a page.
+    /// The name of the chart in `{{chart NAME}}` on a page.
     pub name: &'static str,
-    /// A few words, read aloud where the chart cannot be seen.
+    /// A title of a few words, read aloud to a reader who cannot see the chart.
     pub title: &'static str,
     /// A description in sentences, for a reader who cannot see the chart.
     pub description: &'static str,
-    /// The words below it on the page.
+    /// The caption below the chart on the page.
     pub caption: &'static str,
-    /// The names of its panels, if a reader sees one at a time and chooses which.
+    /// The names of the chart's panels, from which a reader chooses one to see; empty if the page
+    /// shows all panels at once.
     pub choices: &'static [&'static str],
-    /// Its files, as paths from the folder `book/notes`.
+    /// The files that the chart is drawn from, as paths from the folder `book/notes`.
     pub files: &'static [&'static str],
-    /// Draws it from the text of these files, in this order.
+    /// Draws the chart from the texts of `files`, in their order.
     ///
     /// # Errors
     /// A message that names the file and the line that is wrong.
     pub draw: fn(&[&str]) -> Result<DrawnChart, String>,
 }
 
-/// A chart that was drawn.
+/// A drawn chart: its panels, and the same numbers as a table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DrawnChart {
-    /// An `<svg>` element in one line for each panel.
+    /// The panels, each an `<svg>` element in one line.
     pub panels: Vec<String>,
-    /// Its numbers as a table in Markdown.
+    /// The chart's numbers as a table in Markdown.
     pub table: String,
 }
 
 impl Chart {
-    /// Draws it from its files in the folder `notes`.
+    /// Draws the chart from its files in the folder `notes`.
     ///
     /// # Errors
-    /// A file that cannot be read, or what is wrong in which line of it.
+    /// A message that names the file that cannot be read, or the file and the line that is wrong.
     pub fn draw_from(&self, notes: &Path) -> Result<DrawnChart, String> {
         let read = |file: &&str| {
             let path = notes.join(file);
@@ -51,12 +52,13 @@ impl Chart {
         (self.draw)(&texts)
     }
 
-    /// Returns an empty drawing with the words of this chart.
+    /// Returns an empty drawing with the title and description of the chart, 400 by `height` units.
     pub(super) fn sheet(&self, height: f64) -> Svg {
         Svg::new(self.name, self.title, self.description, height)
     }
 
-    /// Returns an empty drawing for the panel number `place`, which `shows` this.
+    /// Returns an empty drawing for the panel with the number `place`, whose title ends with
+    /// `shows`.
     pub(super) fn panel(&self, place: usize, shows: &str, height: f64) -> Svg {
         let name = format!("{}_{place}", self.name);
         let title = format!("{}: {shows}", self.title);
@@ -64,8 +66,8 @@ impl Chart {
     }
 }
 
-/// Writes a table in Markdown, whose first columns, `names` of them, are words,
-/// and the others numbers.
+/// Writes a table in Markdown: the first `names` columns hold words, to the left, and all others
+/// numbers, to the right.
 pub(super) fn table(
     names: usize,
     heads: &[String],

@@ -6,7 +6,7 @@ use speed_vs_accuracy::{Method, find};
 
 use crate::svg::{Svg, spot};
 
-/// Returns the class of the method of that name: its color and its mark.
+/// Returns the class of a method's color and mark in all charts.
 pub(super) fn idea(method: &str) -> &'static str {
     match find(method) {
         Some(method) if method.name == Method::REFERENCE.name => "reference",
@@ -15,15 +15,15 @@ pub(super) fn idea(method: &str) -> &'static str {
     }
 }
 
-/// Returns how many decimal digits an error of so many ulps leaves, where one ulp is at most the
-/// epsilon of the precision. No error leaves less than 0 digits, and a method that never hit has 0.
+/// Converts an error in ulps to the number of right decimal digits in this precision, at least 0. A
+/// method that never hit, with the error `None`, has 0.
 pub(super) fn digits(ulps: Option<f64>, precision: Precision) -> f64 {
     let left = |ulps: f64| -(precision.epsilon() * ulps.max(0.5)).log10();
     ulps.map_or(0.0, left).max(0.0)
 }
 
-/// Draws a method's mark: a square for the reference, a diamond for a certified one,
-/// a disc for others, hollow for `f32`.
+/// Draws a method's mark at a place: a square for the reference, a diamond for a certified method,
+/// a disc for any other. For `f32` the mark is hollow.
 pub(super) fn mark(svg: &mut Svg, idea: &str, precision: Precision, at: DVec2) {
     let (filling, radius) = match precision {
         Double => ("solid", 4.5),
@@ -41,7 +41,7 @@ pub(super) fn mark(svg: &mut Svg, idea: &str, precision: Precision, at: DVec2) {
     }
 }
 
-/// Draws the mark of a wrong decision.
+/// Draws the mark of a wrong decision: a cross.
 pub(super) fn cross(svg: &mut Svg, at: DVec2) {
     for way in [spot(7.0, 7.0), spot(7.0, -7.0)] {
         svg.line("wrong line", at - way, at + way);

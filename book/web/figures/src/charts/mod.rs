@@ -8,5 +8,5 @@ mod wrong_pixels;
 
 pub use chart::{Chart, DrawnChart};
 
-/// All charts, in reading order.
+/// All charts of the book, in reading order.
 pub const CHARTS: &[Chart] = &[sweep::CHART, speed_accuracy::CHART, wrong_pixels::CHART];

@@ -11,10 +11,10 @@ use crate::records::{Accuracy, Timing};
 use crate::svg::{Anchor, Shift, Svg, spot};
 use crate::table::{Record, Table};
 
-/// The situations: as a reader chooses them, and as the files call them.
+/// The situations, which the files call regimes, in the order of `CHART.choices`.
 const SITUATIONS: [&str; 6] = ["book", "far", "ground", "grazing", "near_surface", "inside"];
 
-/// Speed against accuracy, in each situation.
+/// The chart of speed against accuracy, a panel for each situation.
 pub(super) const CHART: Chart = Chart {
     name: "speed_accuracy",
     title: "Speed against accuracy",
@@ -57,8 +57,7 @@ fn draw(accuracy: &str, timings: &str) -> Result<DrawnChart, String> {
     })
 }
 
-/// Pairs the accuracy and the time of each method in a situation, the fastest
-/// first.
+/// Pairs the accuracy and the time of each method in a situation, the fastest first.
 fn read(
     situation: &str,
     accuracy: &Table<Accuracy>,
@@ -75,11 +74,11 @@ fn read(
     Ok(rows)
 }
 
-/// The top of the first row, and the distance from one row to the next.
+/// The y of the first row, and the distance from one row to the next.
 const TOP: f64 = 66.0;
 const PITCH: f64 = 36.0;
 
-/// Methods that the chart has no room for: so slow that all others would be one heap.
+/// Methods that the chart leaves out: they are so slow that the others would lie in one heap.
 const SLOW: [Method; 2] = [Method::DOUBLE_DOUBLE, Method::EXACT];
 
 fn panel(place: usize, shows: &str, rows: &[Measured]) -> String {
@@ -109,7 +108,7 @@ fn panel(place: usize, shows: &str, rows: &[Measured]) -> String {
     svg.finish()
 }
 
-/// Makes an axis of times that holds all of them.
+/// Makes an axis of times that all rows fit on.
 fn costs(rows: &[&Measured]) -> Axis {
     let ratios = rows.iter().map(|(_, time)| time.ratio);
     let [least, most] = ratios.fold([1.0; 2], |[least, most], it| [it.min(least), it.max(most)]);
@@ -119,15 +118,15 @@ fn costs(rows: &[&Measured]) -> Axis {
     }
 }
 
-/// Makes an axis of digits that holds all of them.
+/// Makes an axis of right digits that all rows fit on.
 fn digits_axis(rows: &[&Measured]) -> Axis {
     let least = rows.iter().map(|(row, _)| right_digits(row)[2]);
     let least = least.fold(12.0, f64::min);
     Axis::new(176.0, 30.0, 216.0, 2.0 * (0.5 * least).floor(), 16.0)
 }
 
-/// Returns the ticks of an axis: powers of ten, among few also 2 and 5 times these; or every second
-/// or fourth digit.
+/// Returns the ticks of an axis. On a logarithmic one these are powers of ten, and where these are
+/// few, 2 and 5 times these; on a linear one, every second or fourth digit.
 fn marked(axis: &Axis) -> Vec<(f64, String)> {
     let holds = |it: &f64| (axis.least..=axis.most).contains(it);
     if !axis.is_logarithmic {
@@ -167,7 +166,7 @@ fn draw_row(svg: &mut Svg, y: f64, [costs, right]: [&Axis; 2], (row, time): &Mea
     mark(svg, idea, row.precision, typical);
 }
 
-/// Explains the bars.
+/// Draws the key to the bars.
 fn key(svg: &mut Svg, at: DVec2) {
     let [all, nearly_all, half] = [20.0, 96.0, 180.0].map(|x| at.right(x));
     svg.line("faint thin", all, half);
@@ -183,12 +182,12 @@ fn key(svg: &mut Svg, at: DVec2) {
     }
 }
 
-/// Returns how many digits of t are right for half of the hits, for 999 of 1000, and for all.
+/// Returns the number of right digits of t in half of the hits, in 999 of 1000, and in all.
 fn right_digits(row: &Accuracy) -> [f64; 3] {
     [row.median_ulps, row.p999_ulps, row.largest_ulps].map(|ulps| digits(ulps, row.precision))
 }
 
-/// Says how often a decision is wrong, in two digits.
+/// Writes a rate of wrong decisions, given per million, as one in so many, with two digits.
 fn one_in(per_million: f64) -> String {
     let times = format!("{:.1e}", 1e6 / per_million)
         .parse()
@@ -196,7 +195,7 @@ fn one_in(per_million: f64) -> String {
     format!("wrong in 1 of {}", number(times))
 }
 
-/// Writes all numbers of all methods as a table.
+/// Writes the table of all methods in all situations.
 fn numbers<'a>(all: impl Iterator<Item = (&'a Vec<Measured>, &'a &'static str)>) -> String {
     let heads = [
         "situation",

@@ -12,7 +12,7 @@ use crate::svg::{Anchor, Shift, Svg, spot};
 use crate::table::{Record, Table};
 use crate::text::SMALL;
 
-/// Error against distance.
+/// The chart of right digits against the distance of the ray's origin from the sphere.
 pub(super) const CHART: Chart = Chart {
     name: "distance",
     title: "Digits that are left when the sphere is far away",
@@ -29,7 +29,7 @@ pub(super) const CHART: Chart = Chart {
     draw: |files| draw(files[0]),
 };
 
-/// A method from level to level.
+/// The accuracy of one method at rising distances; never empty.
 type Sweep = Vec<Level>;
 
 fn draw(file: &str) -> Result<DrawnChart, String> {
@@ -45,7 +45,7 @@ fn draw(file: &str) -> Result<DrawnChart, String> {
     })
 }
 
-/// The size of the grid.
+/// The width and the height of the grid of a panel.
 const WIDE: f64 = 196.0;
 const HIGH: f64 = 310.0;
 
@@ -81,13 +81,13 @@ fn panel(precision: Precision, lines: &[&Sweep]) -> String {
     svg.finish()
 }
 
-/// Returns the last level, which not every line has.
+/// Returns the last level that any of the methods reaches.
 fn last<'a>(lines: impl Iterator<Item = &'a Sweep>) -> i32 {
     lines.flatten().map(|row| row.level).fold(1, i32::max)
 }
 
-/// Draws the lines, and their names beside the grid. A cross on a line may lie on several:
-/// the name of its method has one too.
+/// Draws the lines and, beside the grid, their names. A cross marks the first wrong decision; since
+/// it may lie on several lines, the name of its method has a cross, too.
 fn plot(svg: &mut Svg, [levels, right]: [&Axis; 2], lines: &[&Sweep]) {
     let mut ends: Vec<(DVec2, &Sweep)> = Vec::new();
     for (idea, stroke) in STROKES {
@@ -109,7 +109,8 @@ fn plot(svg: &mut Svg, [levels, right]: [&Axis; 2], lines: &[&Sweep]) {
     draw_names(svg, levels.end, &ends);
 }
 
-/// Writes the names of lines, in the order in which these end, beside the grid with this corner.
+/// Writes the names of methods to the right of the grid whose lower left corner is `low`, in the
+/// order in which their lines end.
 fn draw_names(svg: &mut Svg, low: DVec2, ends: &[(DVec2, &Sweep)]) {
     let heights: Vec<f64> = ends.iter().map(|(end, _)| end.y).collect();
     let places = spread(&heights, SMALL + 4.0, low.y - HIGH - 6.0, low.y);
@@ -124,8 +125,8 @@ fn draw_names(svg: &mut Svg, low: DVec2, ends: &[(DVec2, &Sweep)]) {
     }
 }
 
-/// Moves `places`, in rising order, so that no two are nearer than `gap` and all
-/// lie between `least` and `most`, each as little as is needed.
+/// Moves `places`, given in rising order, as little as possible so that neighbors are at least
+/// `gap` apart and all lie between `least` and `most`.
 fn spread(places: &[f64], gap: f64, least: f64, most: f64) -> Vec<f64> {
     let mut moved = places.to_vec();
     let mut next = least;
@@ -141,11 +142,12 @@ fn spread(places: &[f64], gap: f64, least: f64, most: f64) -> Vec<f64> {
     moved
 }
 
-/// The strokes of the lines of an idea. The bold ones come first, so that they hide no other.
+/// The strokes of the lines of each idea, in drawing order: bold lines come first, so that they
+/// hide no other.
 const STROKES: [(&str, &str); 3] = [("certain", "bold"), ("ink", "thin"), ("reference", "line")];
 
-/// Too many lines hide each other. In `f64` these are the methods that the lesson of chapter 6
-/// is about, and what is right; in `f32` there are few.
+/// The methods in `f64` that have a line: those of the lesson of chapter 6, and the exact one. More
+/// lines would hide each other; in `f32` all have one.
 const DRAWN: [Method; 4] = [
     Method::HALF_B,
     Method::HALF_B_Q,
@@ -158,7 +160,7 @@ fn is_drawn(row: &Level) -> bool {
     is_named || row.precision == Precision::Single
 }
 
-/// Returns the first level at which a method decides wrongly.
+/// Returns the first level at which a method decides wrongly, if there is one.
 fn first_wrong(line: &Sweep) -> Option<&Level> {
     line.iter().find(|row| row.wrong_per_million > 0.0)
 }

@@ -10,7 +10,7 @@ use crate::svg::{Anchor, Shift, Svg, spot};
 use crate::table::{Record, Table};
 use crate::text::{SMALL, width};
 
-/// A heat map.
+/// The heat map of wrong pixels: a cell for each method in each scene.
 pub(super) const CHART: Chart = Chart {
     name: "scenes",
     title: "Wrong pixels, scene by scene and method by method",
@@ -56,8 +56,8 @@ fn draw(scenes: &str, timings: &str) -> Result<DrawnChart, String> {
     })
 }
 
-/// The top of the first line of cells, the height of a cell, and the distance of two lines:
-/// between them stands the name of the method.
+/// The top of the first line of cells, the height of a cell, and the distance from one line to the
+/// next; a method's name stands between lines.
 const TOP: f64 = 74.0;
 const HIGH: f64 = 24.0;
 const PITCH: f64 = 42.0;
@@ -92,7 +92,8 @@ fn heat_map(scenes: &[String], lines: &[&[WrongPixels]]) -> String {
     svg.finish()
 }
 
-/// Draws how many of a thousand pixels are wrong, in one of five depths.
+/// Draws a cell that says how many of a thousand pixels are wrong, in a depth of color that grows
+/// with their number.
 fn draw_cell(svg: &mut Svg, corner: DVec2, size: DVec2, cell: &WrongPixels) {
     let wrong = 1000.0 * cell.wrong as f64 / cell.pixels as f64;
     let (depth, idea, words) = match wrong {
