@@ -14,7 +14,7 @@ use crate::limited;
 
 /// What was found of a program.
 #[derive(Default)]
-pub(crate) struct Found {
+pub(crate) struct FoundSources {
     /// Its files, as far as they are known.
     pub(crate) sources: Sources,
     /// Their language.
@@ -23,7 +23,7 @@ pub(crate) struct Found {
     pub(crate) why_none: Option<String>,
 }
 
-impl Found {
+impl FoundSources {
     /// Returns the language in which the answer shows lines, or `None` for one without lines.
     pub(crate) fn reader_language(&self) -> Option<ReaderLanguage> {
         match self.language? {
@@ -42,7 +42,7 @@ pub(crate) fn of_crate(folder: &Path, chapter: Chapter) -> Sources {
 
 /// Finds the files of a program of the reader's own: those that its command names, or that are
 /// called as the program is, or all, if they are one program.
-pub(crate) fn of_program(words: &[OsString], folder: &Path) -> Found {
+pub(crate) fn of_program(words: &[OsString], folder: &Path) -> FoundSources {
     let command = words.iter().filter_map(|it| it.to_str());
     let is_end = |c: char| c.is_whitespace() || "'\"=;&|".contains(c);
     let words: Vec<&str> = command.flat_map(|it| it.split(is_end)).collect();
@@ -50,7 +50,7 @@ pub(crate) fn of_program(words: &[OsString], folder: &Path) -> Found {
 }
 
 /// Finds the files in a picture's folder from which it was drawn: none that was changed later.
-pub(crate) fn beside(picture: &Path) -> Found {
+pub(crate) fn beside(picture: &Path) -> FoundSources {
     let folder = picture.parent().unwrap_or(Path::new(""));
     let folder = if folder.as_os_str().is_empty() {
         Path::new(".")
@@ -64,12 +64,12 @@ pub(crate) fn beside(picture: &Path) -> Found {
     let name = picture.file_name().and_then(|it| it.to_str());
     match &newer[..] {
         [] => found(folder, files, &[name.unwrap_or_default()]),
-        [first, ..] => Found {
+        [first, ..] => FoundSources {
             why_none: Some(format!(
                 "No source was read: {} was changed after the picture was drawn.",
                 names::escaped_name(first)
             )),
-            ..Found::default()
+            ..FoundSources::default()
         },
     }
 }
@@ -79,7 +79,7 @@ fn changed(path: &Path) -> Option<SystemTime> {
 }
 
 /// Chooses among the files those of one program, by the words with which it is run.
-fn found(folder: &Path, files: Vec<PathBuf>, words: &[&str]) -> Found {
+fn found(folder: &Path, files: Vec<PathBuf>, words: &[&str]) -> FoundSources {
     let is_named = |it: &&PathBuf| {
         words
             .iter()
@@ -109,19 +109,19 @@ fn found(folder: &Path, files: Vec<PathBuf>, words: &[&str]) -> Found {
                 .take(3)
                 .map(|it| names::escaped_name(it).to_string())
                 .collect();
-            return Found {
+            return FoundSources {
                 why_none: Some(format!(
                     "No source was read: {} are programs of their own. One that is called as your program is would be, or that your command names.",
                     names.join(", ")
                 )),
-                ..Found::default()
+                ..FoundSources::default()
             };
         }
         (true, _) => texts,
         (false, _) => with_imports(&chosen, &programs, texts),
     };
     let language = all.first().and_then(|it| Language::of_file(&it.name));
-    Found {
+    FoundSources {
         sources: Sources::new(all, Vec::new()),
         language,
         why_none: None,

@@ -17,7 +17,7 @@ use crate::subprocess;
 
 /// A place to read a picture from.
 #[derive(Clone, Copy)]
-pub(crate) enum Source<'a> {
+pub(crate) enum PictureInput<'a> {
     /// A file.
     File(&'a Path),
     /// Standard input.
@@ -26,7 +26,7 @@ pub(crate) enum Source<'a> {
     Program(&'a [OsString]),
 }
 
-impl<'a> Source<'a> {
+impl<'a> PictureInput<'a> {
     /// Makes the source of that name: a file, or standard input for `-`.
     pub(crate) fn of(path: &'a Path) -> Self {
         match path.to_str() {
@@ -54,7 +54,7 @@ impl<'a> Source<'a> {
     }
 }
 
-impl fmt::Display for Source<'_> {
+impl fmt::Display for PictureInput<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::File(path) => write!(f, "{}", names::escaped_name(path)),

@@ -22,11 +22,11 @@ use clap::builder::TypedValueParser;
 use common::engine::output;
 use slips::{Chapter, Edition, PROBES, Probe, Slip};
 
-use input::Source;
+use input::PictureInput;
 
 use crate::chapter::{ChapterOrPicture, ChapterOrPictureParser, parser_of_names};
 use crate::misuse::complain;
-use crate::sources::Found;
+use crate::sources::FoundSources;
 use crate::wrap::laid_out;
 use crate::{files, sources};
 
@@ -86,9 +86,9 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
     let task = chapter.map(|chapter| arguments.task(chapter)).transpose()?;
     // What a program is made of may lie beside it.
     let found = match source {
-        Source::File(picture) => sources::beside(picture),
-        Source::Stdin => Found::default(),
-        Source::Program(words) => sources::of_program(words, Path::new(".")),
+        PictureInput::File(picture) => sources::beside(picture),
+        PictureInput::Stdin => FoundSources::default(),
+        PictureInput::Program(words) => sources::of_program(words, Path::new(".")),
     };
     let language = found.reader_language();
     let can_be_made =
@@ -135,18 +135,18 @@ fn report(folder: &Path, chapter: Chapter, answer: &Answer) -> Result<PathBuf, B
 
 impl Arguments {
     /// The chapter, if one is named, and where the picture comes from.
-    fn chapter_and_source(&self) -> Result<(Option<Chapter>, Source<'_>), Box<dyn Error>> {
-        let program = Source::Program(&self.program);
+    fn chapter_and_source(&self) -> Result<(Option<Chapter>, PictureInput<'_>), Box<dyn Error>> {
+        let program = PictureInput::Program(&self.program);
         match (&self.first, &self.picture) {
             (Some(ChapterOrPicture::Chapter(chapter)), Some(path)) => {
-                Ok((Some(*chapter), Source::of(path)))
+                Ok((Some(*chapter), PictureInput::of(path)))
             }
             (Some(ChapterOrPicture::Chapter(_)), None) if self.program.is_empty() => {
                 Err("your picture is missing, or your program after --".into())
             }
             (Some(ChapterOrPicture::Chapter(chapter)), None) => Ok((Some(*chapter), program)),
             (Some(ChapterOrPicture::Picture(path)), None) if self.program.is_empty() => {
-                Ok((None, Source::of(path)))
+                Ok((None, PictureInput::of(path)))
             }
             (Some(ChapterOrPicture::Picture(path)), _) => Err(format!(
                 "{} is no chapter, and there is more than one picture",
@@ -161,7 +161,7 @@ impl Arguments {
     fn judged<'a>(
         &self,
         task: Option<Task>,
-        source: &Source,
+        source: &PictureInput,
         context: &'a Context<'a>,
     ) -> Result<(Attempt<'a>, Verdict), Box<dyn Error>> {
         let (is_guessed, tolerance) = (task.is_none(), self.tolerance);

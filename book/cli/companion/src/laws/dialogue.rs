@@ -13,11 +13,11 @@ use std::time::{Duration, Instant};
 
 use check::any_language::NoAnswer;
 
-use crate::subprocess::{self, Running};
+use crate::subprocess::{self, RunningProgram};
 
 /// A program that is asked.
 pub(super) struct Dialogue {
-    program: Running,
+    program: RunningProgram,
     /// Comes when all that it says beside its answers has been shown.
     said: Receiver<String>,
     answers: Receiver<String>,
@@ -29,7 +29,7 @@ pub(super) struct Dialogue {
 const ALL: u32 = 20;
 
 /// Why a program can't be asked any more.
-pub(super) enum Failure {
+pub(super) enum DialogueFailure {
     /// It did not answer in time, but after twice the time.
     Tardy,
     /// It did not answer in time, but when its input ended.
@@ -60,7 +60,7 @@ impl Dialogue {
     pub(super) fn start(words: &[OsString], limit: Duration) -> io::Result<Self> {
         let mut command = subprocess::command(words);
         command.stdin(Stdio::piped()).stdout(Stdio::piped());
-        let mut program = Running::start(command.stderr(Stdio::piped()))?;
+        let mut program = RunningProgram::start(command.stderr(Stdio::piped()))?;
         let piped = "it is piped";
         let errors = program.errors.take().expect(piped);
         Ok(Self {
@@ -76,10 +76,10 @@ impl Dialogue {
     ///
     /// # Errors
     /// If it does not answer as agreed.
-    pub(super) fn ask(&mut self, line: &str) -> Result<String, Failure> {
+    pub(super) fn ask(&mut self, line: &str) -> Result<String, DialogueFailure> {
         self.says_no_more(Duration::ZERO)?;
         if self.start.elapsed() > ALL * self.limit {
-            return Err(Failure::Slow(ALL * self.limit));
+            return Err(DialogueFailure::Slow(ALL * self.limit));
         }
         if let Some(questions) = &mut self.program.input {
             // A pipe has room for a line, whether it is read or not; where nothing reads, nothing
@@ -89,7 +89,7 @@ impl Dialogue {
         match self.answers.recv_timeout(self.limit) {
             Ok(answer) => Ok(answer),
             Err(RecvTimeoutError::Timeout) => Err(self.late()),
-            Err(RecvTimeoutError::Disconnected) => Err(Failure::Ended(self.status())),
+            Err(RecvTimeoutError::Disconnected) => Err(DialogueFailure::Ended(self.status())),
         }
     }
 
@@ -97,7 +97,7 @@ impl Dialogue {
     ///
     /// # Errors
     /// If it then says more than it was asked.
-    pub(super) fn end(&mut self) -> Result<(), Failure> {
+    pub(super) fn end(&mut self) -> Result<(), DialogueFailure> {
         // Its input ends.
         self.program.input = None;
         self.says_no_more(FAREWELL)
@@ -107,19 +107,19 @@ impl Dialogue {
     ///
     /// # Errors
     /// The line that it says.
-    pub(super) fn says_no_more(&self, time: Duration) -> Result<(), Failure> {
+    pub(super) fn says_no_more(&self, time: Duration) -> Result<(), DialogueFailure> {
         let more = self.answers.recv_timeout(time);
-        more.map_or(Ok(()), |more| Err(Failure::TooMuch(more)))
+        more.map_or(Ok(()), |more| Err(DialogueFailure::TooMuch(more)))
     }
 
-    fn late(&mut self) -> Failure {
+    fn late(&mut self) -> DialogueFailure {
         if self.answers.recv_timeout(self.limit).is_ok() {
-            return Failure::Tardy;
+            return DialogueFailure::Tardy;
         }
         // Its input ends.
         self.program.input = None;
         let late = self.answers.recv_timeout(FAREWELL);
-        late.map_or(Failure::Silent, |_| Failure::Late)
+        late.map_or(DialogueFailure::Silent, |_| DialogueFailure::Late)
     }
 
     /// Returns its status, if it ends soon.

@@ -24,7 +24,7 @@ use crate::chapter::ChapterParser;
 use crate::check::seconds;
 use crate::reader_crates::shell_word;
 use crate::sources;
-use dialogue::{Dialogue, Failure};
+use dialogue::{Dialogue, DialogueFailure};
 
 /// The words behind `cargo rtrace laws`.
 #[derive(Args)]
@@ -57,7 +57,7 @@ pub(crate) const ASKED: [Chapter; 4] = [
 pub(crate) fn laws(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
     let program = &arguments.program;
     let (code, said) = match Dialogue::start(program, arguments.timeout) {
-        Ok(dialogue) => Asked::new(arguments, dialogue).judged(),
+        Ok(dialogue) => Interview::new(arguments, dialogue).judged(),
         Err(cause) => (2, not_started(program, &cause.to_string())),
     };
     output::to_stdout(|out| out.write_all(said.as_bytes()))?;
@@ -80,24 +80,24 @@ const AT_ONCE: &str = "print(…, flush=True) in Python, std::endl in C++, the e
 const GREETING: Duration = Duration::from_millis(300);
 
 /// A program with all that it has been asked.
-struct Asked<'a> {
+struct Interview<'a> {
     arguments: &'a Arguments,
     dialogue: RefCell<Dialogue>,
     /// The answers by their questions. None is asked twice: a case is made smaller by laws that
     /// must find what they found before.
-    answers: RefCell<HashMap<String, Answer>>,
+    answers: RefCell<HashMap<String, LineAnswer>>,
     /// Why it is asked no more, and at which question.
-    failure: RefCell<Option<(Failure, String)>>,
+    failure: RefCell<Option<(DialogueFailure, String)>>,
     function: FunctionKind,
 }
 
 /// A line, and what it means.
-struct Answer {
+struct LineAnswer {
     said: String,
     hit: Option<RecordedHit>,
 }
 
-impl<'a> Asked<'a> {
+impl<'a> Interview<'a> {
     fn new(arguments: &'a Arguments, dialogue: Dialogue) -> Self {
         Self {
             arguments,
@@ -173,8 +173,8 @@ impl<'a> Asked<'a> {
         let said = self.dialogue.borrow_mut().ask(&line).and_then(|said| {
             let read = self.function.read(asked, &said, self.says_minus_one());
             match read {
-                Ok(hit) => Ok(Answer { said, hit }),
-                Err(why) => Err(Failure::NoAnswer(said, why)),
+                Ok(hit) => Ok(LineAnswer { said, hit }),
+                Err(why) => Err(DialogueFailure::NoAnswer(said, why)),
             }
         });
         match said {
@@ -269,7 +269,7 @@ impl<'a> Asked<'a> {
         let numbers = answers
             .values()
             .filter(|it| it.hit.is_some_and(|hit| hit.t.is_finite()));
-        let t = |it: &'_ Answer| it.said.split(' ').next().unwrap_or_default().to_owned();
+        let t = |it: &'_ LineAnswer| it.said.split(' ').next().unwrap_or_default().to_owned();
         let numbers: HashMap<String, f64> = numbers
             .map(t)
             .filter_map(|t| Some((t.clone(), t.parse().ok()?)))
@@ -289,14 +289,17 @@ impl<'a> Asked<'a> {
         is_single.then(|| "every answer is a number of single precision: use double".to_owned())
     }
 
-    fn failed(&self, failure: &Failure, line: &str) -> String {
+    fn failed(&self, failure: &DialogueFailure, line: &str) -> String {
         let (problem, to_do) = self.explained(failure);
         let by_hand = match failure {
-            Failure::Ended(_) | Failure::TooMuch(_) | Failure::NoAnswer(..) => {
-                self.by_hand(line) + "\n"
-            }
+            DialogueFailure::Ended(_)
+            | DialogueFailure::TooMuch(_)
+            | DialogueFailure::NoAnswer(..) => self.by_hand(line) + "\n",
             // By hand, its input ends at once: that shows another thing.
-            Failure::Tardy | Failure::Late | Failure::Silent | Failure::Slow(_) => String::new(),
+            DialogueFailure::Tardy
+            | DialogueFailure::Late
+            | DialogueFailure::Silent
+            | DialogueFailure::Slow(_) => String::new(),
         };
         format!(
             "{} {problem}.\nto do:    {to_do}\n{by_hand}",
@@ -305,7 +308,7 @@ impl<'a> Asked<'a> {
     }
 
     /// Returns what is wrong with the dialogue, and what to do.
-    fn explained(&self, failure: &Failure) -> (String, String) {
+    fn explained(&self, failure: &DialogueFailure) -> (String, String) {
         let limit = self.arguments.timeout;
         let wanted = match self.arguments.chapter {
             Chapter::RedSphere => "hit or miss",
@@ -314,45 +317,45 @@ impl<'a> Asked<'a> {
         };
         let shown = |said: &str| format!("`{}`", names::escape_for_terminal(said));
         match failure {
-            Failure::Tardy => (
+            DialogueFailure::Tardy => (
                 format!("did not answer within {limit:?}, but later"),
                 "give it more time, if it is slow to start: --timeout SECONDS".to_owned(),
             ),
-            Failure::Late => (
+            DialogueFailure::Late => (
                 format!("did not answer within {limit:?}, but when its input ended"),
                 format!("answer before the next line comes: {AT_ONCE}"),
             ),
-            Failure::Silent => (
+            DialogueFailure::Silent => (
                 format!("did not answer within {limit:?}"),
                 format!("print {wanted}. Does a loop end? --timeout SECONDS gives more time"),
             ),
-            Failure::Slow(limit) => (
+            DialogueFailure::Slow(limit) => (
                 format!(
                     "gave only {} answers within {limit:?}",
                     self.answers.borrow().len()
                 ),
                 "some two thousand are asked for; --timeout SECONDS gives more time".to_owned(),
             ),
-            Failure::Ended(status) => (
+            DialogueFailure::Ended(status) => (
                 match status {
                     Some(status) => format!("ended with {status}, without an answer"),
                     None => "closed its output".to_owned(),
                 },
                 "answer line by line, until the input ends".to_owned(),
             ),
-            Failure::TooMuch(said) => (
+            DialogueFailure::TooMuch(said) => (
                 format!("says more than one line for a line: {}", shown(said)),
                 format!("print nothing but {wanted}; the rest can go to standard error"),
             ),
-            Failure::NoAnswer(said, NoAnswer::DecimalComma) => (
+            DialogueFailure::NoAnswer(said, NoAnswer::DecimalComma) => (
                 format!("answers {}", shown(said)),
                 "print numbers with a decimal point: 0.5, not 0,5".to_owned(),
             ),
-            Failure::NoAnswer(said, _) if said.is_empty() => (
+            DialogueFailure::NoAnswer(said, _) if said.is_empty() => (
                 "answers with an empty line".to_owned(),
                 format!("print {wanted}"),
             ),
-            Failure::NoAnswer(said, _) => (
+            DialogueFailure::NoAnswer(said, _) => (
                 format!("answers {}", shown(said)),
                 format!("print nothing but {wanted}"),
             ),

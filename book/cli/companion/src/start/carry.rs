@@ -13,7 +13,7 @@ use slips::Chapter;
 use crate::limited;
 
 /// The crate that a reader wrote for a chapter.
-pub(super) struct Written {
+pub(super) struct EarlierCrate {
     chapter: String,
     /// The named items of `src/lib.rs` with their texts; or why it can't be read.
     items: Result<Vec<(String, String)>, String>,
@@ -22,7 +22,7 @@ pub(super) struct Written {
     pub(super) files: Vec<PathBuf>,
 }
 
-impl Written {
+impl EarlierCrate {
     pub(super) fn read(folder: &Path) -> Self {
         let text = limited::read_text(&folder.join("src/lib.rs"));
         let items = text.map_err(|cause| format!("src/lib.rs: {cause}"));
@@ -46,13 +46,13 @@ impl Written {
 }
 
 /// The files of a chapter to be typed, and a sentence about their origin.
-pub(super) struct Carried {
+pub(super) struct CarriedFiles {
     pub(super) files: Vec<(&'static str, String)>,
     pub(super) said: String,
 }
 
 /// Makes the chapter's skeletons with the functions that were written before.
-pub(super) fn into(chapter: Chapter, own: bool, written: Option<&Written>) -> Carried {
+pub(super) fn into(chapter: Chapter, own: bool, written: Option<&EarlierCrate>) -> CarriedFiles {
     let (items, said) = origin(written);
     let mut files = skeletons::files(chapter, own);
     let mut used = Vec::new();
@@ -91,7 +91,7 @@ pub(super) fn into(chapter: Chapter, own: bool, written: Option<&Written>) -> Ca
             *lib += &format!("\n{text}\n");
         }
     }
-    Carried { files, said }
+    CarriedFiles { files, said }
 }
 
 /// Finds the place, in bytes, of the item of the skeleton that has this text.
@@ -103,8 +103,8 @@ fn place(skeleton: &str, text: &str) -> Range<usize> {
 }
 
 /// Returns the items of the chapter before, and a sentence about their origin.
-fn origin(written: Option<&Written>) -> (&[(String, String)], String) {
-    let Some(Written { chapter, items, .. }) = written else {
+fn origin(written: Option<&EarlierCrate>) -> (&[(String, String)], String) {
+    let Some(EarlierCrate { chapter, items, .. }) = written else {
         return (&[], String::new());
     };
     match items {

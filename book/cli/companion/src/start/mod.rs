@@ -9,7 +9,7 @@ use std::hash::{BuildHasher, Hasher, RandomState};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use carry::Written;
+use carry::EarlierCrate;
 use check::names::name_from_here;
 use check::workspace::workspace;
 use clap::Args;
@@ -60,14 +60,14 @@ pub(crate) fn start(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     }
     let before = TYPED.into_iter().rev().filter(|&it| it < chapter);
     let before = before.map(|it| crates.folder_of(it)).find(|it| it.is_dir());
-    let new = New::compose(arguments, before.as_deref(), &folder)?;
+    let new = NewCrate::compose(arguments, before.as_deref(), &folder)?;
     new.make(&folder).map_err(failed)?;
     let said = new.as_text(&crates);
     Ok(output::to_stdout(|out| out.write_all(said.as_bytes()))?)
 }
 
 /// A crate that is about to be written.
-struct New {
+struct NewCrate {
     chapter: Chapter,
     /// The crate of the chapter before.
     before: Option<PathBuf>,
@@ -79,7 +79,7 @@ struct New {
     carried: String,
 }
 
-impl New {
+impl NewCrate {
     fn compose(
         arguments: &Arguments,
         before: Option<&Path>,
@@ -90,8 +90,8 @@ impl New {
             "your crate would use the prelude and the laws of the workspace that this program \
              was built from, and that is not there any more",
         )?;
-        let written = before.map(Written::read);
-        let has_own = written.as_ref().is_some_and(Written::has_own_prelude);
+        let written = before.map(EarlierCrate::read);
+        let has_own = written.as_ref().is_some_and(EarlierCrate::has_own_prelude);
         let own = arguments.own_prelude || has_own;
         let mut carried = carry::into(chapter, own, written.as_ref());
         let (_, lib) = carried.files.last_mut().expect("a chapter has a file");
@@ -105,7 +105,7 @@ impl New {
         let files = prelude
             .chain(carried.files)
             .chain(given(chapter, own, folder, workspace));
-        let copies = written.map_or(Vec::new(), |Written { folder, files, .. }| {
+        let copies = written.map_or(Vec::new(), |EarlierCrate { folder, files, .. }| {
             let copy = |name: PathBuf| (folder.join(&name), name);
             files.into_iter().map(copy).collect()
         });

@@ -21,7 +21,7 @@ use check::reading::{Cause, MOST_BYTES};
 
 use crate::misuse::complain;
 
-pub(crate) use running::Running;
+pub(crate) use running::RunningProgram;
 
 /// Runs a program and returns all that it prints, [`limited`].
 ///
@@ -38,22 +38,22 @@ pub(crate) fn output_of(words: &[OsString], limit: Duration) -> Result<Vec<u8>, 
 /// If that is no good end, or the program did not start.
 pub(crate) fn printed(
     words: &[OsString],
-    end: io::Result<End>,
+    end: io::Result<ProgramEnd>,
     limit: Duration,
 ) -> Result<Vec<u8>, Cause> {
     let name = names::escaped_name(&words[0]);
     let (problem, fix) = match end {
-        Ok(End::Itself(status, bytes)) if status.success() => return Ok(bytes),
-        Ok(End::Full(bytes)) => return Ok(bytes),
-        Ok(End::Itself(status, _)) => (
+        Ok(ProgramEnd::Itself(status, bytes)) if status.success() => return Ok(bytes),
+        Ok(ProgramEnd::Full(bytes)) => return Ok(bytes),
+        Ok(ProgramEnd::Itself(status, _)) => (
             format!("{name} ended with {status}"),
             "A program that draws a picture ends with 0. Read what it says above.",
         ),
-        Ok(End::TooSlow) => (
+        Ok(ProgramEnd::TooSlow) => (
             format!("{name} did not end within {limit:?}"),
             "Does a loop end? If the program is only slow: a smaller picture, or --timeout SECONDS.",
         ),
-        Ok(End::Interrupted) => unreachable!("nothing is newer"),
+        Ok(ProgramEnd::Interrupted) => unreachable!("nothing is newer"),
         Err(cause) => (
             format!("{name} does not start: {cause}"),
             "Is it built, and is its path right? A program in this folder is ./NAME.",
@@ -70,7 +70,7 @@ pub(crate) fn command(words: &[OsString]) -> Command {
 }
 
 /// How a program came to its end.
-pub(crate) enum End {
+pub(crate) enum ProgramEnd {
     /// By itself, after it had printed this.
     Itself(ExitStatus, Vec<u8>),
     /// It printed more than any picture has.
@@ -97,13 +97,13 @@ pub(crate) fn run(
     limit: Duration,
     listen: impl FnOnce(ChildStderr) -> String + Send + 'static,
     is_old: &mut dyn FnMut() -> bool,
-) -> io::Result<(End, String)> {
+) -> io::Result<(ProgramEnd, String)> {
     // The terminal is ours: a program that is run again and again reads none of it.
     if io::stdin().is_terminal() {
         command.stdin(Stdio::null());
     }
     command.stdout(Stdio::piped()).stderr(Stdio::piped());
-    let mut running = Running::start(&mut command)?;
+    let mut running = RunningProgram::start(&mut command)?;
     let piped = "it is piped";
     let printed = running.printed.take().expect(piped);
     let printed = in_a_thread(move || limited(printed));
@@ -116,18 +116,18 @@ pub(crate) fn run(
 
 /// Waits until the program ends, or has to.
 fn finish(
-    running: &mut Running,
+    running: &mut RunningProgram,
     printed: &Receiver<io::Result<Vec<u8>>>,
     limit: Duration,
     is_old: &mut dyn FnMut() -> bool,
-) -> io::Result<End> {
+) -> io::Result<ProgramEnd> {
     let start = Instant::now();
     let mut whole = None;
     loop {
         let ended = running.ended()?;
         match printed.try_recv() {
             Ok(bytes) if bytes.as_ref().is_ok_and(|it| it.len() > MOST_BYTES) => {
-                return Ok(End::Full(bytes?));
+                return Ok(ProgramEnd::Full(bytes?));
             }
             Ok(bytes) => whole = Some(bytes?),
             Err(TryRecvError::Empty | TryRecvError::Disconnected) => {}
@@ -137,13 +137,13 @@ fn finish(
             let last = || printed.recv_timeout(FAREWELL);
             let open = |_| io::Error::other("what it has started keeps its output open");
             let bytes = whole.map_or_else(|| last().map_err(open)?, Ok)?;
-            return Ok(End::Itself(status, bytes));
+            return Ok(ProgramEnd::Itself(status, bytes));
         }
         if start.elapsed() > limit {
-            return Ok(End::TooSlow);
+            return Ok(ProgramEnd::TooSlow);
         }
         if is_old() {
-            return Ok(End::Interrupted);
+            return Ok(ProgramEnd::Interrupted);
         }
         thread::sleep(TICK);
     }

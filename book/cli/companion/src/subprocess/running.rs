@@ -6,8 +6,8 @@ use std::process::{ChildStderr, ChildStdin, ChildStdout, Command, ExitStatus};
 use super::{guard, tree};
 
 /// A program that ends when this is dropped, with all that it has started.
-pub(crate) struct Running {
-    tree: tree::Tree,
+pub(crate) struct RunningProgram {
+    tree: tree::ProcessTree,
     /// True if it has the mark of a reader's program.
     is_marked: bool,
     /// Its input, output and errors, as far as they are piped.
@@ -16,7 +16,7 @@ pub(crate) struct Running {
     pub(crate) errors: Option<ChildStderr>,
 }
 
-impl Running {
+impl RunningProgram {
     /// Starts the program.
     ///
     /// # Errors
@@ -59,7 +59,7 @@ impl Running {
     }
 }
 
-impl Drop for Running {
+impl Drop for RunningProgram {
     fn drop(&mut self) {
         self.end();
     }

@@ -13,22 +13,22 @@ use std::time::Duration;
 use rustix::process::{Pid, Signal, kill_process, kill_process_group, setpriority_pgrp};
 
 /// A program and what it starts.
-pub(super) use std::process::Child as Tree;
+pub(super) use std::process::Child as ProcessTree;
 
 /// Starts the program as the leader of a group.
-pub(super) fn grown(command: &mut Command) -> io::Result<Tree> {
+pub(super) fn grown(command: &mut Command) -> io::Result<ProcessTree> {
     command.process_group(0).spawn()
 }
 
 /// Takes its input, output and errors, as far as they are piped.
 pub(super) fn pipes(
-    tree: &mut Tree,
+    tree: &mut ProcessTree,
 ) -> (Option<ChildStdin>, Option<ChildStdout>, Option<ChildStderr>) {
     (tree.stdin.take(), tree.stdout.take(), tree.stderr.take())
 }
 
 /// Ends the program and its group.
-pub(super) fn ended(tree: &mut Tree) {
+pub(super) fn ended(tree: &mut ProcessTree) {
     felled(tree.id());
     let _ = tree.wait();
 }

@@ -7,17 +7,17 @@ use std::process::{ChildStderr, ChildStdin, ChildStdout, Command, Stdio};
 use process_wrap::std::{ChildWrapper, CommandWrap, JobObject};
 
 /// A program and what it starts.
-pub(super) type Tree = Box<dyn ChildWrapper>;
+pub(super) type ProcessTree = Box<dyn ChildWrapper>;
 
 /// Starts the program in a job.
-pub(super) fn grown(command: &mut Command) -> io::Result<Tree> {
+pub(super) fn grown(command: &mut Command) -> io::Result<ProcessTree> {
     let command = mem::replace(command, Command::new(""));
     CommandWrap::from(command).wrap(JobObject).spawn()
 }
 
 /// Its input, output and errors, as far as they are piped.
 pub(super) fn pipes(
-    tree: &mut Tree,
+    tree: &mut ProcessTree,
 ) -> (Option<ChildStdin>, Option<ChildStdout>, Option<ChildStderr>) {
     (
         tree.stdin().take(),
@@ -27,7 +27,7 @@ pub(super) fn pipes(
 }
 
 /// Ends the job.
-pub(super) fn ended(tree: &mut Tree) {
+pub(super) fn ended(tree: &mut ProcessTree) {
     // What has ended already can't be ended once more.
     let _ = tree.kill();
 }

@@ -12,19 +12,19 @@ use launcher::cargo;
 
 use super::build;
 use crate::misuse::complain;
-use crate::subprocess::Running;
+use crate::subprocess::RunningProgram;
 
 const MEANWHILE: &str = "Meanwhile, the laws are built, which test your functions: about a minute, once, and no save waits";
 
 /// Cargo, as it builds all that the tests of a reader's crate stand on.
 #[derive(Default)]
-pub(super) struct Background {
-    running: Option<Running>,
+pub(super) struct BackgroundBuild {
+    running: Option<RunningProgram>,
     /// True if all is built that can be.
     is_done: bool,
 }
 
-impl Background {
+impl BackgroundBuild {
     /// Begins, or goes on, unless all is built.
     pub(super) fn go_on(&mut self, folder: &Path) {
         if self.is_done {
@@ -34,7 +34,7 @@ impl Background {
         let mut cargo = build::command(folder, &["build", "--tests", "--keep-going"]);
         cargo.stdout(Stdio::null()).stderr(Stdio::piped());
         // Without it, the laws are built when they are asked.
-        self.running = Running::start(&mut cargo).ok();
+        self.running = RunningProgram::start(&mut cargo).ok();
         if let Some(running) = &mut self.running {
             running.gives_way();
             let errors = running.errors.take().expect("it is piped");
@@ -49,7 +49,7 @@ impl Background {
 
     /// Returns true if it has ended by itself since the last look.
     pub(super) fn has_ended(&mut self) -> bool {
-        let ended = |it: &mut Running| it.ended().ok().flatten().is_some();
+        let ended = |it: &mut RunningProgram| it.ended().ok().flatten().is_some();
         let has_ended = self.running.as_mut().is_some_and(ended);
         self.is_done |= has_ended;
         has_ended

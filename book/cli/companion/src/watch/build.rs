@@ -12,11 +12,11 @@ use check::names;
 use launcher::cargo;
 use serde_json::Value;
 
-use crate::subprocess::{self, End};
+use crate::subprocess::{self, ProgramEnd};
 use crate::terminal::Palette;
 
 /// The programs of a reader's crate.
-pub(super) struct Built {
+pub(super) struct BuiltCrate {
     /// Prints the picture.
     pub(super) program: OsString,
     /// The compiler's warnings of the reader's files, each in its first line.
@@ -24,7 +24,7 @@ pub(super) struct Built {
 }
 
 /// Why a crate was not built.
-pub(super) struct Problem {
+pub(super) struct BuildFailure {
     /// The compiler's first message, as it prints it.
     pub(super) first: String,
     /// How many more there are.
@@ -40,23 +40,26 @@ const LAWS: &str =
     "\nBuilding the laws, which test your functions, for all your crates: once, about a minute";
 
 /// Why there is nothing to judge.
-pub(super) enum Stop {
+pub(super) enum NoVerdict {
     /// Something newer was saved.
-    Old,
+    NewerSave,
     /// Cargo has not built it.
-    NotBuilt(Problem),
+    NotBuilt(BuildFailure),
 }
 
 /// Builds the crate in `folder`.
 ///
 /// # Errors
 /// If it can't be built, or `is_old` says that there is a newer save.
-pub(super) fn build(folder: &Path, is_old: &mut dyn FnMut() -> bool) -> Result<Built, Stop> {
+pub(super) fn build(
+    folder: &Path,
+    is_old: &mut dyn FnMut() -> bool,
+) -> Result<BuiltCrate, NoVerdict> {
     let show = |errors| cargo::show_work(errors, PRELUDE);
     let messages = cargo_says(folder, &["build"], show, is_old)?;
     let missing = "the crate has no program: src/main.rs is missing";
-    let problem = || Stop::NotBuilt(problem(&[], missing));
-    Ok(Built {
+    let problem = || NoVerdict::NotBuilt(problem(&[], missing));
+    Ok(BuiltCrate {
         program: executable(&messages, "bin").ok_or_else(problem)?,
         warnings: warnings(&messages),
     })
@@ -71,7 +74,7 @@ pub(super) fn laws(
     folder: &Path,
     waits: bool,
     is_old: &mut dyn FnMut() -> bool,
-) -> Result<Option<OsString>, Stop> {
+) -> Result<Option<OsString>, NoVerdict> {
     let works = Arc::new(AtomicBool::new(false));
     let heard = Arc::clone(&works);
     let listen = move |errors| match waits {
@@ -81,7 +84,7 @@ pub(super) fn laws(
     let gives_up = || !waits && works.load(Relaxed);
     let test = ["test", "--no-run", "--test", "laws"];
     match cargo_says(folder, &test, listen, &mut || gives_up() || is_old()) {
-        Err(Stop::Old) if gives_up() => Ok(None),
+        Err(NoVerdict::NewerSave) if gives_up() => Ok(None),
         messages => Ok(executable(&messages?, "test")),
     }
 }
@@ -102,16 +105,16 @@ fn cargo_says(
     words: &[&str],
     listen: impl FnOnce(BufReader<ChildStderr>) -> String + Send + 'static,
     is_old: &mut dyn FnMut() -> bool,
-) -> Result<Vec<Value>, Stop> {
+) -> Result<Vec<Value>, NoVerdict> {
     let mut command = command(folder, words);
     command.arg(match Palette::of_stdout() {
         Some(_) => "--message-format=json-diagnostic-rendered-ansi",
         None => "--message-format=json",
     });
     let listen = |errors| listen(BufReader::new(errors));
-    let failed = |messages: &[Value], said: &str| Err(Stop::NotBuilt(problem(messages, said)));
+    let failed = |messages: &[Value], said: &str| Err(NoVerdict::NotBuilt(problem(messages, said)));
     match subprocess::run(command, Duration::MAX, listen, is_old) {
-        Ok((End::Itself(status, printed), said)) => {
+        Ok((ProgramEnd::Itself(status, printed), said)) => {
             let printed = String::from_utf8_lossy(&printed);
             let messages = printed.lines().map(serde_json::from_str);
             let messages: Vec<Value> = messages.filter_map(Result::ok).collect();
@@ -121,8 +124,8 @@ fn cargo_says(
                 failed(&messages, &said)
             }
         }
-        Ok((End::Interrupted, _)) => Err(Stop::Old),
-        Ok((End::Full(_) | End::TooSlow, _)) => failed(&[], "cargo says too much"),
+        Ok((ProgramEnd::Interrupted, _)) => Err(NoVerdict::NewerSave),
+        Ok((ProgramEnd::Full(_) | ProgramEnd::TooSlow, _)) => failed(&[], "cargo says too much"),
         Err(cause) => failed(&[], &format!("cargo does not start: {cause}")),
     }
 }
@@ -146,7 +149,7 @@ fn warnings(messages: &[Value]) -> Vec<String> {
 }
 
 /// Returns the first error, or the words of cargo itself where the compiler has said nothing.
-fn problem(messages: &[Value], said: &str) -> Problem {
+fn problem(messages: &[Value], said: &str) -> BuildFailure {
     let messages = messages.iter().map(|message| &message["message"]);
     let is_error = |message: &&Value| {
         let rendered = message["rendered"].as_str().unwrap_or_default();
@@ -161,7 +164,7 @@ fn problem(messages: &[Value], said: &str) -> Problem {
         .collect::<Vec<_>>();
     let said = said.join("\n");
     let first = errors.first().and_then(|it| it["rendered"].as_str());
-    Problem {
+    BuildFailure {
         first: without_impls(first.unwrap_or(&said).trim_end()),
         more: errors.len().saturating_sub(1),
         advice: match errors.first() {

@@ -13,17 +13,17 @@ use crate::done::DONE;
 use crate::sources;
 
 /// The files below a folder, as far as they change.
-pub(super) struct Changes {
+pub(super) struct FolderChanges {
     folder: PathBuf,
     /// The files as they were when the last run began, or when they were last waited for.
-    judged: Files,
+    judged: FileStamps,
     /// The files that were edited while no program ran.
     edited: HashSet<PathBuf>,
     last_look: Instant,
 }
 
 /// The time and the length of each file.
-type Files = HashMap<PathBuf, (Option<SystemTime>, u64)>;
+type FileStamps = HashMap<PathBuf, (Option<SystemTime>, u64)>;
 
 /// How often to look.
 const LOOK: Duration = Duration::from_millis(100);
@@ -34,7 +34,7 @@ const PATIENCE: usize = 20;
 /// No more files are looked at: a folder with more than that has something else in it.
 const MOST_FILES: usize = 10_000;
 
-impl Changes {
+impl FolderChanges {
     pub(super) fn below(folder: &Path) -> Self {
         Self {
             folder: folder.to_owned(),
@@ -80,14 +80,14 @@ impl Changes {
 }
 
 /// Lists the files that differ, or are only in one of both.
-fn changed<'a>(old: &'a Files, new: &'a Files) -> impl Iterator<Item = &'a PathBuf> {
+fn changed<'a>(old: &'a FileStamps, new: &'a FileStamps) -> impl Iterator<Item = &'a PathBuf> {
     let gone = old.keys().filter(|path| !new.contains_key(*path));
     let is_news = |(path, now): &(&PathBuf, &_)| old.get(*path) != Some(*now);
     gone.chain(new.iter().filter(is_news).map(|(path, _)| path))
 }
 
 /// Waits until nothing happens to the files any more, and returns them.
-fn settled(folder: &Path) -> Files {
+fn settled(folder: &Path) -> FileStamps {
     let mut files = files_in(folder);
     for _ in 0..PATIENCE {
         thread::sleep(LOOK / 2);
@@ -102,8 +102,8 @@ fn settled(folder: &Path) -> Files {
 
 /// Lists all files below the folder, but for hidden ones, builds, and the list of done things. No
 /// link is followed: it may lead to anything.
-fn files_in(folder: &Path) -> Files {
-    let mut files = Files::new();
+fn files_in(folder: &Path) -> FileStamps {
+    let mut files = FileStamps::new();
     let mut folders = vec![folder.to_owned()];
     while let Some(folder) = folders.pop()
         && files.len() < MOST_FILES

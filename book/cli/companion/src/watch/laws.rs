@@ -11,10 +11,10 @@ use check::answer::LawsStatus;
 use slips::{Chapter, ReaderLanguage, lawful};
 
 use crate::limited;
-use crate::subprocess::{self, End};
+use crate::subprocess::{self, ProgramEnd};
 
 /// The result of the test of a reader's crate.
-pub(super) struct Asked {
+pub(super) struct LawsResult {
     /// The answers of the functions.
     pub(super) answers: Answers,
     /// The first complaint, or that the laws hold.
@@ -34,8 +34,8 @@ fn answered(file: &Path) -> String {
 }
 
 /// Runs the test of a reader's crate.
-pub(super) fn ask(test: &OsStr, chapter: Chapter, folder: &Path, limit: Duration) -> Asked {
-    let unknown = |why| Asked {
+pub(super) fn ask(test: &OsStr, chapter: Chapter, folder: &Path, limit: Duration) -> LawsResult {
+    let unknown = |why| LawsResult {
         answers: Answers::default(),
         outcome: LawsStatus::Unknown(why),
         obeyed: Vec::new(),
@@ -49,7 +49,7 @@ pub(super) fn ask(test: &OsStr, chapter: Chapter, folder: &Path, limit: Duration
     command.args(["--nocapture", "--test-threads=1"]);
     command.current_dir(folder).env(ANSWERS, &file);
     let (status, errors) = match subprocess::run(command, limit, subprocess::last, &mut || false) {
-        Ok((End::Itself(status, _), errors)) => (status, errors),
+        Ok((ProgramEnd::Itself(status, _), errors)) => (status, errors),
         Ok(_) => return unknown(format!("the laws were not done within {limit:?}")),
         Err(cause) => return unknown(cause.to_string()),
     };
@@ -61,7 +61,7 @@ pub(super) fn ask(test: &OsStr, chapter: Chapter, folder: &Path, limit: Duration
         Err(Complaint::NotWritten(place)) => Some(place.clone()),
         _ => None,
     });
-    Asked {
+    LawsResult {
         answers,
         obeyed: obeyed.into_iter().map(|(of, _)| of).collect(),
         unwritten: unwritten.collect(),

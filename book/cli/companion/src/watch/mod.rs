@@ -33,11 +33,11 @@ use crate::laws::ASKED;
 use crate::misuse::misuse;
 use crate::reader_crates::{ReaderCrates, TYPED, shell_word};
 use crate::sources;
-use crate::subprocess::{self, End};
-use background::Background;
-use build::{Built, Problem, Stop};
-use changes::Changes;
-use laws::Asked;
+use crate::subprocess::{self, ProgramEnd};
+use background::BackgroundBuild;
+use build::{BuildFailure, BuiltCrate, NoVerdict};
+use changes::FolderChanges;
+use laws::LawsResult;
 
 /// The words behind `cargo rtrace watch`.
 #[derive(Args)]
@@ -70,9 +70,9 @@ pub(crate) struct Arguments {
 
 /// Says how far the reader is, now and whenever something is saved.
 pub(crate) fn watch(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
-    let subject = Subject::of(arguments)?;
-    let mut changes = Changes::below(&subject.folder);
-    let mut laws = Background::default();
+    let subject = WatchedProgram::of(arguments)?;
+    let mut changes = FolderChanges::below(&subject.folder);
+    let mut laws = BackgroundBuild::default();
     loop {
         laws.pause();
         let start = Instant::now();
@@ -83,8 +83,8 @@ pub(crate) fn watch(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
         let mut is_old = || !arguments.once && (changes.has_a_save() || screen::is_closed());
         let answer = match subject.judge(waits, &mut is_old) {
             Ok(answer) => Some(answer),
-            Err(Stop::NotBuilt(problem)) => Some(not_built(&problem)),
-            Err(Stop::Old) => None,
+            Err(NoVerdict::NotBuilt(problem)) => Some(not_built(&problem)),
+            Err(NoVerdict::NewerSave) => None,
         };
         if let Some(answer) = &answer {
             let news = subject.done.add_all(&answer.done);
@@ -117,7 +117,7 @@ pub(crate) fn watch(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
 const MOST_UNLIKE: usize = 60;
 
 /// What is watched and judged.
-struct Subject {
+struct WatchedProgram {
     task: Task,
     /// The reader's program with its arguments, or none for the crate in `folder`.
     program: Vec<OsString>,
@@ -129,7 +129,7 @@ struct Subject {
     misses_laws: Cell<bool>,
 }
 
-impl Subject {
+impl WatchedProgram {
     fn of(arguments: &Arguments) -> Result<Self, Box<dyn Error>> {
         let chapter = arguments.chapter;
         let task = Task::new(chapter, arguments.probe)
@@ -175,7 +175,7 @@ impl Subject {
 
     /// Builds, draws and compares, and waits for the laws if it `waits`, unless `is_old` says
     /// meanwhile that there is something newer to judge.
-    fn judge(&self, waits: bool, is_old: &mut dyn FnMut() -> bool) -> Result<Answer, Stop> {
+    fn judge(&self, waits: bool, is_old: &mut dyn FnMut() -> bool) -> Result<Answer, NoVerdict> {
         self.misses_laws.set(false);
         let is_crate = self.program.is_empty();
         let built = is_crate.then(|| build::build(&self.folder, is_old));
@@ -189,7 +189,7 @@ impl Subject {
         let ran = subprocess::run(command, self.limit, subprocess::last, is_old);
         let mut ask = || self.laws(waits, is_old);
         let (end, errors) = match ran {
-            Ok((End::Interrupted, _)) => return Err(Stop::Old),
+            Ok((ProgramEnd::Interrupted, _)) => return Err(NoVerdict::NewerSave),
             Ok((end, errors)) => (Ok(end), errors),
             Err(cause) => (Err(cause), String::new()),
         };
@@ -206,7 +206,11 @@ impl Subject {
     }
 
     /// Returns what the test says that puts the crate under the laws, if it is built.
-    fn laws(&self, waits: bool, is_old: &mut dyn FnMut() -> bool) -> Result<Option<Asked>, Stop> {
+    fn laws(
+        &self,
+        waits: bool,
+        is_old: &mut dyn FnMut() -> bool,
+    ) -> Result<Option<LawsResult>, NoVerdict> {
         if !self.folder.join("tests/laws.rs").is_file() {
             return Ok(None);
         }
@@ -229,9 +233,9 @@ impl Subject {
     fn of_picture(
         &self,
         bytes: &[u8],
-        built: Option<Built>,
-        ask: &mut dyn FnMut() -> Result<Option<Asked>, Stop>,
-    ) -> Result<Answer, Stop> {
+        built: Option<BuiltCrate>,
+        ask: &mut dyn FnMut() -> Result<Option<LawsResult>, NoVerdict>,
+    ) -> Result<Answer, NoVerdict> {
         let chapter = self.task.chapter;
         let is_crate = built.is_some();
         let (sources, language) = if is_crate {
@@ -324,7 +328,7 @@ impl Subject {
     }
 }
 
-fn not_built(problem: &Problem) -> Answer {
+fn not_built(problem: &BuildFailure) -> Answer {
     let number = problem.first.split_once("[E").and_then(|it| it.1.get(..4));
     let more = number.map(|number| format!("; rustc --explain E{number} tells more"));
     let lines = problem
@@ -350,7 +354,7 @@ fn stopped(cause: &Cause, errors: &str) -> Answer {
 
 /// The program stopped at `place`, where nothing has been written yet. The laws judge what is
 /// written already, and the first file that waits is the next one.
-fn not_written(chapter: Chapter, place: &str, asked: Option<Asked>) -> Answer {
+fn not_written(chapter: Chapter, place: &str, asked: Option<LawsResult>) -> Answer {
     let Some(asked) = asked else {
         return sentences::not_written(chapter, place, &[]);
     };
