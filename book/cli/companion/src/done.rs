@@ -15,7 +15,7 @@ use slips::{Chapter, steps};
 
 use crate::limited;
 use crate::reader_crates::{ReaderCrates, TYPED};
-use crate::wrap::hanging;
+use crate::wrap::wrap_hanging;
 
 /// The words behind `cargo rtrace done`.
 #[derive(Args)]
@@ -171,7 +171,7 @@ fn ahead(chapter: Chapter, text: &str) -> Vec<String> {
     steps
         .skip(last.unwrap_or(0))
         .map(|(number, step)| format!("  {:<14} {number}. {}", chapter.name(), step.says))
-        .map(|line| hanging(&line, 20) + "\n")
+        .map(|line| wrap_hanging(&line, 20) + "\n")
         .collect()
 }
 

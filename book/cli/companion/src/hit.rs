@@ -41,7 +41,7 @@ pub(crate) fn hit(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let of = |precision| {
         let mut methods = METHODS.to_vec();
         methods.retain(|method| method.precision() == precision);
-        under_the_microscope(&case, precision, &methods, arguments.t_min)
+        compare_methods(&case, precision, &methods, arguments.t_min)
     };
     let text = Precision::ALL.map(of).join("\n");
     Ok(output::to_stdout(|out| out.write_all(text.as_bytes()))?)
@@ -51,7 +51,7 @@ pub(crate) fn hit(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 pub(crate) const ORDINARY: f64 = 4.0;
 
 /// Writes the exact answer in one precision above `t_min`, and the answer of each of its `methods`.
-pub(crate) fn under_the_microscope(
+pub(crate) fn compare_methods(
     case: &Case,
     precision: Precision,
     methods: &[Method],

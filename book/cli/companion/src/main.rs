@@ -38,7 +38,7 @@ impl ArgumentTypes for ReadArguments {
 const STACK: usize = 1 << 26;
 
 fn main() -> ExitCode {
-    if subprocess::guard::has_guarded() {
+    if subprocess::guard::run_if_guard() {
         return ExitCode::SUCCESS;
     }
     let named = thread::Builder::new().stack_size(STACK);

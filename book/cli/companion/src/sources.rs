@@ -50,7 +50,7 @@ pub(crate) fn of_program(words: &[OsString], folder: &Path) -> FoundSources {
 }
 
 /// Finds the files in a picture's folder from which it was drawn: none that was changed later.
-pub(crate) fn beside(picture: &Path) -> FoundSources {
+pub(crate) fn beside_picture(picture: &Path) -> FoundSources {
     let folder = picture.parent().unwrap_or(Path::new(""));
     let folder = if folder.as_os_str().is_empty() {
         Path::new(".")

@@ -14,7 +14,7 @@ pub(crate) fn text_width() -> usize {
 }
 
 /// Breaks `text` into lines that are no wider than that, those after the first with this indent.
-pub(crate) fn hanging(text: &str, indent: usize) -> String {
+pub(crate) fn wrap_hanging(text: &str, indent: usize) -> String {
     filled(text, text_width(), "", &" ".repeat(indent))
 }
 
@@ -27,7 +27,7 @@ pub(crate) fn style() -> Style {
 }
 
 /// Lays out an answer, a line each with its end.
-pub(crate) fn laid_out(answer: &Answer) -> String {
+pub(crate) fn lay_out(answer: &Answer) -> String {
     let lines = text::lines(answer, style(), text_width(), text::MOST_LINES);
     lines.iter().map(|line| format!("{line}\n")).collect()
 }

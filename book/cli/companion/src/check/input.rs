@@ -41,11 +41,13 @@ impl<'a> PictureInput<'a> {
     /// If it can't be read, or the program does not start, fails, or takes longer.
     pub(crate) fn read(&self, limit: Duration) -> Result<Vec<u8>, Cause> {
         match self {
-            Self::File(path) => opened(path).and_then(subprocess::limited).map_err(|cause| {
-                let problem = format!("it can't be read: {cause}");
-                Cause::new("unreadable", problem, "Is this the name of your picture?")
-            }),
-            Self::Stdin => subprocess::limited(io::stdin().lock()).map_err(|cause| {
+            Self::File(path) => opened(path)
+                .and_then(subprocess::read_picture_bytes)
+                .map_err(|cause| {
+                    let problem = format!("it can't be read: {cause}");
+                    Cause::new("unreadable", problem, "Is this the name of your picture?")
+                }),
+            Self::Stdin => subprocess::read_picture_bytes(io::stdin().lock()).map_err(|cause| {
                 let problem = format!("standard input can't be read: {cause}");
                 Cause::new("unreadable", problem, "Name a file instead.")
             }),

@@ -27,7 +27,7 @@ use input::PictureInput;
 use crate::chapter::{ChapterOrPicture, ChapterOrPictureParser, parser_of_names};
 use crate::misuse::complain;
 use crate::sources::FoundSources;
-use crate::wrap::laid_out;
+use crate::wrap::lay_out;
 use crate::{files, sources};
 
 /// The words behind `cargo rtrace check`.
@@ -58,7 +58,7 @@ pub(crate) struct Arguments {
     tolerance: u8,
 
     /// How long your program may take
-    #[arg(long, value_name = "SECONDS", default_value = "60", value_parser = seconds, allow_hyphen_values = true, requires = "program")]
+    #[arg(long, value_name = "SECONDS", default_value = "60", value_parser = parse_seconds, allow_hyphen_values = true, requires = "program")]
     timeout: Duration,
 
     /// Write a page that shows both pictures into this folder
@@ -86,7 +86,7 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
     let task = chapter.map(|chapter| arguments.task(chapter)).transpose()?;
     // What a program is made of may lie beside it.
     let found = match source {
-        PictureInput::File(picture) => sources::beside(picture),
+        PictureInput::File(picture) => sources::beside_picture(picture),
         PictureInput::Stdin => FoundSources::default(),
         PictureInput::Program(words) => sources::of_program(words, Path::new(".")),
     };
@@ -108,7 +108,7 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
     let answer = answer.with(why_none);
     let page = arguments.report.as_deref();
     let page = page.map(|folder| report(folder, chapter, &answer));
-    let mut said = laid_out(&answer);
+    let mut said = lay_out(&answer);
     if let Some(Ok(page)) = &page {
         said += &format!("\nThe page is {}\n", names::escaped_name(page));
     }
@@ -218,7 +218,7 @@ impl Arguments {
     }
 }
 
-pub(crate) fn seconds(text: &str) -> Result<Duration, String> {
+pub(crate) fn parse_seconds(text: &str) -> Result<Duration, String> {
     let seconds = text.parse::<f64>().ok().filter(|&seconds| seconds > 0.0);
     seconds
         .and_then(|seconds| Duration::try_from_secs_f64(seconds).ok())

@@ -58,13 +58,13 @@ impl Dialogue {
     /// # Errors
     /// If it does not start.
     pub(super) fn start(words: &[OsString], limit: Duration) -> io::Result<Self> {
-        let mut command = subprocess::command(words);
+        let mut command = subprocess::reader_command(words);
         command.stdin(Stdio::piped()).stdout(Stdio::piped());
         let mut program = RunningProgram::start(command.stderr(Stdio::piped()))?;
         let piped = "it is piped";
         let errors = program.errors.take().expect(piped);
         Ok(Self {
-            said: subprocess::in_a_thread(move || subprocess::shown(errors)),
+            said: subprocess::in_a_thread(move || subprocess::show_errors(errors)),
             answers: reader(program.printed.take().expect(piped)),
             program,
             limit,
@@ -97,7 +97,7 @@ impl Dialogue {
     ///
     /// # Errors
     /// If it then says more than it was asked.
-    pub(super) fn end(&mut self) -> Result<(), DialogueFailure> {
+    pub(super) fn close_input(&mut self) -> Result<(), DialogueFailure> {
         // Its input ends.
         self.program.input = None;
         self.says_no_more(FAREWELL)
@@ -127,7 +127,7 @@ impl Dialogue {
         const TICK: Duration = Duration::from_millis(2);
         let start = Instant::now();
         while start.elapsed() < FAREWELL {
-            if let Some(status) = self.program.ended().ok()? {
+            if let Some(status) = self.program.exit_status().ok()? {
                 return Some(status);
             }
             thread::sleep(TICK);
@@ -138,7 +138,7 @@ impl Dialogue {
 
 impl Drop for Dialogue {
     fn drop(&mut self) {
-        self.program.end();
+        self.program.kill();
         let _ = self.said.recv_timeout(FAREWELL);
     }
 }

@@ -21,7 +21,7 @@ use language::Language;
 use slips::{Chapter, Edition, ReaderLanguage, lawful};
 
 use crate::chapter::ChapterParser;
-use crate::check::seconds;
+use crate::check::parse_seconds;
 use crate::reader_crates::shell_word;
 use crate::sources;
 use dialogue::{Dialogue, DialogueFailure};
@@ -40,7 +40,7 @@ pub(crate) struct Arguments {
     program: Vec<OsString>,
 
     /// How long your program may take for an answer; for all of them, twenty times as long
-    #[arg(long, value_name = "SECONDS", default_value = "5", value_parser = seconds, allow_hyphen_values = true)]
+    #[arg(long, value_name = "SECONDS", default_value = "5", value_parser = parse_seconds, allow_hyphen_values = true)]
     timeout: Duration,
 }
 
@@ -57,7 +57,7 @@ pub(crate) const ASKED: [Chapter; 4] = [
 pub(crate) fn laws(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
     let program = &arguments.program;
     let (code, said) = match Dialogue::start(program, arguments.timeout) {
-        Ok(dialogue) => Interview::new(arguments, dialogue).judged(),
+        Ok(dialogue) => Interview::new(arguments, dialogue).judge(),
         Err(cause) => (2, not_started(program, &cause.to_string())),
     };
     output::to_stdout(|out| out.write_all(said.as_bytes()))?;
@@ -113,14 +113,14 @@ impl<'a> Interview<'a> {
     }
 
     /// The exit code, and what there is to say.
-    fn judged(&self) -> (u8, String) {
+    fn judge(&self) -> (u8, String) {
         let trial = Trial {
             answers: None,
             ..Trial::default()
         };
         let line = self.greet();
         let verdict = any_language::tried(&trial, self.function, &|asked| self.answer(asked));
-        let ended = || Some((self.dialogue.borrow_mut().end().err()?, line));
+        let ended = || Some((self.dialogue.borrow_mut().close_input().err()?, line));
         let failed = self.failure.take().or_else(ended);
         match (failed, &verdict.outcome) {
             (Some((failure, line)), _) => (2, self.failed(&failure, &line)),
@@ -151,7 +151,7 @@ impl<'a> Interview<'a> {
                 t_max: f64::INFINITY,
             };
             self.answer(&asked);
-            let line = self.line(&asked);
+            let line = self.question_line(&asked);
             if let Err(more) = self.dialogue.borrow().says_no_more(GREETING) {
                 let mut failure = self.failure.borrow_mut();
                 failure.get_or_insert((more, line.clone()));
@@ -163,7 +163,7 @@ impl<'a> Interview<'a> {
 
     /// Returns what the program answers, if it does. After a failure, nothing hits.
     fn answer(&self, asked: &IntervalCase) -> Option<RecordedHit> {
-        let line = self.line(asked);
+        let line = self.question_line(asked);
         if let Some(known) = self.answers.borrow().get(&line) {
             return known.hit;
         }
@@ -190,7 +190,7 @@ impl<'a> Interview<'a> {
         }
     }
 
-    fn line(&self, asked: &IntervalCase) -> String {
+    fn question_line(&self, asked: &IntervalCase) -> String {
         self.function.line(asked)
     }
 
@@ -237,14 +237,14 @@ impl<'a> Interview<'a> {
             return false;
         };
         let answers = self.answers.borrow();
-        let answer = answers.get(&self.line(&IntervalCase::on_the_line(*case)));
+        let answer = answers.get(&self.question_line(&IntervalCase::on_the_line(*case)));
         self.says_minus_one() && answer.is_some_and(|it| it.said.parse() == Ok(-1.0))
     }
 
     fn broken(&self, report: &Report, last: &[IntervalCase]) -> String {
         let answers = self.answers.borrow();
         let by_hand = last.iter().map(|asked| {
-            let line = self.line(asked);
+            let line = self.question_line(asked);
             let said = answers.get(&line).map_or("", |answer| &answer.said);
             format!(
                 "{}\nit says:  {}\n",

@@ -77,7 +77,7 @@ pub(crate) fn needs(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let mut scene = read(&arguments.scene)?;
     scene.width = arguments.width.unwrap_or(scene.width);
     let (found, with_acne) = look_into(&scene);
-    let said = text::text(&scene, &found, with_acne);
+    let said = text::answer(&scene, &found, with_acne);
     Ok(output::to_stdout(|out| out.write_all(said.as_bytes()))?)
 }
 

@@ -10,11 +10,11 @@ use speed_vs_accuracy::{Method, Precision, Scene};
 
 use super::WITHIN;
 use crate::hit;
-use crate::wrap::hanging;
+use crate::wrap::wrap_hanging;
 use measure::needs::{Culprit, PrecisionNeeds, RatedMethod, least_of_all};
 
 /// Writes the whole answer, the method to take first.
-pub(super) fn text(scene: &Scene, found: &[PrecisionNeeds], with_acne: usize) -> String {
+pub(super) fn answer(scene: &Scene, found: &[PrecisionNeeds], with_acne: usize) -> String {
     let camera = Camera::new(scene.width);
     let (width, height) = (camera.image_width, camera.image_height);
     let spheres = match scene.spheres.len() {
@@ -228,8 +228,7 @@ fn why(row: &RatedMethod, least: Option<&RatedMethod>, culprit: &Culprit) -> Str
     let methods = [Some(row), least].into_iter().flatten();
     let methods: Vec<Method> = methods.map(|row| row.view.method).collect();
     let precision = row.view.method.precision();
-    for line in hit::under_the_microscope(&culprit.case, precision, &methods, culprit.t_min).lines()
-    {
+    for line in hit::compare_methods(&culprit.case, precision, &methods, culprit.t_min).lines() {
         let _ = writeln!(text, "  {line}");
     }
     if least.is_none() && (culprit.is_shadow || culprit.error <= hit::ORDINARY) {
@@ -273,5 +272,5 @@ fn again(culprit: &Culprit) -> String {
 }
 
 fn paragraph(text: &str) -> String {
-    hanging(text, 0) + "\n"
+    wrap_hanging(text, 0) + "\n"
 }

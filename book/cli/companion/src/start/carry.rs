@@ -52,7 +52,11 @@ pub(super) struct CarriedFiles {
 }
 
 /// Makes the chapter's skeletons with the functions that were written before.
-pub(super) fn into(chapter: Chapter, own: bool, written: Option<&EarlierCrate>) -> CarriedFiles {
+pub(super) fn carry_over(
+    chapter: Chapter,
+    own: bool,
+    written: Option<&EarlierCrate>,
+) -> CarriedFiles {
     let (items, said) = origin(written);
     let mut files = skeletons::files(chapter, own);
     let mut used = Vec::new();

@@ -19,7 +19,7 @@ use slips::{Chapter, steps};
 use crate::chapter::ChapterParser;
 use crate::misuse::misuse;
 use crate::reader_crates::{ReaderCrates, TYPED};
-use crate::wrap::hanging;
+use crate::wrap::wrap_hanging;
 
 /// The words behind `cargo rtrace start`.
 #[derive(Args)]
@@ -93,9 +93,9 @@ impl NewCrate {
         let written = before.map(EarlierCrate::read);
         let has_own = written.as_ref().is_some_and(EarlierCrate::has_own_prelude);
         let own = arguments.own_prelude || has_own;
-        let mut carried = carry::into(chapter, own, written.as_ref());
+        let mut carried = carry::carry_over(chapter, own, written.as_ref());
         let (_, lib) = carried.files.last_mut().expect("a chapter has a file");
-        lib.insert_str(0, &settings::about(chapter));
+        lib.insert_str(0, &settings::chapter_head(chapter));
         if own && written.is_none() && chapter > Chapter::Gradient {
             *lib += &format!("\n{}", skeletons::OWN_SKY);
         }
@@ -186,7 +186,7 @@ impl NewCrate {
         }
         for (number, step) in (1..).zip(steps::of_chapter(self.chapter)) {
             let line = format!("  step {number}  {}", step.says);
-            said += &(hanging(&line, 10) + "\n");
+            said += &(wrap_hanging(&line, 10) + "\n");
         }
         said + &format!(
             "Open it in your editor, and in a terminal: {}\n",
@@ -202,7 +202,7 @@ fn given(
     folder: &Path,
     workspace: &Path,
 ) -> [(&'static str, String); 6] {
-    let ours = settings::from_crate(folder, workspace);
+    let ours = settings::workspace_from_crate(folder, workspace);
     let path = settings::with_slashes(&ours);
     // The standard library asks the system for a random number to seed its hash tables.
     let number = RandomState::new().build_hasher().finish();
@@ -214,7 +214,10 @@ fn given(
         ("Cargo.toml", manifest),
         // The same versions as ours: they have been downloaded.
         ("Cargo.lock", lock.unwrap_or_default()),
-        (".cargo/config.toml", settings::config(&ours, workspace)),
+        (
+            ".cargo/config.toml",
+            settings::cargo_config(&ours, workspace),
+        ),
         (".vscode/settings.json", skeletons::EDITOR.to_owned()),
     ]
 }

@@ -7,7 +7,7 @@ use slips::{Chapter, steps};
 use crate::wrap::filled;
 
 /// Returns the path of the workspace as seen from a crate: one that lies in it moves with it.
-pub(super) fn from_crate(folder: &Path, workspace: &Path) -> PathBuf {
+pub(super) fn workspace_from_crate(folder: &Path, workspace: &Path) -> PathBuf {
     let real = |folder: &Path| folder.canonicalize().ok();
     let mine = folder.parent().and_then(real);
     let below = mine
@@ -22,7 +22,7 @@ pub(super) fn from_crate(folder: &Path, workspace: &Path) -> PathBuf {
 /// once, and in each of them `cargo rtrace` is what it is in the workspace. The alias is one text,
 /// as there, or cargo would not put the two together; so there is none where a path has a space in
 /// it. It is read wherever the reader is in the crate, and so its paths are absolute.
-pub(super) fn config(from_crate: &Path, workspace: &Path) -> String {
+pub(super) fn cargo_config(from_crate: &Path, workspace: &Path) -> String {
     let shared = with_slashes(&from_crate.join("target/mine"));
     let target = format!("[build]\ntarget-dir = {shared:?}\n");
     let paths = ["Cargo.toml", "target"].map(|name| with_slashes(&workspace.join(name)));
@@ -36,7 +36,7 @@ pub(super) fn config(from_crate: &Path, workspace: &Path) -> String {
 }
 
 /// Writes the head of the chapter: its steps.
-pub(super) fn about(chapter: Chapter) -> String {
+pub(super) fn chapter_head(chapter: Chapter) -> String {
     let number = chapter as usize;
     let mut about = format!(
         "//! Chapter {number}, {}, typed by hand.\n//!\n",

@@ -37,7 +37,7 @@ static PIPE: Mutex<Option<ChildStdin>> = Mutex::new(None);
 ///
 /// # Errors
 /// If it does not start.
-pub(super) fn is_there() -> io::Result<()> {
+pub(super) fn ensure_started() -> io::Result<()> {
     let mut pipe = PIPE.lock().unwrap_or_else(PoisonError::into_inner);
     if pipe.is_none() {
         let own = env::current_exe()?;
@@ -47,18 +47,18 @@ pub(super) fn is_there() -> io::Result<()> {
         guard.env(GUARDS, mark()).env_remove(MARK);
         guard.stdin(Stdio::piped());
         guard.stdout(Stdio::null()).stderr(Stdio::null());
-        (*pipe, ..) = tree::pipes(&mut tree::grown(&mut guard)?);
+        (*pipe, ..) = tree::take_pipes(&mut tree::spawn(&mut guard)?);
     }
     Ok(())
 }
 
 /// Tells the guard of a program that has begun.
-pub(super) fn begins(program: u32) {
+pub(super) fn add(program: u32) {
     tell(&format!("{program}\n"));
 }
 
 /// Tells the guard that all that the program had started has ended.
-pub(super) fn ended(program: u32) {
+pub(super) fn remove(program: u32) {
     tell(&format!("-{program}\n"));
 }
 
@@ -71,7 +71,7 @@ fn tell(line: &str) {
 }
 
 /// Guards until the first process is gone, if this one is to guard. Returns true if it has.
-pub(crate) fn has_guarded() -> bool {
+pub(crate) fn run_if_guard() -> bool {
     let Ok(mark) = env::var(GUARDS) else {
         return false;
     };
@@ -83,7 +83,7 @@ pub(crate) fn has_guarded() -> bool {
         }
     }
     let left = programs.iter().filter_map(|it| it.parse().ok());
-    left.for_each(tree::felled);
-    tree::swept(&mark);
+    left.for_each(tree::kill_group);
+    tree::kill_marked(&mark);
     true
 }

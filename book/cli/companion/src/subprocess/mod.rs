@@ -23,20 +23,20 @@ use crate::misuse::complain;
 
 pub(crate) use running::RunningProgram;
 
-/// Runs a program and returns all that it prints, [`limited`].
+/// Runs a program and returns all that it prints, [limited](read_picture_bytes).
 ///
 /// # Errors
 /// If the program does not start, fails, or takes longer than `limit`.
 pub(crate) fn output_of(words: &[OsString], limit: Duration) -> Result<Vec<u8>, Cause> {
-    let ran = run(command(words), limit, shown, &mut || false);
-    printed(words, ran.map(|(end, _)| end), limit)
+    let ran = run(reader_command(words), limit, show_errors, &mut || false);
+    printed_or_cause(words, ran.map(|(end, _)| end), limit)
 }
 
 /// Returns what the program printed before it came to this end.
 ///
 /// # Errors
 /// If that is no good end, or the program did not start.
-pub(crate) fn printed(
+pub(crate) fn printed_or_cause(
     words: &[OsString],
     end: io::Result<ProgramEnd>,
     limit: Duration,
@@ -63,7 +63,7 @@ pub(crate) fn printed(
 }
 
 /// Makes the command of a reader's program, with the mark by which all that it starts is found.
-pub(crate) fn command(words: &[OsString]) -> Command {
+pub(crate) fn reader_command(words: &[OsString]) -> Command {
     let mut command = Command::new(&words[0]);
     command.args(&words[1..]).env(guard::MARK, guard::mark());
     command
@@ -106,7 +106,7 @@ pub(crate) fn run(
     let mut running = RunningProgram::start(&mut command)?;
     let piped = "it is piped";
     let printed = running.printed.take().expect(piped);
-    let printed = in_a_thread(move || limited(printed));
+    let printed = in_a_thread(move || read_picture_bytes(printed));
     let errors = running.errors.take().expect(piped);
     let said = in_a_thread(move || listen(errors));
     let end = finish(&mut running, &printed, limit, is_old)?;
@@ -124,7 +124,7 @@ fn finish(
     let start = Instant::now();
     let mut whole = None;
     loop {
-        let ended = running.ended()?;
+        let ended = running.exit_status()?;
         match printed.try_recv() {
             Ok(bytes) if bytes.as_ref().is_ok_and(|it| it.len() > MOST_BYTES) => {
                 return Ok(ProgramEnd::Full(bytes?));
@@ -133,7 +133,7 @@ fn finish(
             Err(TryRecvError::Empty | TryRecvError::Disconnected) => {}
         }
         if let Some(status) = ended {
-            running.end();
+            running.kill();
             let last = || printed.recv_timeout(FAREWELL);
             let open = |_| io::Error::other("what it has started keeps its output open");
             let bytes = whole.map_or_else(|| last().map_err(open)?, Ok)?;
@@ -164,14 +164,14 @@ pub(crate) fn in_a_thread<T: Send + 'static>(
 ///
 /// # Errors
 /// If it can't be read.
-pub(crate) fn limited(input: impl Read) -> io::Result<Vec<u8>> {
+pub(crate) fn read_picture_bytes(input: impl Read) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     input.take(MOST_BYTES as u64 + 1).read_to_end(&mut bytes)?;
     Ok(bytes)
 }
 
 /// Shows what a program says as it comes, up to a megabyte, and reads the rest.
-pub(crate) fn shown(mut errors: ChildStderr) -> String {
+pub(crate) fn show_errors(mut errors: ChildStderr) -> String {
     const MOST: u64 = 1 << 20;
     let copied = io::copy(&mut (&mut errors).take(MOST), &mut io::stderr());
     if copied.is_ok_and(|length| length == MOST) {
@@ -183,7 +183,7 @@ pub(crate) fn shown(mut errors: ChildStderr) -> String {
 }
 
 /// Keeps the last of what a program says.
-pub(crate) fn last(mut errors: ChildStderr) -> String {
+pub(crate) fn last_errors(mut errors: ChildStderr) -> String {
     const KEPT: usize = 1 << 14;
     let mut said = Vec::new();
     let mut piece = [0; KEPT];

@@ -22,11 +22,11 @@ impl RunningProgram {
     /// # Errors
     /// If it does not start, or can't be guarded.
     pub(crate) fn start(command: &mut Command) -> io::Result<Self> {
-        guard::is_there()?;
+        guard::ensure_started()?;
         let is_marked = command.get_envs().any(|(name, _)| name == guard::MARK);
-        let mut tree = tree::grown(command)?;
-        guard::begins(tree.id());
-        let (input, printed, errors) = tree::pipes(&mut tree);
+        let mut tree = tree::spawn(command)?;
+        guard::add(tree.id());
+        let (input, printed, errors) = tree::take_pipes(&mut tree);
         Ok(Self {
             tree,
             is_marked,
@@ -37,30 +37,30 @@ impl RunningProgram {
     }
 
     /// Gives way to everything else that runs here.
-    pub(crate) fn gives_way(&self) {
-        tree::gives_way(self.tree.id());
+    pub(crate) fn lower_priority(&self) {
+        tree::lower_priority(self.tree.id());
     }
 
     /// Returns its status, if it has ended.
     ///
     /// # Errors
     /// If the system does not tell.
-    pub(crate) fn ended(&mut self) -> io::Result<Option<ExitStatus>> {
+    pub(crate) fn exit_status(&mut self) -> io::Result<Option<ExitStatus>> {
         self.tree.try_wait()
     }
 
     /// Ends it, with all that it has started.
-    pub(crate) fn end(&mut self) {
-        tree::ended(&mut self.tree);
+    pub(crate) fn kill(&mut self) {
+        tree::kill(&mut self.tree);
         if self.is_marked {
-            tree::swept(guard::mark());
+            tree::kill_marked(guard::mark());
         }
-        guard::ended(self.tree.id());
+        guard::remove(self.tree.id());
     }
 }
 
 impl Drop for RunningProgram {
     fn drop(&mut self) {
-        self.end();
+        self.kill();
     }
 }

@@ -16,38 +16,38 @@ use rustix::process::{Pid, Signal, kill_process, kill_process_group, setpriority
 pub(super) use std::process::Child as ProcessTree;
 
 /// Starts the program as the leader of a group.
-pub(super) fn grown(command: &mut Command) -> io::Result<ProcessTree> {
+pub(super) fn spawn(command: &mut Command) -> io::Result<ProcessTree> {
     command.process_group(0).spawn()
 }
 
 /// Takes its input, output and errors, as far as they are piped.
-pub(super) fn pipes(
+pub(super) fn take_pipes(
     tree: &mut ProcessTree,
 ) -> (Option<ChildStdin>, Option<ChildStdout>, Option<ChildStderr>) {
     (tree.stdin.take(), tree.stdout.take(), tree.stderr.take())
 }
 
 /// Ends the program and its group.
-pub(super) fn ended(tree: &mut ProcessTree) {
-    felled(tree.id());
+pub(super) fn kill(tree: &mut ProcessTree) {
+    kill_group(tree.id());
     let _ = tree.wait();
 }
 
 /// Ends the group of that leader.
-pub(super) fn felled(leader: u32) {
+pub(super) fn kill_group(leader: u32) {
     if let Some(group) = pid(leader) {
         let _ = kill_process_group(group, Signal::KILL);
     }
 }
 
 /// Has the group run where nothing else does.
-pub(super) fn gives_way(leader: u32) {
+pub(super) fn lower_priority(leader: u32) {
     const LAST: i32 = 19;
     let _ = setpriority_pgrp(pid(leader), LAST);
 }
 
 /// Ends whatever has the mark in its environment, also what it starts meanwhile.
-pub(super) fn swept(mark: &str) {
+pub(super) fn kill_marked(mark: &str) {
     const ROUNDS: usize = 200;
     let mark = format!("{}={mark}", super::guard::MARK);
     for _ in 0..ROUNDS {

@@ -10,13 +10,13 @@ use process_wrap::std::{ChildWrapper, CommandWrap, JobObject};
 pub(super) type ProcessTree = Box<dyn ChildWrapper>;
 
 /// Starts the program in a job.
-pub(super) fn grown(command: &mut Command) -> io::Result<ProcessTree> {
+pub(super) fn spawn(command: &mut Command) -> io::Result<ProcessTree> {
     let command = mem::replace(command, Command::new(""));
     CommandWrap::from(command).wrap(JobObject).spawn()
 }
 
 /// Its input, output and errors, as far as they are piped.
-pub(super) fn pipes(
+pub(super) fn take_pipes(
     tree: &mut ProcessTree,
 ) -> (Option<ChildStdin>, Option<ChildStdout>, Option<ChildStderr>) {
     (
@@ -27,14 +27,14 @@ pub(super) fn pipes(
 }
 
 /// Ends the job.
-pub(super) fn ended(tree: &mut ProcessTree) {
+pub(super) fn kill(tree: &mut ProcessTree) {
     // What has ended already can't be ended once more.
     let _ = tree.kill();
 }
 
 /// Ends what the process has started, as far as its parents still run: the job of a program
 /// that was started here is ended by its handle, which the guard does not have.
-pub(super) fn felled(leader: u32) {
+pub(super) fn kill_group(leader: u32) {
     let leader = leader.to_string();
     let mut kill = Command::new("taskkill");
     kill.args(["/T", "/F", "/PID", &leader])
@@ -43,7 +43,7 @@ pub(super) fn felled(leader: u32) {
 }
 
 /// Nothing: a job runs as other programs do.
-pub(super) fn gives_way(_leader: u32) {}
+pub(super) fn lower_priority(_leader: u32) {}
 
 /// Nothing: whatever starts in a job stays in it.
-pub(super) fn swept(_mark: &str) {}
+pub(super) fn kill_marked(_mark: &str) {}

@@ -31,12 +31,12 @@ impl BackgroundBuild {
             return;
         }
         // What the crate lacks to be compiled keeps nothing else from it.
-        let mut cargo = build::command(folder, &["build", "--tests", "--keep-going"]);
+        let mut cargo = build::cargo_command(folder, &["build", "--tests", "--keep-going"]);
         cargo.stdout(Stdio::null()).stderr(Stdio::piped());
         // Without it, the laws are built when they are asked.
         self.running = RunningProgram::start(&mut cargo).ok();
         if let Some(running) = &mut self.running {
-            running.gives_way();
+            running.lower_priority();
             let errors = running.errors.take().expect("it is piped");
             let say = |_: &str, is_first| {
                 if is_first {
@@ -49,7 +49,7 @@ impl BackgroundBuild {
 
     /// Returns true if it has ended by itself since the last look.
     pub(super) fn has_ended(&mut self) -> bool {
-        let ended = |it: &mut RunningProgram| it.ended().ok().flatten().is_some();
+        let ended = |it: &mut RunningProgram| it.exit_status().ok().flatten().is_some();
         let has_ended = self.running.as_mut().is_some_and(ended);
         self.is_done |= has_ended;
         has_ended

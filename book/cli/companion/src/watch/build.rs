@@ -51,7 +51,7 @@ pub(super) enum NoVerdict {
 ///
 /// # Errors
 /// If it can't be built, or `is_old` says that there is a newer save.
-pub(super) fn build(
+pub(super) fn build_crate(
     folder: &Path,
     is_old: &mut dyn FnMut() -> bool,
 ) -> Result<BuiltCrate, NoVerdict> {
@@ -70,7 +70,7 @@ pub(super) fn build(
 ///
 /// # Errors
 /// If the test can't be built, or `is_old` says that there is a newer save.
-pub(super) fn laws(
+pub(super) fn build_laws_test(
     folder: &Path,
     waits: bool,
     is_old: &mut dyn FnMut() -> bool,
@@ -90,7 +90,7 @@ pub(super) fn laws(
 }
 
 /// Makes the command that has cargo do `words` for the crate in `folder`.
-pub(super) fn command(folder: &Path, words: &[&str]) -> Command {
+pub(super) fn cargo_command(folder: &Path, words: &[&str]) -> Command {
     let mut command = Command::new(cargo::program_name());
     command.args(words).current_dir(folder);
     command
@@ -106,7 +106,7 @@ fn cargo_says(
     listen: impl FnOnce(BufReader<ChildStderr>) -> String + Send + 'static,
     is_old: &mut dyn FnMut() -> bool,
 ) -> Result<Vec<Value>, NoVerdict> {
-    let mut command = command(folder, words);
+    let mut command = cargo_command(folder, words);
     command.arg(match Palette::of_stdout() {
         Some(_) => "--message-format=json-diagnostic-rendered-ansi",
         None => "--message-format=json",

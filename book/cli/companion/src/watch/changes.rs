@@ -56,7 +56,7 @@ impl FolderChanges {
 
     /// Waits for a save, or until `has_ended` says that there is nothing to wait for; returns at
     /// once if there was a save since the program was started. `false` if the folder is gone.
-    pub(super) fn wait(&mut self, has_ended: &mut dyn FnMut() -> bool) -> bool {
+    pub(super) fn wait_for_save(&mut self, has_ended: &mut dyn FnMut() -> bool) -> bool {
         let now = files_in(&self.folder);
         let mut again = changed(&self.judged, &now).any(|path| self.is_the_readers(path));
         self.judged = now;

@@ -34,7 +34,12 @@ fn answered(file: &Path) -> String {
 }
 
 /// Runs the test of a reader's crate.
-pub(super) fn ask(test: &OsStr, chapter: Chapter, folder: &Path, limit: Duration) -> LawsResult {
+pub(super) fn run_laws_test(
+    test: &OsStr,
+    chapter: Chapter,
+    folder: &Path,
+    limit: Duration,
+) -> LawsResult {
     let unknown = |why| LawsResult {
         answers: Answers::default(),
         outcome: LawsStatus::Unknown(why),
@@ -44,15 +49,16 @@ pub(super) fn ask(test: &OsStr, chapter: Chapter, folder: &Path, limit: Duration
     // Among what cargo builds: what an interrupted run leaves there is written over by the next.
     let file = Path::new(test).with_extension("answers");
     let _ = fs::remove_file(&file);
-    let mut command = subprocess::command(&[test.to_owned()]);
+    let mut command = subprocess::reader_command(&[test.to_owned()]);
     // One after the other: all add to one file.
     command.args(["--nocapture", "--test-threads=1"]);
     command.current_dir(folder).env(ANSWERS, &file);
-    let (status, errors) = match subprocess::run(command, limit, subprocess::last, &mut || false) {
-        Ok((ProgramEnd::Itself(status, _), errors)) => (status, errors),
-        Ok(_) => return unknown(format!("the laws were not done within {limit:?}")),
-        Err(cause) => return unknown(cause.to_string()),
-    };
+    let (status, errors) =
+        match subprocess::run(command, limit, subprocess::last_errors, &mut || false) {
+            Ok((ProgramEnd::Itself(status, _), errors)) => (status, errors),
+            Ok(_) => return unknown(format!("the laws were not done within {limit:?}")),
+            Err(cause) => return unknown(cause.to_string()),
+        };
     let AnswerFile { answers, outcomes } = AnswerFile::read(&answered(&file));
     let (obeyed, complaints): (Vec<_>, Vec<_>) = outcomes
         .into_iter()

@@ -27,7 +27,7 @@ use common::rtweekend::Picture;
 use slips::{Chapter, ChapterProgram, Probe, ReaderLanguage, Slip, lawful, steps};
 
 use crate::chapter::ChapterParser;
-use crate::check::{probe_parser, seconds};
+use crate::check::{parse_seconds, probe_parser};
 use crate::done::Done;
 use crate::laws::ASKED;
 use crate::misuse::misuse;
@@ -60,7 +60,7 @@ pub(crate) struct Arguments {
     probe: Option<Probe>,
 
     /// How long your program may take
-    #[arg(long, value_name = "SECONDS", default_value = "10", value_parser = seconds, allow_hyphen_values = true)]
+    #[arg(long, value_name = "SECONDS", default_value = "10", value_parser = parse_seconds, allow_hyphen_values = true)]
     timeout: Duration,
 
     /// Say it once, and end with 0 if it is right
@@ -76,11 +76,11 @@ pub(crate) fn watch(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
     loop {
         laws.pause();
         let start = Instant::now();
-        if screen::replaces_the_last() {
+        if screen::is_cleared() {
             output::to_stdout(|out| out.write_all("judging …".as_bytes()))?;
         }
         let waits = arguments.once || laws.is_done();
-        let mut is_old = || !arguments.once && (changes.has_a_save() || screen::is_closed());
+        let mut is_old = || !arguments.once && (changes.has_a_save() || screen::is_output_closed());
         let answer = match subject.judge(waits, &mut is_old) {
             Ok(answer) => Some(answer),
             Err(NoVerdict::NotBuilt(problem)) => Some(not_built(&problem)),
@@ -101,13 +101,13 @@ pub(crate) fn watch(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
         }
         // Once they are built, they are asked if they were missed.
         let mut has_ended =
-            || screen::is_closed() || laws.has_ended() && subject.misses_laws.take();
-        if !changes.wait(&mut has_ended) {
+            || screen::is_output_closed() || laws.has_ended() && subject.misses_laws.take();
+        if !changes.wait_for_save(&mut has_ended) {
             return Err(
                 format!("{} is not there any more", name_from_here(&subject.folder)).into(),
             );
         }
-        if screen::is_closed() {
+        if screen::is_output_closed() {
             return Ok(ExitCode::SUCCESS);
         }
     }
@@ -178,15 +178,15 @@ impl WatchedProgram {
     fn judge(&self, waits: bool, is_old: &mut dyn FnMut() -> bool) -> Result<Answer, NoVerdict> {
         self.misses_laws.set(false);
         let is_crate = self.program.is_empty();
-        let built = is_crate.then(|| build::build(&self.folder, is_old));
+        let built = is_crate.then(|| build::build_crate(&self.folder, is_old));
         let built = built.transpose()?;
         let words = match &built {
             Some(built) => vec![built.program.clone(), "-".into()],
             None => self.program.clone(),
         };
-        let mut command = subprocess::command(&words);
+        let mut command = subprocess::reader_command(&words);
         command.current_dir(&self.folder);
-        let ran = subprocess::run(command, self.limit, subprocess::last, is_old);
+        let ran = subprocess::run(command, self.limit, subprocess::last_errors, is_old);
         let mut ask = || self.laws(waits, is_old);
         let (end, errors) = match ran {
             Ok((ProgramEnd::Interrupted, _)) => return Err(NoVerdict::NewerSave),
@@ -194,7 +194,7 @@ impl WatchedProgram {
             Err(cause) => (Err(cause), String::new()),
         };
         let place = not_written_yet(&errors).next();
-        match (subprocess::printed(&words, end, self.limit), place) {
+        match (subprocess::printed_or_cause(&words, end, self.limit), place) {
             (Ok(bytes), _) => self.of_picture(&bytes, built, &mut ask),
             (Err(_), Some(place)) => {
                 let asks = is_crate && self.task.chapter != Chapter::RedSphere;
@@ -214,9 +214,13 @@ impl WatchedProgram {
         if !self.folder.join("tests/laws.rs").is_file() {
             return Ok(None);
         }
-        let test = build::laws(&self.folder, waits, is_old)?;
+        let test = build::build_laws_test(&self.folder, waits, is_old)?;
         self.misses_laws.set(test.is_none());
-        Ok(test.map(|test| laws::ask(&test, self.task.chapter, &self.folder, self.limit)))
+        Ok(
+            test.map(|test| {
+                laws::run_laws_test(&test, self.task.chapter, &self.folder, self.limit)
+            }),
+        )
     }
 
     /// Returns true if chapter 2 has only its sky yet: there is nothing to ask, and no reader waits

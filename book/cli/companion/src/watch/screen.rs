@@ -8,7 +8,7 @@ use check::answer::Answer;
 use check::text::{MOST_LINES, lines};
 
 use crate::terminal::{self, Palette};
-use crate::wrap::{hanging, style, text_width};
+use crate::wrap::{style, text_width, wrap_hanging};
 
 /// How large each picture is, in characters.
 const PICTURE: (u32, u32) = (32, 9);
@@ -20,26 +20,22 @@ pub(super) fn compose(title: &str, answer: &Answer, news: &[String], took: Durat
         .collect();
     let done = news
         .iter()
-        .map(|thing| hanging(&format!("{:<9}  {thing}", "done"), 11));
+        .map(|thing| wrap_hanging(&format!("{:<9}  {thing}", "done"), 11));
     let done: Vec<String> = done.collect();
     let room = height().saturating_sub(above.len() + done.len());
     let answer = lines(answer, style(), text_width(), room.min(MOST_LINES));
-    let clear = if replaces_the_last() {
-        "\x1b[2J\x1b[H"
-    } else {
-        ""
-    };
+    let clear = if is_cleared() { "\x1b[2J\x1b[H" } else { "" };
     format!("{clear}{}\n", [above, answer, done].concat().join("\n"))
 }
 
 /// Returns true if each screen takes the place of the one before: on a terminal that can.
-pub(super) fn replaces_the_last() -> bool {
+pub(super) fn is_cleared() -> bool {
     stdout().is_terminal()
         && env::var_os("TERM").is_some_and(|term| term != "dumb" && !term.is_empty())
 }
 
 /// Returns true if nobody reads any more what is printed, as behind `| head -1`.
-pub(super) fn is_closed() -> bool {
+pub(super) fn is_output_closed() -> bool {
     #[cfg(unix)]
     {
         use rustix::event::{PollFd, PollFlags, Timespec, poll};
