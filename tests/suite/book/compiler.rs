@@ -11,7 +11,7 @@ use slips::Chapter;
 use suite::command::{cargo, run, text};
 use suite::drawn::shown_in;
 use suite::left_out::left_out;
-use suite::mine::Mine;
+use suite::reader::TestReader;
 use suite::typing::{Typing, typings};
 
 #[test]
@@ -25,32 +25,36 @@ fn the_pages_show_what_the_compiler_says() {
         ));
         return;
     }
-    let mine = Mine::empty();
+    let reader = TestReader::empty();
     for mistake in typings(include_str!("compiler.txt")) {
         let (name, chapter) = mistake.title.split_once(" in ").expect("a chapter");
-        make(&mine, Chapter::find(chapter).expect("a chapter"), &mistake);
-        let said = page_of(&first_error(&mine, chapter));
+        make(
+            &reader,
+            Chapter::find(chapter).expect("a chapter"),
+            &mistake,
+        );
+        let said = page_of(&first_error(&reader, chapter));
         shown_in("compiler").bind(|| assert_snapshot!(name, said));
     }
 }
 
 /// Types the chapter with the mistake in it.
-fn make(mine: &Mine, chapter: Chapter, mistake: &Typing) {
-    let folder = mine.path().join(chapter.name());
+fn make(reader: &TestReader, chapter: Chapter, mistake: &Typing) {
+    let folder = reader.path().join(chapter.name());
     if !folder.exists() {
-        mine.make(chapter.name(), &[]);
+        reader.make(chapter.name(), &[]);
     }
     for (name, text) in chapter.files() {
         fs::write(folder.join(name), text).expect("it is saved");
     }
-    mine.make_changes(chapter.name(), mistake);
+    reader.make_changes(chapter.name(), mistake);
 }
 
 /// Returns the first error that cargo prints in the crate of that chapter.
-fn first_error(mine: &Mine, chapter: &str) -> String {
+fn first_error(reader: &TestReader, chapter: &str) -> String {
     let mut cargo = cargo();
     cargo.args(["check", "--offline", "--quiet"]);
-    let output = run(cargo.current_dir(mine.path().join(chapter)));
+    let output = run(cargo.current_dir(reader.path().join(chapter)));
     let said = text(&output.stderr);
     let error = said.split("\n\n").find(|it| it.starts_with("error"));
     error.map_or_else(|| panic!("{chapter} compiles:\n{said}"), str::to_owned)

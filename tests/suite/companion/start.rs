@@ -7,7 +7,7 @@ use insta::assert_snapshot;
 use slips::Chapter;
 use suite::command::{assert_success, cargo, names_in, run, text};
 use suite::desk::Desk;
-use suite::mine::Mine;
+use suite::reader::TestReader;
 use suite::typing::typings;
 use suite::workspace;
 use tempfile::TempDir;
@@ -25,37 +25,37 @@ const OWN_PRELUDE: [&[&str]; 2] = [&[], &["--own-prelude"]];
 #[ignore = "builds ten crates of a reader"]
 fn every_chapter_can_be_typed_and_begins_with_the_one_before() {
     for prelude in OWN_PRELUDE {
-        let mine = Mine::empty();
+        let reader = TestReader::empty();
         for &chapter in TYPED {
             if chapter == Chapter::HittableList {
-                mine.make(chapter.name(), prelude);
-                type_the_files_in_order(&mine);
+                reader.make(chapter.name(), prelude);
+                type_the_files_in_order(&reader);
             } else {
-                start_and_type(&mine, chapter, prelude);
-                go_through_the_steps(&mine, chapter.name());
+                start_and_type(&reader, chapter, prelude);
+                go_through_the_steps(&reader, chapter.name());
             }
-            let said = mine.watch_once(chapter.name());
+            let said = reader.watch_once(chapter.name());
             assert!(said.contains("to the last bit."), "{chapter:?}:\n{said}");
             let is_judged = chapter != Chapter::Gradient || !prelude.is_empty();
             assert_eq!(said.contains("The laws hold."), is_judged, "{said}");
         }
         // What was typed in chapter 1 is still what the sky is.
-        let last = fs::read_to_string(mine.lib("hittable_list")).expect("the chapter");
+        let last = fs::read_to_string(reader.lib("hittable_list")).expect("the chapter");
         assert!(last.contains("pub fn sky(ray: &Ray) -> Color {\n    let white"));
-        paste_the_tests_of_reports(&mine, prelude);
+        paste_the_tests_of_reports(&reader, prelude);
     }
 }
 
 /// Each step but the last, as its page says it: what is typed for it in the place of what is
 /// there in the end.
-fn go_through_the_steps(mine: &Mine, chapter: &str) {
+fn go_through_the_steps(reader: &TestReader, chapter: &str) {
     for step in typings(include_str!("programs/steps.txt")) {
         let Some(number) = step.title.strip_prefix(&format!("{chapter} ")) else {
             continue;
         };
-        let (file, source) = mine.source_with(chapter, &step.changes[0].old);
-        mine.make_changes(chapter, &step);
-        let said = mine.watch_once(chapter);
+        let (file, source) = reader.source_with(chapter, &step.changes[0].old);
+        reader.make_changes(chapter, &step);
+        let said = reader.watch_once(chapter);
         let right = ["Step", "This is what step"].map(|it| format!("{it} {number} of"));
         let is_right = right.iter().any(|right| said.contains(right));
         assert!(is_right, "{step:?}:\n{said}");
@@ -64,12 +64,12 @@ fn go_through_the_steps(mine: &Mine, chapter: &str) {
 }
 
 /// Each file is judged as soon as it is full, and the next one is named.
-fn type_the_files_in_order(mine: &Mine) {
+fn type_the_files_in_order(reader: &TestReader) {
     let chapter = Chapter::HittableList;
     let order = ["hittable", "sphere", "hittable_list", "lib"].map(|it| format!("src/{it}.rs"));
     let obeyed = ["set_face_normal", "sphere", "list"];
     for (at, file) in order.iter().enumerate() {
-        let said = mine.watch_once(chapter.name());
+        let said = reader.watch_once(chapter.name());
         assert!(said.contains(&format!("todo!() at {file}:")), "{said}");
         for (before, name) in obeyed.iter().enumerate() {
             let laws = said
@@ -78,18 +78,18 @@ fn type_the_files_in_order(mine: &Mine) {
             let is_said = laws.is_some_and(|line| line.contains(name));
             assert_eq!(is_said, before < at, "{name}:\n{said}");
         }
-        mine.type_file(chapter, file);
+        reader.type_file(chapter, file);
     }
-    let said = mine.watch_once(chapter.name());
+    let said = reader.watch_once(chapter.name());
     assert!(said.contains("Step 1 of 2 is right."), "{said}");
-    mine.add_the_ground();
+    reader.add_the_ground();
 }
 
 #[test]
 fn a_crate_is_made_once_and_nothing_that_was_typed_is_written_over() {
-    let mine = Mine::empty();
-    mine.desk.write("mine/file", "");
-    let said = mine.desk.transcript(
+    let reader = TestReader::empty();
+    reader.desk.write("mine/file", "");
+    let said = reader.desk.transcript(
         "rtrace start normals
          rtrace start 3
          rtrace start chapters/3_normals/ --into mine/file/deeper",
@@ -101,42 +101,42 @@ fn a_crate_is_made_once_and_nothing_that_was_typed_is_written_over() {
 #[test]
 #[ignore = "builds two crates of a reader"]
 fn crates_of_one_name_in_two_folders_do_not_take_the_place_of_each_other() {
-    let mine = Mine::empty();
-    mine.make("gradient", &[]);
-    mine.make("gradient", &["--into", "other"]);
-    mine.type_all(Chapter::Gradient);
-    let other = run(&mut mine.rtrace(&["watch", "gradient", "--in", "other", "--once"]));
+    let reader = TestReader::empty();
+    reader.make("gradient", &[]);
+    reader.make("gradient", &["--into", "other"]);
+    reader.type_all(Chapter::Gradient);
+    let other = run(&mut reader.rtrace(&["watch", "gradient", "--in", "other", "--once"]));
     assert!(text(&other.stdout).contains("Not written yet"));
-    let said = mine.watch_once("gradient");
+    let said = reader.watch_once("gradient");
     assert!(said.contains("to the last bit."), "{said}");
 }
 
 #[test]
 fn what_cannot_be_read_is_not_carried_over_and_that_is_said() {
-    let mine = Mine::empty();
-    mine.make("gradient", &[]);
-    fs::write(mine.lib("gradient"), "pub fn ray_color(").expect("a file");
+    let reader = TestReader::empty();
+    reader.make("gradient", &[]);
+    fs::write(reader.lib("gradient"), "pub fn ray_color(").expect("a file");
     // An editor has it open, and a note is no text.
-    mine.desk.write("mine/gradient/src/.lib.rs.swp", b"\xff");
-    mine.desk.write("mine/gradient/src/note.bin", b"\xff");
-    let said = text(&mine.desk.run("rtrace start red_sphere").stdout);
+    reader.desk.write("mine/gradient/src/.lib.rs.swp", b"\xff");
+    reader.desk.write("mine/gradient/src/note.bin", b"\xff");
+    let said = text(&reader.desk.run("rtrace start red_sphere").stdout);
     assert!(
         said.contains("Nothing is carried over from gradient"),
         "{said}"
     );
-    let names = names_in(&mine.path().join("red_sphere/src"));
+    let names = names_in(&reader.path().join("red_sphere/src"));
     assert_eq!(names, ["lib.rs", "main.rs", "note.bin"]);
 }
 
 #[test]
 fn what_the_reader_added_is_carried_over_once() {
-    let mine = Mine::empty();
-    mine.make("gradient", &[]);
-    let lib = mine.lib("gradient");
+    let reader = TestReader::empty();
+    reader.make("gradient", &[]);
+    let lib = reader.lib("gradient");
     let source = fs::read_to_string(&lib).expect("the chapter");
     fs::write(&lib, source + "fn one() {} fn two() {}\n").expect("it is typed");
-    mine.make("red_sphere", &[]);
-    let carried = fs::read_to_string(mine.lib("red_sphere")).expect("the chapter");
+    reader.make("red_sphere", &[]);
+    let carried = fs::read_to_string(reader.lib("red_sphere")).expect("the chapter");
     for item in ["fn one() {}", "fn two() {}"] {
         assert_eq!(carried.matches(item).count(), 1, "{item} in\n{carried}");
     }
@@ -144,13 +144,13 @@ fn what_the_reader_added_is_carried_over_once() {
 
 #[test]
 fn from_anywhere_below_the_same_crates_are_meant() {
-    let mine = Mine::empty();
-    mine.make("gradient", &[]);
-    let inside = mine.path().join("gradient/src");
+    let reader = TestReader::empty();
+    reader.make("gradient", &[]);
+    let inside = reader.path().join("gradient/src");
     for words in [&["start", "red_sphere"][..], &["done", "-b was b"]] {
-        assert_success(&run(mine.rtrace(words).current_dir(&inside)));
+        assert_success(&run(reader.rtrace(words).current_dir(&inside)));
     }
-    let names = names_in(&mine.path());
+    let names = names_in(&reader.path());
     assert_eq!(names, ["done.md", "gradient", "red_sphere"]);
 }
 
@@ -159,22 +159,22 @@ fn from_anywhere_below_the_same_crates_are_meant() {
 #[test]
 fn what_was_private_stays_private_where_it_is_carried_over() {
     use std::os::unix::fs::PermissionsExt;
-    let mine = Mine::empty();
-    mine.make("gradient", &[]);
-    mine.desk.write("mine/gradient/src/notes.txt", "mine");
+    let reader = TestReader::empty();
+    reader.make("gradient", &[]);
+    reader.desk.write("mine/gradient/src/notes.txt", "mine");
     let private = fs::Permissions::from_mode(0o600);
     for name in ["lib.rs", "notes.txt"] {
-        let file = mine.path().join("gradient/src").join(name);
+        let file = reader.path().join("gradient/src").join(name);
         fs::set_permissions(file, private.clone()).expect("it is private");
     }
-    mine.make("red_sphere", &[]);
+    reader.make("red_sphere", &[]);
     for name in [
         "src/lib.rs",
         "src/notes.txt",
         "src/main.rs",
         "tests/laws.rs",
     ] {
-        let file = mine.path().join("red_sphere").join(name);
+        let file = reader.path().join("red_sphere").join(name);
         let mode = fs::metadata(file).expect("a file").permissions().mode();
         let is_known = name == "src/main.rs";
         assert_eq!(mode & 0o077 == 0, !is_known, "{name}: {mode:o}");
@@ -221,24 +221,24 @@ fn in_the_workspace_a_watched_program_adds_to_the_list_of_the_crates() {
 }
 
 /// A report ends with a test to paste, which compiles there and fails.
-fn paste_the_tests_of_reports(mine: &Mine, prelude: &[&str]) {
+fn paste_the_tests_of_reports(reader: &TestReader, prelude: &[&str]) {
     for mistake in typings(include_str!("programs/mistakes.txt")) {
         let chapter = &*mistake.title;
         // Of chapter 1 only a prelude is under laws.
         if chapter == "gradient" && prelude.is_empty() {
             continue;
         }
-        let (mistyped, right_source) = mine.source_with(chapter, &mistake.changes[0].old);
-        mine.make_changes(chapter, &mistake);
-        let said = test_the_laws(mine, chapter, &[]);
+        let (mistyped, right_source) = reader.source_with(chapter, &mistake.changes[0].old);
+        reader.make_changes(chapter, &mistake);
+        let said = test_the_laws(reader, chapter, &[]);
         let pasted = said
             .split_once("#[test]\n")
             .and_then(|(_, it)| it.split_once("\n}\n"));
         let (pasted, _) = pasted.unwrap_or_else(|| panic!("{mistake:?}: {said}"));
-        let law = mine.path().join(chapter).join("tests/laws.rs");
+        let law = reader.path().join(chapter).join("tests/laws.rs");
         let source = fs::read_to_string(&law).expect("the test");
         fs::write(&law, format!("{source}\n#[test]\n{pasted}\n}}\n")).expect("it is pasted");
-        let said = test_the_laws(mine, chapter, &["this_case_is_right"]);
+        let said = test_the_laws(reader, chapter, &["this_case_is_right"]);
         assert!(
             said.contains("0 passed; 1 failed"),
             "{chapter}: {pasted}\n{said}"
@@ -248,13 +248,13 @@ fn paste_the_tests_of_reports(mine: &Mine, prelude: &[&str]) {
     }
 }
 
-fn test_the_laws(mine: &Mine, chapter: &str, words: &[&str]) -> String {
+fn test_the_laws(reader: &TestReader, chapter: &str, words: &[&str]) -> String {
     let mut cargo = cargo();
     cargo
         .args(["test", "--quiet", "--test", "laws"])
         .args(words);
     cargo.env_remove("RUST_BACKTRACE");
-    let output = run(cargo.current_dir(mine.path().join(chapter)));
+    let output = run(cargo.current_dir(reader.path().join(chapter)));
     text(&output.stdout) + &text(&output.stderr)
 }
 
@@ -262,12 +262,12 @@ fn test_the_laws(mine: &Mine, chapter: &str, words: &[&str]) -> String {
 #[test]
 #[ignore = "builds the companion again, if the settings differ"]
 fn in_a_crate_inside_the_workspace_cargo_rtrace_is_the_same() {
-    let mine = TempDir::new_in(workspace().join("target")).expect("a folder");
-    let into = mine.path().to_str().expect("a name in UTF-8");
-    Mine::empty().make("normals", &["--into", into]);
+    let crates = TempDir::new_in(workspace().join("target")).expect("a folder");
+    let into = crates.path().to_str().expect("a name in UTF-8");
+    TestReader::empty().make("normals", &["--into", into]);
     let mut cargo = cargo();
     cargo.args(["rtrace", "probes", "gradient"]);
-    let said = run(cargo.current_dir(mine.path().join("normals/src")));
+    let said = run(cargo.current_dir(crates.path().join("normals/src")));
     assert!(
         text(&said.stdout).starts_with("Probes for gradient"),
         "{}",
@@ -275,12 +275,12 @@ fn in_a_crate_inside_the_workspace_cargo_rtrace_is_the_same() {
     );
 }
 
-fn start_and_type(mine: &Mine, chapter: Chapter, prelude: &[&str]) {
-    mine.make(chapter.name(), prelude);
+fn start_and_type(reader: &TestReader, chapter: Chapter, prelude: &[&str]) {
+    reader.make(chapter.name(), prelude);
     if chapter == Chapter::Gradient && !prelude.is_empty() {
         for typing in typings(include_str!("programs/own_prelude.txt")) {
-            mine.make_changes(chapter.name(), &typing);
+            reader.make_changes(chapter.name(), &typing);
         }
     }
-    mine.type_all(chapter);
+    reader.type_all(chapter);
 }

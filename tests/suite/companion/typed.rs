@@ -11,25 +11,25 @@ use page::typed::Draft;
 use slips::Chapter;
 use suite::command::files;
 use suite::left_out::left_out;
-use suite::mine::Mine;
+use suite::reader::TestReader;
 
 #[test]
 #[ignore = "builds a reader's crate a dozen times"]
 fn the_page_says_what_watch_says_of_the_same_text() {
-    let mine = Mine::empty();
+    let reader = TestReader::empty();
     for (chapter, old, new) in TYPED {
         let mut draft = Draft::full(chapter);
         let found = draft.files.iter_mut().find(|it| it.text.contains(old));
         let file = &mut found.expect("the chapter has the line").text;
         *file = file.replace(old, new);
-        let folder = mine.path().join(chapter.name());
+        let folder = reader.path().join(chapter.name());
         if !folder.exists() {
-            mine.make(chapter.name(), &[]);
+            reader.make(chapter.name(), &[]);
         }
         for file in &draft.files {
             fs::write(folder.join(&file.name), &file.text).expect("it is typed");
         }
-        let watch = squeezed(&mine.watch_once(chapter.name()));
+        let watch = squeezed(&reader.watch_once(chapter.name()));
         for line in said(&draft) {
             assert!(
                 watch.contains(&line),
@@ -76,24 +76,25 @@ fn squeezed(text: &str) -> String {
 #[test]
 fn what_is_taken_home_from_a_page_is_the_crate_that_start_makes() {
     for chapter in &Chapter::OF_THE_BOOK[1..] {
-        let mine = Mine::empty();
+        let reader = TestReader::empty();
         let name = chapter.name();
-        mine.desk
+        reader
+            .desk
             .write("home.tar", archive(&Draft::skeleton(*chapter), 7));
-        mine.desk.write("home/", "");
+        reader.desk.write("home/", "");
         let mut tar = Command::new("tar");
         tar.args(["-x", "-f", "home.tar", "-C", "home"]);
-        let Ok(unpacked) = tar.current_dir(mine.desk.path("")).status() else {
+        let Ok(unpacked) = tar.current_dir(reader.desk.path("")).status() else {
             return left_out("there is no tar here to unpack what is taken home");
         };
         assert!(unpacked.success());
-        mine.make(name, &[]);
-        let started = mine.path().join(name);
+        reader.make(name, &[]);
+        let started = reader.path().join(name);
         let is_typed = |file: &Path| file.starts_with("src") || file.starts_with("tests");
         for file in files(&started) {
             let below = file.strip_prefix(&started).expect("it is inside");
             if is_typed(below) {
-                let taken = mine.desk.path("home/mine").join(name).join(below);
+                let taken = reader.desk.path("home/mine").join(name).join(below);
                 let taken = fs::read_to_string(taken).expect("it is there");
                 let started = fs::read_to_string(&file).expect("a source");
                 assert_eq!(code(&taken), code(&started), "{name}: {}", below.display());

@@ -13,7 +13,7 @@ use suite::command::{run, text};
 use suite::desk::Desk;
 use suite::drawn::shown_in;
 use suite::left_out::left_out;
-use suite::mine::Mine;
+use suite::reader::TestReader;
 use suite::typing::typings;
 use suite::workspace;
 
@@ -21,17 +21,17 @@ use suite::workspace;
 #[test]
 #[ignore = "builds a reader's crate a dozen times"]
 fn chapter_3_is_typed_step_by_step_with_three_mistakes() {
-    let mine = Mine::empty();
-    mine.make("red_sphere", &[]);
-    let started = mine.desk.run("rtrace start normals");
+    let reader = TestReader::empty();
+    reader.make("red_sphere", &[]);
+    let started = reader.desk.run("rtrace start normals");
     keep("start", &text(&started.stdout));
     // The laws are built before: else the first screens come without them.
-    mine.watch_once("normals");
-    let mut watch = Watched::start(&mine.rtrace(&["watch", "normals"]));
+    reader.watch_once("normals");
+    let mut watch = Watched::start(&reader.rtrace(&["watch", "normals"]));
     watch.see("Not written yet");
 
     let mut typed = typings(include_str!("programs/chapter_3.txt")).into_iter();
-    let mut type_next = || mine.make_changes("normals", &typed.next().expect("the next"));
+    let mut type_next = || reader.make_changes("normals", &typed.next().expect("the next"));
     type_next();
     watch.see("src/lib.rs:");
     type_next();
@@ -56,15 +56,15 @@ fn chapter_3_is_typed_step_by_step_with_three_mistakes() {
         fits_a_terminal(&screen);
     }
     watch.leave();
-    let list = fs::read_to_string(mine.path().join("done.md")).expect("the list");
+    let list = fs::read_to_string(reader.path().join("done.md")).expect("the list");
     for done in ["step 1 shows", "the picture is right", "the laws hold"] {
         assert_eq!(list.matches(done).count(), 1, "{list}");
     }
-    run(&mut mine.rtrace(&[
+    run(&mut reader.rtrace(&[
         "done",
         "the ball was inside out: n points away from the center",
     ]));
-    let done = run(&mut mine.rtrace(&["done"]));
+    let done = run(&mut reader.rtrace(&["done"]));
     keep("done", &text(&done.stdout));
 }
 
