@@ -16,7 +16,7 @@ use crate::question::{Functions, Question};
 use crate::verdict::{BrokenLaw, Complaint, Outcome, Report};
 
 /// The environment variable that names the file.
-pub const ANSWERS: &str = "LAWS_ANSWERS";
+pub const ANSWERS_VARIABLE: &str = "LAWS_ANSWERS";
 
 /// A question that a function was asked, with its answer.
 #[derive(Clone, Debug)]
@@ -31,7 +31,7 @@ impl Answered {
     /// Returns true if the program answers this question equally, but for roundings.
     fn is_given_by(&self, program: &dyn Functions) -> bool {
         let Self { question, answer } = self;
-        question.same(answer, &question.put_to(program))
+        question.answers_agree(answer, &question.put_to(program))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use common::rtweekend::*;
 
-use crate::question::{of_ray, same, vector};
+use crate::question::{nearly_equal, of_ray, vector};
 use crate::verdict::{BrokenLaw, LawResult};
 
 /// A pixel of a picture of 16:9.
@@ -22,7 +22,7 @@ pub struct CameraPixel {
 /// If it does not, but for roundings.
 pub fn the_ray_of_a_pixel_goes_through_its_center(ray: &Ray, pixel: &CameraPixel) -> LawResult {
     let right = pixel.right_ray();
-    BrokenLaw::unless(same(&of_ray(*ray), &of_ray(right)), || BrokenLaw {
+    BrokenLaw::unless(nearly_equal(&of_ray(*ray), &of_ray(right)), || BrokenLaw {
         law: "the ray of a pixel goes from the eye through the pixel's center".into(),
         found: format!("from {} to {} at t = 1", ray.origin, ray.at(1.0)),
         allowed: format!("from the origin to {}, for {pixel:?}", right.direction),

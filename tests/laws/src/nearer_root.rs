@@ -28,7 +28,7 @@ use proptest::strategy::Strategy;
 use speed_vs_accuracy::Case;
 
 use crate::oracle::ExactCase;
-use crate::question::{Question, telling};
+use crate::question::{Question, telling_cases};
 use crate::strategies::{anywhere, integers, ordinary};
 use crate::trial::LawSuite;
 use crate::verdict::{BrokenLaw, LawResult};
@@ -49,7 +49,7 @@ pub const BAND: f64 = 24.0 * U;
 /// Every law for a nearer root, in the order in which they teach most.
 ///
 /// A function that only decides, as that of chapter 2, is under them too, with the exact
-/// root for each hit: see [`decision`].
+/// root for each hit: see [`solver_of_decision`].
 pub const NEARER_ROOT: [RootLaw; 7] = [
     t_is_a_number,
     the_line_hits_exactly_when_there_is_a_root,
@@ -76,7 +76,7 @@ pub(crate) fn suite<'a>(solve: &'a Solver<'a>) -> LawSuite<'a, Case> {
     LawSuite {
         of: "hit_sphere",
         kinds: vec![integers().boxed(), ordinary().boxed(), anywhere().boxed()],
-        telling: telling(&ordinary()),
+        telling: telling_cases(&ordinary()),
         question: Question::Root,
         answer: Box::new(|case| case.solve(solve).into_iter().collect()),
         laws: NEARER_ROOT.map(law).into(),
@@ -97,7 +97,7 @@ pub(crate) fn decision_as_test(case: &Case) -> String {
 
 /// Makes a solver of a function that only decides: where that finds a hit, the solver returns the
 /// exact root, or the `t` closest to the center if there is none.
-pub fn decision(
+pub fn solver_of_decision(
     decide: impl Fn(Point3, f64, &Ray) -> bool,
 ) -> impl Fn(Point3, f64, &Ray) -> Option<f64> {
     move |center, radius, ray| {

@@ -63,7 +63,7 @@ pub fn small_numbers_are_worked_out_by_head(
 ) -> LawResult {
     let (found, right) = (asked.put_to(prelude), asked.right());
     let name = asked.function.name();
-    BrokenLaw::unless(asked.same(&found, &right), || BrokenLaw {
+    BrokenLaw::unless(asked.answers_agree(&found, &right), || BrokenLaw {
         law: "a function of the prelude gives what one works out by head".into(),
         found: format!("{name}{} is {}", asked.given(), code(&found)),
         allowed: code(&right),
@@ -98,7 +98,7 @@ impl PreludeFunction {
     }
 
     /// Lists questions that tell mistakes in it apart.
-    pub(crate) fn telling(&'static self) -> Vec<PreludeQuestion> {
+    pub(crate) fn telling_cases(&'static self) -> Vec<PreludeQuestion> {
         samples(&self.questions(), 20)
     }
 }
@@ -134,7 +134,7 @@ impl PreludeQuestion {
     }
 
     /// Returns true if two answers are equal, to the bit if the function does not round.
-    pub(crate) fn same(&self, one: &[f64], other: &[f64]) -> bool {
+    pub(crate) fn answers_agree(&self, one: &[f64], other: &[f64]) -> bool {
         let rounding = self.function.rounding;
         let is_near = |(one, other): (&f64, &f64)| (one - other).abs() <= rounding * other.abs();
         one.iter().zip(other).all(is_near)

@@ -64,7 +64,9 @@ impl Question {
     /// Lists questions about a prelude to which different mistakes give different answers, always
     /// the same ones. So it is with those of the next functions.
     pub fn of_prelude() -> Vec<Self> {
-        let telling = FUNCTIONS.iter().flat_map(|function| function.telling());
+        let telling = FUNCTIONS
+            .iter()
+            .flat_map(|function| function.telling_cases());
         telling.map(Self::Prelude).collect()
     }
 
@@ -75,7 +77,7 @@ impl Question {
 
     /// Lists questions about one sphere and a range.
     pub fn of_record() -> Vec<Self> {
-        of(Self::Record, &strategies::ordinary_asked())
+        of(Self::Record, &strategies::ordinary_with_interval())
     }
 
     /// Lists questions about a list.
@@ -102,10 +104,10 @@ impl Question {
     }
 
     /// Returns true if two answers are the same, but for roundings.
-    pub fn same(&self, one: &[f64], other: &[f64]) -> bool {
+    pub fn answers_agree(&self, one: &[f64], other: &[f64]) -> bool {
         match self {
-            Self::Prelude(asked) => asked.same(one, other),
-            _ => same(one, other),
+            Self::Prelude(asked) => asked.answers_agree(one, other),
+            _ => nearly_equal(one, other),
         }
     }
 
@@ -172,17 +174,17 @@ impl Question {
 }
 
 fn of<T: Debug>(kind: fn(T) -> Question, strategy: &impl Strategy<Value = T>) -> Vec<Question> {
-    telling(strategy).into_iter().map(kind).collect()
+    telling_cases(strategy).into_iter().map(kind).collect()
 }
 
 /// Draws the first cases of a strategy, as many as tell mistakes in a function apart.
-pub fn telling<T: Debug>(strategy: &impl Strategy<Value = T>) -> Vec<T> {
+pub fn telling_cases<T: Debug>(strategy: &impl Strategy<Value = T>) -> Vec<T> {
     samples(strategy, TELLING)
 }
 
 /// Returns true if two answers differ by no more than a thousand times the rounding of ordinary
 /// questions.
-pub fn same(one: &[f64], other: &[f64]) -> bool {
+pub fn nearly_equal(one: &[f64], other: &[f64]) -> bool {
     let near = |(one, other): (&f64, &f64)| {
         let allowed = 1e-9 * (1.0 + one.abs() + other.abs());
         let is_near = allowed.is_finite() && (one - other).abs() <= allowed;

@@ -9,8 +9,8 @@ use crate::intervals::{
 };
 use crate::nearer_root::{self, U};
 use crate::oracle::ExactCase;
-use crate::question::{IntervalCase, Question, of_hit, telling};
-use crate::strategies::{anywhere, integers, ordinary, ordinary_asked, with_interval};
+use crate::question::{IntervalCase, Question, of_hit, telling_cases};
+use crate::strategies::{anywhere, integers, ordinary, ordinary_with_interval, with_interval};
 use crate::trial::LawSuite;
 use crate::verdict::{BrokenLaw, LawResult};
 
@@ -64,7 +64,7 @@ pub(crate) fn suite<'a>(record: &'a RecordSolver<'a>) -> LawSuite<'a, IntervalCa
     LawSuite {
         of: "sphere",
         kinds: kinds.map(|kind| with_interval(kind).boxed()).into(),
-        telling: telling(&ordinary_asked()),
+        telling: telling_cases(&ordinary_with_interval()),
         question: Question::Record,
         answer: Box::new(|asked| of_hit(asked, record(asked))),
         laws: vec![Box::new(|asked| obeys_every_law(record, asked))],

@@ -56,7 +56,7 @@ pub fn samples<T: std::fmt::Debug>(strategy: &impl Strategy<Value = T>, count: u
 }
 
 /// Ordinary cases, each with an interval.
-pub fn ordinary_asked() -> impl Strategy<Value = IntervalCase> {
+pub fn ordinary_with_interval() -> impl Strategy<Value = IntervalCase> {
     with_interval(ordinary())
 }
 

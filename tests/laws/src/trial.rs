@@ -14,13 +14,13 @@ use proptest::prelude::*;
 use proptest::test_runner::{Config, TestError, TestRunner};
 use speed_vs_accuracy::Case;
 
-use crate::answers::{ANSWERS, AnswerLine, Answered, Answers};
+use crate::answers::{ANSWERS_VARIABLE, AnswerLine, Answered, Answers};
 use crate::camera::{CameraPixel, the_ray_of_a_pixel_goes_through_its_center};
 use crate::face::{SetFaceNormal, the_normal_is_turned_against_the_ray};
 use crate::list::{ListSolver, World, the_nearest_of_all_members_is_returned};
 use crate::nearer_root::{self, Solver};
 use crate::prelude::{FUNCTIONS, Prelude, PreludeQuestion, small_numbers_are_worked_out_by_head};
-use crate::question::{Question, decided, of_hit, of_ray, telling};
+use crate::question::{Question, decided, of_hit, of_ray, telling_cases};
 use crate::ray_color::{self, ChapterScene, a_ray_has_its_color_from_anywhere};
 use crate::record::{self, RecordSolver};
 use crate::strategies::{self, config};
@@ -59,11 +59,11 @@ pub struct Trial {
 
 impl Default for Trial {
     /// With as many cases as [`config`] says, and with the file that the environment
-    /// variable [`ANSWERS`] names.
+    /// variable [`ANSWERS_VARIABLE`] names.
     fn default() -> Self {
         Self {
             cases: config().cases,
-            answers: std::env::var_os(ANSWERS).map(PathBuf::from),
+            answers: std::env::var_os(ANSWERS_VARIABLE).map(PathBuf::from),
         }
     }
 }
@@ -96,7 +96,7 @@ impl Trial {
     /// # Errors
     /// As every method here: the smallest case found that breaks a law, or a `todo!()`.
     pub fn decision(&self, decide: &dyn Fn(Point3, f64, &Ray) -> bool) -> Outcome {
-        let solve = nearer_root::decision(decide);
+        let solve = nearer_root::solver_of_decision(decide);
         self.put(&LawSuite {
             question: Question::Decision,
             answer: Box::new(|case: &Case| decided(case.solve(&solve).is_some())),
@@ -134,7 +134,7 @@ impl Trial {
                 strategies::whole_worlds().boxed(),
                 strategies::worlds().boxed(),
             ],
-            telling: telling(&strategies::worlds()),
+            telling: telling_cases(&strategies::worlds()),
             question: Question::Nearest,
             answer: Box::new(|world| search(world).into_iter().collect()),
             laws: vec![Box::new(|world: &World| {
@@ -144,7 +144,7 @@ impl Trial {
         });
         if let Err(Complaint::Broken(report)) = &mut outcome {
             // What is wrong with the list alone is no mistake of its spheres.
-            let asked = telling(&strategies::ordinary_asked()).into_iter();
+            let asked = telling_cases(&strategies::ordinary_with_interval()).into_iter();
             let own = asked.map(|asked| {
                 let answer = of_hit(&asked, record(&asked));
                 let question = Question::Record(asked);
@@ -166,7 +166,7 @@ impl Trial {
             let one = self.outcome(&LawSuite {
                 of: function.name(),
                 kinds: vec![function.questions().boxed()],
-                telling: function.telling(),
+                telling: function.telling_cases(),
                 question: Question::Prelude,
                 answer: Box::new(|asked| asked.put_to(prelude)),
                 laws: vec![Box::new(|asked: &PreludeQuestion| {
@@ -192,7 +192,7 @@ impl Trial {
         self.put(&LawSuite {
             of: "pixel_ray",
             kinds: vec![strategies::pixels().boxed()],
-            telling: telling(&strategies::pixels()),
+            telling: telling_cases(&strategies::pixels()),
             question: Question::PixelRay,
             answer: Box::new(|pixel| of_ray(ray(pixel))),
             laws: vec![Box::new(|pixel: &CameraPixel| {
@@ -212,7 +212,7 @@ impl Trial {
         let suite = LawSuite {
             of: "ray_color",
             kinds: vec![ray_color::rays().boxed()],
-            telling: telling(&ray_color::rays()),
+            telling: telling_cases(&ray_color::rays()),
             question: Question::RayColor,
             answer: Box::new(|ray| ray_color(ray).to_array().to_vec()),
             laws: vec![Box::new(law)],

@@ -82,7 +82,7 @@ impl Report {
 }
 
 /// Lays out the rows as text, a line each.
-pub fn laid_out<'a>(rows: impl IntoIterator<Item = (&'a str, &'a str)>) -> String {
+pub fn rows_as_text<'a>(rows: impl IntoIterator<Item = (&'a str, &'a str)>) -> String {
     let line = |(label, text): (&str, &str)| match label {
         "" => format!("          {text}"),
         _ => format!("{:<10}{text}", format!("{label}:")),
@@ -92,13 +92,13 @@ pub fn laid_out<'a>(rows: impl IntoIterator<Item = (&'a str, &'a str)>) -> Strin
 
 impl fmt::Display for BrokenLaw {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&laid_out(self.rows()))
+        f.write_str(&rows_as_text(self.rows()))
     }
 }
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "{}", laid_out(self.rows()))?;
+        writeln!(f, "{}", rows_as_text(self.rows()))?;
         if self.test.is_empty() {
             return Ok(());
         }

@@ -10,7 +10,7 @@ use std::process::ExitCode;
 use std::time::Duration;
 
 use ::laws::record::RecordedHit;
-use ::laws::verdict::laid_out;
+use ::laws::verdict::rows_as_text;
 use ::laws::{Case, Complaint, IntervalCase, Question, Report, Trial};
 use check::any_language::{self, FunctionKind, FunctionVerdict, NoAnswer};
 use check::names;
@@ -228,7 +228,7 @@ impl<'a> Interview<'a> {
         if let Some(besides) = &besides {
             rows.insert(rows.len() - 1, ("besides", besides));
         }
-        laid_out(rows)
+        rows_as_text(rows)
     }
 
     /// Returns true if the answer may be a miss or a root: -1.

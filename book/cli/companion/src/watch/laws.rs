@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 use std::time::Duration;
 
-use ::laws::answers::{ANSWERS, AnswerFile, Answers};
+use ::laws::answers::{ANSWERS_VARIABLE, AnswerFile, Answers};
 use ::laws::{Complaint, Outcome};
 use check::answer::LawsStatus;
 use slips::{Chapter, ReaderLanguage, lawful};
@@ -52,7 +52,7 @@ pub(super) fn run_laws_test(
     let mut command = subprocess::reader_command(&[test.to_owned()]);
     // One after the other: all add to one file.
     command.args(["--nocapture", "--test-threads=1"]);
-    command.current_dir(folder).env(ANSWERS, &file);
+    command.current_dir(folder).env(ANSWERS_VARIABLE, &file);
     let (status, errors) =
         match subprocess::run(command, limit, subprocess::last_errors, &mut || false) {
             Ok((ProgramEnd::Itself(status, _), errors)) => (status, errors),

@@ -4,9 +4,9 @@
 use super::{Ask, FunctionKind};
 use laws::nearer_root::{BAND, root_bound};
 use laws::oracle::ExactCase;
-use laws::question::telling;
+use laws::question::telling_cases;
 use laws::record::RecordedHit;
-use laws::strategies::{ordinary, ordinary_asked};
+use laws::strategies::{ordinary, ordinary_with_interval};
 use laws::{Case, IntervalCase};
 
 /// A manner in which a function answers.
@@ -33,9 +33,9 @@ impl Manner {
     /// Finds the manners that a function keeps wherever one would show.
     pub(super) fn of(function: FunctionKind, ask: &Ask) -> Vec<Self> {
         let asked = match function {
-            FunctionKind::Record => telling(&ordinary_asked()),
+            FunctionKind::Record => telling_cases(&ordinary_with_interval()),
             _ => {
-                let cases = telling(&ordinary()).into_iter();
+                let cases = telling_cases(&ordinary()).into_iter();
                 cases.map(IntervalCase::on_the_line).collect()
             }
         };

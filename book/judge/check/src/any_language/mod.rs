@@ -156,7 +156,9 @@ pub fn tried(trial: &Trial, function: FunctionKind, ask: &Ask) -> FunctionVerdic
     if let Err(Complaint::Broken(report)) = &outcome {
         // Asked once more, it breaks the law again.
         let _ = match report.answers.given.last().map(|it| &it.question) {
-            Some(Question::Decision(case)) => obeys_every_law(&nearer_root::decision(decide), case),
+            Some(Question::Decision(case)) => {
+                obeys_every_law(&nearer_root::solver_of_decision(decide), case)
+            }
             Some(Question::Root(case)) => obeys_every_law(&solve, case),
             Some(Question::Record(asked)) => record::obeys_every_law(&meant, asked),
             _ => Ok(()),
