@@ -72,9 +72,7 @@ fn type_the_files_in_order(reader: &TestReader) {
         let said = reader.watch_once(chapter.name());
         assert!(said.contains(&format!("todo!() at {file}:")), "{said}");
         for (before, name) in obeyed.iter().enumerate() {
-            let laws = said
-                .lines()
-                .find(|line| line.contains("so far they hold for"));
+            let laws = said.lines().find(|line| line.contains("hold so far for"));
             let is_said = laws.is_some_and(|line| line.contains(name));
             assert_eq!(is_said, before < at, "{name}:\n{said}");
         }

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
 use check::names::{self, name_from_here};
-use check::sentences::{picture_is_right, step_is_done};
+use check::sentences::{picture_done_line, step_done_line};
 use clap::Args;
 use clap::builder::NonEmptyStringValueParser;
 use common::engine::output;
@@ -162,12 +162,12 @@ impl Done {
 /// A line for each step after the last one on the list, if the chapter's picture is not
 /// on it.
 fn ahead(chapter: Chapter, text: &str) -> Vec<String> {
-    if is_on(text, &picture_is_right(chapter)) {
+    if is_on(text, &picture_done_line(chapter)) {
         return Vec::new();
     }
     let steps = (1..).zip(steps::of_chapter(chapter));
     let last =
-        (1..=steps::of_chapter(chapter).len()).rfind(|&n| is_on(text, &step_is_done(chapter, n)));
+        (1..=steps::of_chapter(chapter).len()).rfind(|&n| is_on(text, &step_done_line(chapter, n)));
     steps
         .skip(last.unwrap_or(0))
         .map(|(number, step)| format!("  {:<14} {number}. {}", chapter.name(), step.says))

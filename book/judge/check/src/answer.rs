@@ -1,138 +1,137 @@
 //! The answer to a reader as data: a headline, rows, pictures, and what to do next.
 //!
-//! [`Attempt::answer`] makes it, with the sentences of [`sentences`](crate::sentences); `text` and
-//! `html` lay it out, for `check`, `watch`, the pages, the report and the laws.
+//! [`Attempt::answer`](crate::attempt::Attempt::answer) makes one, with the sentences of
+//! [`sentences`](crate::sentences); [`text`](crate::text) lays it out in a terminal,
+//! [`html`](crate::html) in a page.
 
 use std::fmt;
 
 use common::rtweekend::Picture;
-use laws::Report;
-use slips::{Chapter, Probe, Slip};
+use slips::Slip;
 
-use crate::context::Context;
-use crate::reading::Cause;
-use crate::sentences::{law, refused};
-use crate::task::Task;
-use crate::verdict::{Finding, Verdict};
+use crate::verdict::Verdict;
 
-/// All that a reader is told of a picture or a program.
+/// The answer to a reader about a picture or a program.
 #[derive(Debug, Default)]
 pub struct Answer {
     /// The verdict in a sentence.
     pub headline: Headline,
-    /// What explains the verdict, the most important row first.
+    /// The explanation of the verdict, the most important row first.
     pub rows: Vec<Row>,
-    /// The reader's picture beside the right one, if there is one to see.
+    /// The reader's picture and the right one; `None` if there is no picture, or not of the same
+    /// size.
     pub pictures: Option<Pictures>,
-    /// Slips whose pages tell how the line is right.
+    /// The slips that were made, whose pages tell how their lines are right.
     pub read: Vec<&'static Slip>,
-    /// What to do now; empty if the rows say it.
+    /// What to do next; empty if the rows say it.
     pub next: String,
-    /// What came out right, for the reader's list of done things.
+    /// Lines to add to the reader's list of done things.
     pub done: Vec<String>,
 }
 
 /// A sentence with the verdict in it: `sign.png is wrong: 3 of 90 pixels …`.
 #[derive(Debug, Default)]
 pub struct Headline {
-    /// How the verdict is shown.
+    /// The grade, which gives the verdict its color.
     pub grade: Grade,
-    /// What is judged, as the name of a file; empty where the place of the answer says that.
+    /// The name of what is judged, such as a file's; empty if the verdict is a whole sentence.
     pub subject: String,
-    /// The verdict itself: after `subject is`, or a whole sentence.
+    /// The verdict: what follows `subject is`, such as `wrong`; or a whole sentence.
     pub verdict: String,
-    /// The rest of the sentence, and what follows it.
+    /// The rest of the sentence after the verdict, and sentences that follow; may be empty.
     pub rest: String,
 }
 
-/// The kind of a verdict, by which it is colored.
+/// How good a verdict is; gives its color.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Grade {
-    /// Nothing is left to do.
+    /// The subject is right, and nothing is left to do: green.
     Right,
-    /// Nothing is wrong so far: a step, an unfinished text, a right picture but for something.
+    /// Nothing is wrong so far, as in an unfinished text or a right picture of a step: no color.
     OnTheWay,
-    /// Something is wrong.
+    /// Something is wrong: red.
     #[default]
     Wrong,
-    /// There is no picture to judge.
+    /// There is no picture to judge: red in a terminal, gray in a page.
     NoPicture,
 }
 
-/// The two pictures of an answer, of the same size.
+/// The two pictures that an answer compares, of the same size.
 #[derive(Debug)]
 pub struct Pictures {
-    /// The reader's, as a viewer shows it.
+    /// The reader's picture, as a viewer shows it.
     pub yours: Picture,
-    /// What it should be.
+    /// The right picture.
     pub right: Picture,
 }
 
 /// A labeled line of an answer.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Row {
-    /// What the line is.
+    /// The kind of the row, which gives its label.
     pub kind: RowKind,
-    /// The line, which may be long.
+    /// The text after the label: one line without breaks, of any length.
     pub text: String,
 }
 
-/// What a row tells.
+/// The kind of a row, which gives its label; the label stands in parentheses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RowKind {
-    /// A line as a compiler or a program has printed it.
+    /// A line as a compiler or a program has printed it (no label).
     Printed,
-    /// The first complaint of the compiler that is no error.
+    /// A warning of the compiler (`warned`).
     Warned,
-    /// The reader's line, which is wrong.
+    /// A wrong line of the reader's own text (`yours`).
     Yours,
-    /// A wrong line that the reader probably has.
+    /// A wrong line that the reader probably has, in other words (`probably`).
     Probably,
-    /// A wrong line that the reader may have, the first of several.
+    /// A wrong line that the reader may have: the first, if several draw the picture (`perhaps`).
     Perhaps,
-    /// Another one.
+    /// A further wrong line that draws the same picture, after [`Perhaps`](Self::Perhaps) (`or`).
     Or,
-    /// A line that goes on with the row before.
+    /// A continuation of the row before (no label).
     More,
-    /// The right line.
+    /// The right line in the place of the wrong one before (`should be`).
     ShouldBe,
-    /// A line that is not there.
+    /// A line that the reader's text lacks (`missing`).
     Missing,
-    /// Why the wrong line is wrong.
+    /// The reason why a line is wrong (`why`).
     Why,
-    /// By what the rows above were tried.
+    /// How the mistakes or repairs in the rows before were tried, and how well they explain the
+    /// picture (`tried`).
     Tried,
-    /// An observation about the picture.
+    /// An observation about the picture (`seen`).
     Seen,
-    /// The first pixel that differs.
+    /// The first pixel that differs from the right one (`first`).
     First,
-    /// The numbers of its ray, as they should be.
+    /// The numbers that a right program computes for that pixel (`numbers`).
     Numbers,
-    /// For what the laws hold.
+    /// The functions for which the laws hold (`the laws`).
     Laws,
-    /// The law that is broken.
+    /// The law that a function breaks (`the law`).
     Law,
-    /// What a function answered.
+    /// The answer of the function that breaks the law (`found`).
     Found,
-    /// What it may answer.
+    /// The answers that the law allows (`allowed`).
     Allowed,
-    /// A mistake with the same answers.
+    /// A known mistake with which a function gives the same answers (`same as`).
     SameAs,
-    /// Where that is explained.
+    /// The page or source that explains the law (`read`).
     Read,
-    /// A command that asks the same again.
+    /// A command that asks the reader's program the same question again (`by hand`).
     ByHand,
-    /// What a program answers to it.
+    /// The reader's answer to the command before (`it says`).
     Says,
-    /// Something that does not change the verdict.
+    /// A remark that does not change the verdict (`besides`).
     Besides,
-    /// A further picture to draw, with the name of its probe if it has one.
+    /// A further picture to draw, with the name of its probe; the name is empty for the chapter's
+    /// own picture (`probe`).
     Probe(&'static str),
 }
 
 impl Answer {
-    /// Says what the subject is, or what is judged if that has no name, and the rest of the
-    /// sentence.
+    /// Makes an answer of a headline alone: `subject is verdict`, and the rest of the sentence. If
+    /// the subject has no name, the verdict begins the sentence.
     pub fn of(grade: Grade, subject: &str, verdict: &str, rest: impl Into<String>) -> Self {
         let headline = Headline {
             grade,
@@ -146,32 +145,33 @@ impl Answer {
         }
     }
 
-    /// Says a whole sentence.
+    /// Makes an answer of a headline that is one whole sentence, all of it colored.
     pub fn sentence(grade: Grade, verdict: impl Into<String>) -> Self {
         Self::of(grade, "", &verdict.into(), "")
     }
 
-    /// Adds rows.
+    /// Adds rows after those that are there.
     pub fn with(mut self, rows: impl IntoIterator<Item = Row>) -> Self {
         self.rows.extend(rows);
         self
     }
 
-    /// Adds what to do next.
+    /// Replaces what to do next.
     pub fn then(self, next: impl Into<String>) -> Self {
         let next = next.into();
         Self { next, ..self }
     }
 
-    /// Returns true if nothing is left to do.
+    /// Returns true if the grade is [`Right`](Grade::Right).
     pub fn is_right(&self) -> bool {
         self.headline.grade == Grade::Right
     }
 }
 
 impl Pictures {
-    /// Takes those of a verdict, if it has some.
-    fn of(verdict: Verdict) -> Option<Self> {
+    /// Takes the two pictures of a verdict. `None` if it has none, or if the picture is right only
+    /// within a tolerance.
+    pub(crate) fn of(verdict: Verdict) -> Option<Self> {
         let finding = match verdict {
             Verdict::Right(right) => {
                 let picture = || right.task.right(right.width, right.height);
@@ -192,7 +192,8 @@ impl Pictures {
 }
 
 impl Headline {
-    /// Returns what stands before the verdict, the verdict, and what follows it.
+    /// Returns the three parts of the sentence: the text before the verdict, the verdict, and the
+    /// text after it. The first is empty, and the verdict has a capital, if there is no subject.
     pub fn parts(&self) -> [String; 3] {
         let (before, verdict) = match &*self.subject {
             "" => (String::new(), capital(&self.verdict)),
@@ -208,6 +209,7 @@ impl fmt::Display for Headline {
     }
 }
 
+/// Makes the first letter of a text a capital.
 fn capital(text: &str) -> String {
     let mut letters = text.chars();
     let first = letters.next().map(char::to_uppercase);
@@ -215,7 +217,7 @@ fn capital(text: &str) -> String {
 }
 
 impl Row {
-    /// Makes a row.
+    /// Makes a row of its kind and text.
     pub fn new(kind: RowKind, text: impl Into<String>) -> Self {
         let text = text.into();
         Self { kind, text }
@@ -223,7 +225,7 @@ impl Row {
 }
 
 impl RowKind {
-    /// Returns the label before the row.
+    /// Returns the label that stands before the text; empty for a line that is printed or goes on.
     pub fn label(self) -> &'static str {
         match self {
             Self::Printed | Self::More => "",
@@ -252,7 +254,7 @@ impl RowKind {
         }
     }
 
-    /// Returns true if the row is a line of code or a command.
+    /// Returns true if the text is a line of code or a command.
     pub fn is_code(self) -> bool {
         matches!(
             self,
@@ -264,133 +266,5 @@ impl RowKind {
                 | Self::Missing
                 | Self::ByHand
         )
-    }
-}
-
-/// What the laws say of the functions that a reader typed.
-#[derive(Debug)]
-pub enum LawsStatus {
-    /// All of them hold.
-    Obeyed,
-    /// One is broken.
-    Broken(Box<Report>),
-    /// One is broken by the reader's own prelude, on which all else stands.
-    BrokenPrelude(Box<Report>),
-    /// A function has a `todo!()` at this place.
-    NotWritten(String),
-    /// A function of the reader's own prelude has one.
-    UnwrittenPrelude(String),
-    /// They were not tried to the end, and this was printed.
-    Unknown(String),
-    /// They are still being built.
-    Coming,
-}
-
-/// A picture that a reader hands in, and what is known of it.
-pub struct Attempt<'a> {
-    /// The scene that the picture should show.
-    pub task: Task,
-    /// True if that was guessed from the picture.
-    pub is_guessed: bool,
-    /// What the picture is called, or nothing.
-    pub name: String,
-    /// What keeps viewers from the file.
-    pub encoding: Option<Cause>,
-    /// What is known of the reader.
-    pub context: &'a Context<'a>,
-    /// What the laws say, where functions can be asked.
-    pub laws: Option<&'a LawsStatus>,
-    /// What the reader can do next.
-    pub commands: Commands<'a>,
-}
-
-/// What a reader can type, or do on a page.
-pub struct Commands<'a> {
-    /// Judges a picture of the chapter, or of a probe of it.
-    pub judge: Box<dyn Fn(Option<Probe>) -> String + 'a>,
-    /// Goes on to another chapter, where chapters are typed.
-    pub start: Option<Box<dyn Fn(Chapter) -> String + 'a>>,
-    /// Shows more of a broken law, or says nothing.
-    pub test: &'static str,
-}
-
-impl Commands<'_> {
-    /// Makes those for pictures alone, which `check` judges.
-    pub fn of_pictures(task: Task) -> Self {
-        let judge = move |probe: Option<Probe>| match probe {
-            Some(probe) => task.probed_command(probe),
-            None => task.without_probe().command(),
-        };
-        Self {
-            judge: Box::new(judge),
-            start: None,
-            test: "",
-        }
-    }
-}
-
-impl Attempt<'_> {
-    /// Answers what was found in the picture.
-    pub fn answer(&self, verdict: Verdict) -> Answer {
-        let mut answer = match (self.unrecognized(&verdict), self.laws) {
-            (Some(answer), _) => answer,
-            (None, Some(LawsStatus::BrokenPrelude(report))) => Answer {
-                rows: law(report),
-                ..self.judged(&verdict)
-            }
-            .then("put this right first: what else is wrong may stand on it"),
-            (None, _) => self.judged(&verdict),
-        };
-        if self.is_guessed && answer.headline.verdict != "not recognized" {
-            answer.rows.push(self.taken_for());
-        }
-        let besides =
-            |it: &Cause| Row::new(RowKind::Besides, format!("{}. {}", it.problem, it.fix));
-        answer.rows.extend(self.encoding.iter().map(besides));
-        answer.pictures = Pictures::of(verdict);
-        answer
-    }
-
-    fn judged(&self, verdict: &Verdict) -> Answer {
-        match verdict {
-            Verdict::Right(right) => self.right(right),
-            Verdict::AlmostRight(finding) => match (&finding.almost_right, finding.task.step()) {
-                (Some(almost_right), Some(step)) if almost_right.is_exact() => {
-                    self.step(step, finding)
-                }
-                (almost_right, _) => {
-                    let unexplained = almost_right
-                        .as_ref()
-                        .map(|it| it.unexplained)
-                        .unwrap_or_default();
-                    self.nearly_right(finding, &unexplained)
-                }
-            },
-            Verdict::Wrong(finding) => self.wrong(finding),
-            Verdict::Another { cause, .. } => refused(&self.name, "wrong", cause),
-            Verdict::WrongShape { cause, finding } => {
-                let answer = refused(&self.name, "wrong", cause);
-                self.with_pixels(answer, finding.as_deref())
-            }
-            Verdict::NotAPicture { cause, finding } => {
-                let verdict = match finding {
-                    Some(_) => "not a valid picture",
-                    None => "not a picture",
-                };
-                let answer = refused(&self.name, verdict, cause);
-                self.with_pixels(answer, finding.as_deref())
-            }
-        }
-    }
-
-    /// Adds what is seen in a picture that a cause refuses, without the numbers of a ray: the
-    /// cause comes first, and they would take its room.
-    fn with_pixels(&self, answer: Answer, finding: Option<&Finding>) -> Answer {
-        let Some(finding) = finding else {
-            return answer;
-        };
-        let mut answer = self.explained(answer, finding);
-        answer.rows.retain(|row| row.kind != RowKind::Numbers);
-        answer
     }
 }

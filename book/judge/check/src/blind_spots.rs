@@ -1,7 +1,8 @@
-//! Blind spots: the known mistakes that draw a right picture, and what shows them.
+//! Blind spots: the known mistakes that a right picture hides, and the next picture that shows most
+//! of them.
 //!
-//! At the book's width a table tells them; at another one they are drawn: a slip is hidden if
-//! its program draws the right picture.
+//! At the book's width a table lists them. At another width each slip is drawn: it is hidden if its
+//! program draws the right picture.
 
 use slips::{Output, PROBES, Slip, Unseen};
 
@@ -11,16 +12,17 @@ use crate::task::Task;
 /// A picture to draw after a right one.
 #[derive(Debug)]
 pub struct NextPicture {
-    /// Its scene: a probe, or the chapter's own if that was drawn too small.
+    /// The task that it fulfills: a probe of the chapter, or the chapter itself if that was drawn
+    /// smaller than in the book.
     pub task: Task,
-    /// How wide to draw it, in pixels.
+    /// Its width in pixels.
     pub width: u32,
-    /// The mistakes that show there, and that the pictures before hide.
+    /// The mistakes that this picture shows and those before hide, at least one.
     pub slips: Vec<&'static Slip>,
 }
 
-/// The mistakes that a right picture of the chapter's own scene, so many pixels wide, can't
-/// show.
+/// Finds the known mistakes with which the chapter of the task, without its probe, still draws the
+/// right picture `width` pixels wide.
 ///
 /// Slips that change no picture and break no law are left out: a program with one of them is
 /// right.
@@ -28,18 +30,18 @@ pub fn hidden(task: &Task, width: u32) -> Vec<&'static Slip> {
     let own = task.without_probe();
     let can_be_wrong =
         |slip: &&Slip| !matches!(slip.why_unseen_in(own.chapter), Some(Unseen::Equivalent(_)));
-    let exam = (width != own.chapter.book_width()).then(|| Exam::new(own, width));
-    let is_hidden = |slip: &&'static Slip| match &exam {
-        Some(exam) => exam.hides(slip),
+    let sample = (width != own.chapter.book_width()).then(|| Sample::new(own, width));
+    let is_hidden = |slip: &&'static Slip| match &sample {
+        Some(sample) => sample.hides(slip),
         None => slip.revealing_probes(own.chapter).is_some(),
     };
     let slips = own.slips().filter(can_be_wrong).filter(is_hidden);
     slips.collect()
 }
 
-/// The picture to draw after the right one of `task`, so many pixels wide, of those that show
-/// mistakes which may have been made. They follow each other in one order, so that no probe is
-/// asked for twice.
+/// Chooses the picture to draw after the right one of the task, `width` pixels wide: one that shows
+/// mistakes for which `may_be` holds and that are still hidden. The pictures follow each other in
+/// one order, so that no probe is asked for twice; `None` after the last.
 pub fn next(task: &Task, width: u32, may_be: impl Fn(&Slip) -> bool) -> Option<NextPicture> {
     let (own, book) = (task.without_probe(), task.chapter.book_width());
     let drawn = if task.probe.is_some() { book } else { width };
@@ -55,8 +57,9 @@ pub fn next(task: &Task, width: u32, may_be: impl Fn(&Slip) -> bool) -> Option<N
     order.into_iter().nth(passed.map_or(0, |at| at + 1))
 }
 
-/// Chooses the cheapest change that shows a mistake in the chapter's own lines, which were typed
-/// last; or else the picture that shows most of these mistakes, of equals the cheapest.
+/// Chooses the first change, in the order of effort, that shows a hidden mistake in the chapter's
+/// own lines, which were typed last; or else the picture that shows most hidden mistakes, and of
+/// equals the first. `None` if no picture shows any.
 fn most_telling(own: &Task, drawn: u32, hidden: &[&'static Slip]) -> Option<NextPicture> {
     let book = own.chapter.book_width();
     let larger = (drawn < book).then_some((*own, book));
@@ -83,20 +86,21 @@ fn most_telling(own: &Task, drawn: u32, hidden: &[&'static Slip]) -> Option<Next
     })
 }
 
-/// A picture that a program has to draw, and those of its pixels that are looked at.
-struct Exam {
+/// A sample of pixels of the right picture of a task, to compare programs with.
+struct Sample {
     task: Task,
     width: u32,
     right: Vec<(u32, [u8; 3])>,
 }
 
-/// How many pixels are looked at first: most slips differ in one of them.
+/// How many pixels are compared first: most slips differ in one of them.
 const GLANCE: u32 = 500;
-/// How many are looked at in the end, spread over the picture. More would keep the reader
+/// How many pixels are compared in the end, spread over the picture. More would keep the reader
 /// waiting.
 const LOOK: u32 = 2000;
 
-impl Exam {
+impl Sample {
+    /// Draws the sample of the right picture, `width` pixels wide.
     fn new(task: Task, width: u32) -> Self {
         let output = task.program(&[]).run(width);
         let (columns, rows) = output.size();
@@ -108,7 +112,7 @@ impl Exam {
         }
     }
 
-    /// Returns true if a program with the slip draws this very picture.
+    /// Returns true if a program with the slip draws the same pixels.
     fn hides(&self, slip: &'static Slip) -> bool {
         let [right, wrong] =
             [&[][..], &[slip]].map(|slips| self.task.program(slips).run(self.width));
@@ -117,7 +121,7 @@ impl Exam {
     }
 }
 
-/// The `n`th pixel as Rust draws it, where a conversion to a byte stops at 0 and 255.
+/// Returns the `n`th printed pixel as Rust draws it: a conversion to a byte stops at 0 and 255.
 fn levels(output: &Output, n: u32) -> [u8; 3] {
     output.pixel(n).map(|level| level.clamp(0, 255) as u8)
 }

@@ -1,4 +1,4 @@
-//! Exact comparison: a program that may have drawn a picture, and the pixels that it leaves.
+//! Exact comparison of a picture with that of a program: some pixels first, then all of them.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 
@@ -11,61 +11,61 @@ use crate::task::Task;
 /// A program that may have drawn a picture.
 #[derive(Clone)]
 pub(crate) struct Candidate {
-    /// The scene.
+    /// The task that the program draws.
     pub(crate) task: Task,
-    /// The slips that were made.
+    /// The slips that are made in the program; none if it is right.
     pub(crate) slips: Vec<&'static Slip>,
-    /// What becomes of numbers that are no levels.
+    /// The treatment of numbers that are no levels.
     pub(crate) conversion: Conversion,
 }
 
-/// What becomes of a number that is no level.
+/// The treatment of a color component that is no level from 0 to 255.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Conversion {
-    /// It is printed, as C++ does.
+    /// The number is printed as it is, as in C++.
     Printed,
-    /// It stops at 0 or 255, as in Rust.
+    /// The number stops at 0 or 255, as in Rust.
     Clamped,
-    /// Its lowest eight bits are kept, as a cast to a byte does in C.
+    /// The lowest eight bits of the number are kept, as a cast to a byte does in C.
     Wrapped,
 }
 
-/// The pixels of a picture that a program does not draw.
+/// The pixels of a picture in which a program draws another color.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Unexplained {
-    /// How many are off at all.
+    /// Number of pixels that differ at all.
     pub off: usize,
-    /// How many are off by more than one level.
+    /// Number of pixels that differ by more than one level in a component.
     pub far: usize,
-    /// The first and the last column of these pixels.
+    /// The first and the last column with such a pixel, counted from 0.
     pub columns: [u32; 2],
-    /// The first and the last row.
+    /// The first and the last row with such a pixel, counted from 0 at the top.
     pub rows: [u32; 2],
 }
 
-/// Some pixels of a program beside the reader's.
+/// A comparison of a sample of pixels of a program with the reader's.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Look {
-    /// How many are off at all.
+    /// Number of pixels of the sample that differ at all.
     pub(crate) off: usize,
-    /// How many are off by more than one level.
+    /// Number of pixels of the sample that differ by more than one level in a component.
     pub(crate) far: usize,
-    /// A hash of these pixels: programs that draw them share it.
+    /// A hash of the program's pixels in the sample: equal for programs that draw the same.
     pub(crate) mark: u64,
 }
 
-/// How many pixels are looked at before all of them are.
+/// The size of the sample that is compared before all pixels are.
 const GLANCE: u32 = 100;
-/// By chance so many more of these may be off than of all.
+/// How many more pixels of the sample may differ by chance than those of the whole picture do.
 const CHANCE: usize = 4;
 
-/// A mistake that leaves pixels leaves at most one in so many of those that are wrong; where
-/// it leaves one in a hundred, it may be of any of them.
+/// A mistake explains most of a picture if it leaves at most one in so many wrong pixels.
 const MOST: usize = 4;
+/// A mistake explains nearly all of a picture if it leaves at most one in so many wrong pixels.
 const NEARLY_ALL: usize = 100;
 
 impl Candidate {
-    /// Returns what the program prints, if its picture has the reader's size.
+    /// Runs the program; `None` if its picture has another size than the reader's.
     pub(crate) fn output(&self, reading: &Reading) -> Option<Output> {
         let program = self.task.program(&self.slips);
         let size = (reading.width, reading.height);
@@ -75,12 +75,13 @@ impl Candidate {
         fitting(size.0).or_else(|| fitting(size.1))
     }
 
-    /// The nth pixel of what it prints.
+    /// Returns the `n`th printed pixel of the output, after the conversion.
     pub(crate) fn pixel(&self, output: &Output, n: u32) -> Pixel {
         output.pixel(n).map(|level| self.conversion.apply(level))
     }
 
-    /// Returns true if it may leave no more than `most` pixels, by the look of some.
+    /// Returns true if, judged by a sample of [`GLANCE`] pixels, the program may leave at most `most`
+    /// pixels unexplained.
     pub(crate) fn may_leave(&self, reading: &Reading, most: usize) -> bool {
         let Some(output) = self.output(reading) else {
             return false;
@@ -93,8 +94,7 @@ impl Candidate {
         far.take(allowed + 1).count() <= allowed
     }
 
-    /// Returns what so many of its pixels are beside the reader's, if its picture has the same
-    /// size.
+    /// Compares a sample of `count` pixels with the reader's; `None` if the sizes differ.
     pub(crate) fn look(&self, reading: &Reading, count: u32) -> Option<Look> {
         let output = self.output(reading)?;
         let mut look = Look::default();
@@ -110,8 +110,8 @@ impl Candidate {
         Some(look)
     }
 
-    /// The pixels that it leaves; `None` if they are more than `most`, and some of them are
-    /// off by more than a level.
+    /// Compares all pixels with the reader's. `None` if the sizes differ, or if more than `most`
+    /// pixels differ and one of them by more than a level.
     pub(crate) fn unexplained(&self, reading: &Reading, most: usize) -> Option<Unexplained> {
         let mut unexplained = Unexplained::default();
         let pixels = self.pixels(reading)?;
@@ -127,7 +127,7 @@ impl Candidate {
         Some(unexplained)
     }
 
-    /// All that it prints, if its picture has the reader's size.
+    /// Iterates over all pixels of the program, row by row from the top; `None` if the sizes differ.
     fn pixels<'a>(&'a self, reading: &'a Reading) -> Option<Box<dyn Iterator<Item = Pixel> + 'a>> {
         let output = self.output(reading)?;
         // The right picture is drawn sooner by what is compiled.
@@ -146,6 +146,7 @@ impl Candidate {
 }
 
 impl Conversion {
+    /// Turns a number into what a file has for it.
     pub(crate) fn apply(self, level: i32) -> i16 {
         match self {
             Self::Printed => level.clamp(i16::MIN.into(), i16::MAX.into()) as i16,
@@ -156,7 +157,7 @@ impl Conversion {
 }
 
 impl Unexplained {
-    /// The whole picture.
+    /// Returns all pixels of the picture, each as off by more than a level.
     pub(crate) fn all(reading: &Reading) -> Self {
         Self {
             off: reading.pixels.len(),
@@ -166,6 +167,7 @@ impl Unexplained {
         }
     }
 
+    /// Adds a pixel that is `off` levels off. Pixels come row by row from the top.
     fn add(&mut self, column: u32, row: u32, off: u16) {
         if self.off == 0 {
             (self.columns, self.rows) = ([column; 2], [row; 2]);
@@ -176,24 +178,25 @@ impl Unexplained {
         self.rows[1] = row;
     }
 
-    /// Returns true if a mistake that leaves this explains what a right program leaves: nearly all
-    /// of it, or most of it and of what is off by more than a level.
+    /// Returns true if these pixels are few beside `all` that the right program leaves unexplained:
+    /// one in [`NEARLY_ALL`], or one in [`MOST`] and as few of those that are off by more than a
+    /// level.
     pub(crate) fn is_little_of(&self, all: &Self) -> bool {
         let is_most = MOST * self.off <= all.off && MOST * self.far <= all.far;
         self.is_nearly_nothing_of(all) || is_most && all.far > 0
     }
 
-    /// Returns true if it explains nearly all of that.
+    /// Returns true if these pixels are none, or at most one in [`NEARLY_ALL`] of `all`.
     pub(crate) fn is_nearly_nothing_of(&self, all: &Self) -> bool {
         self.is_nothing() || NEARLY_ALL * self.off <= all.off
     }
 
-    /// Returns true if nothing is left.
+    /// Returns true if no pixel is unexplained.
     pub(crate) fn is_nothing(&self) -> bool {
         self.off == 0
     }
 
-    /// Returns true if all that is left is off by one level.
+    /// Returns true if there are such pixels, and all of them are off by one level.
     pub(crate) fn is_rounding(&self) -> bool {
         self.off > 0 && self.far == 0
     }

@@ -1,4 +1,5 @@
-//! The programs that may have drawn a picture: right ones, and those with known mistakes.
+//! Generators of the programs that may have drawn a picture: right ones, and those with known
+//! mistakes.
 
 use slips::{Chapter, Edition, PROBES, Probe, Slip, SphereCount};
 
@@ -6,7 +7,8 @@ use crate::candidate::{Candidate, Conversion};
 use crate::context::Evidence;
 use crate::task::Task;
 
-/// The scene itself by each edition that will do, and as far as each step before the last.
+/// Returns the right programs of the task, at least one: by each edition that counts as right, the
+/// latest first, and after each step before the last.
 pub(crate) fn rights(evidence: &Evidence) -> Vec<Candidate> {
     let steps = steps(evidence).into_iter();
     let tasks = by_editions(evidence, evidence.task)
@@ -15,8 +17,8 @@ pub(crate) fn rights(evidence: &Evidence) -> Vec<Candidate> {
     tasks.map(|task| right(evidence, task)).collect()
 }
 
-/// Other scenes, whose change was forgotten or is still there, and other chapters. A reader
-/// who types a chapter has no other picture at hand.
+/// Returns the right programs of other tasks: the chapter with other probes or none, and other
+/// chapters. Returns none for a reader who types the chapter, and has no other picture at hand.
 pub(crate) fn elsewhere(evidence: &Evidence) -> Vec<Candidate> {
     let own = evidence.task;
     if evidence.context.sources.are_of_the_chapter() {
@@ -39,7 +41,8 @@ pub(crate) fn elsewhere(evidence: &Evidence) -> Vec<Candidate> {
     all.map(|task| right(evidence, task)).collect()
 }
 
-/// Programs with one slip: a group for each edition, step and conversion, the likeliest first.
+/// Iterates over programs with one slip, in groups: one for each edition, step and conversion, the
+/// likeliest group first.
 pub(crate) fn singles<'a>(evidence: &'a Evidence) -> impl Iterator<Item = Vec<Candidate>> + 'a {
     let rights = with_slips_in(evidence);
     let wrapped = rights.first().filter(|_| !evidence.has_no_levels).cloned();
@@ -58,7 +61,8 @@ pub(crate) fn singles<'a>(evidence: &'a Evidence) -> impl Iterator<Item = Vec<Ca
     })
 }
 
-/// Programs with two slips, by version 4 and by the edition that comes nearest.
+/// Iterates over programs with two slips, in groups: by version 4 and by the `nearest` edition, in
+/// each shape and after each step.
 pub(crate) fn pairs<'a>(
     evidence: &'a Evidence,
     nearest: Edition,
@@ -73,6 +77,7 @@ pub(crate) fn pairs<'a>(
     })
 }
 
+/// Makes the right program of a task.
 fn right(evidence: &Evidence, task: Task) -> Candidate {
     Candidate {
         task,
@@ -85,6 +90,7 @@ fn right(evidence: &Evidence, task: Task) -> Candidate {
     }
 }
 
+/// Returns the right program with these slips made in it.
 fn with(right: &Candidate, slips: Vec<&'static Slip>) -> Candidate {
     Candidate {
         slips,
@@ -92,12 +98,14 @@ fn with(right: &Candidate, slips: Vec<&'static Slip>) -> Candidate {
     }
 }
 
+/// Returns the task by each edition that counts as right, in the size of the picture.
 fn by_editions(evidence: &Evidence, task: Task) -> Vec<Task> {
     let (width, height) = (evidence.reading.width, evidence.reading.height);
     task.by_editions(width, height).collect()
 }
 
-/// As far as each step before the last, by the edition that was asked for.
+/// Returns the task after each step before the last, but for those that the reader is past, by the
+/// latest edition that counts as right.
 fn steps(evidence: &Evidence) -> Vec<Task> {
     let own = evidence.task;
     let before = evidence.context.steps.len().saturating_sub(1);
@@ -107,7 +115,8 @@ fn steps(evidence: &Evidence) -> Vec<Task> {
     tasks.collect()
 }
 
-/// The right programs in which slips are made. A slip may give the picture its shape.
+/// Returns the right programs in which slips are made: in the picture's shape, and in the chapter's
+/// own, since a slip may give the picture its shape.
 fn with_slips_in(evidence: &Evidence) -> Vec<Candidate> {
     let fitting = by_editions(evidence, evidence.task);
     let shaped = fitting.iter().filter(|task| task.has_another_shape());

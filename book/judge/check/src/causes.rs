@@ -1,17 +1,17 @@
-//! Why a picture is not the one that was asked for: its shape, its numbers, its scene.
+//! The causes for which a picture is refused before its pixels are judged: its shape, its numbers, and
+//! what it shows.
 
 use slips::{ChapterProgram, Edition, ReaderLanguage, Slip};
 
 use crate::reading::{Cause, Reading};
 use crate::task::Task;
 
-/// The most pixels of a picture of a wrong shape that are looked at. Its shape says
-/// more than its pixels do, and to draw the right one in a shape that nobody wants may
-/// take long.
+/// The most pixels that a picture of a wrong shape may have to be explained. To draw the right
+/// picture in that shape, for comparison, would take long.
 pub(crate) const MOST_MISSHAPEN: u64 = 1 << 20;
 
-/// The slips with which a program draws `width` × `height` pixels where the
-/// right one does not, whatever the pixels are.
+/// Finds the slips with which a program draws `width` × `height` pixels, of any color; none if the
+/// right program does, too.
 pub(crate) fn slips_giving(task: &Task, width: u32, height: u32) -> Vec<&'static Slip> {
     let gives = |program: &ChapterProgram| {
         [width, height]
@@ -26,27 +26,32 @@ pub(crate) fn slips_giving(task: &Task, width: u32, height: u32) -> Vec<&'static
         .collect()
 }
 
-/// Returns true if somebody may want a picture of that shape: no stripe, and nothing endless.
+/// Returns true if a reader may choose that shape: at most eight times as wide as high, or as high
+/// as wide, and of no more than [`MOST_MISSHAPEN`] pixels.
 pub(crate) fn is_a_shape_to_choose(width: u32, height: u32) -> bool {
     let [width, height] = [width, height].map(u64::from);
     width * height <= MOST_MISSHAPEN && width.max(height) <= 8 * width.min(height)
 }
 
-/// Why the picture is not that of the probe, which is about one width.
+/// Refuses a picture that has not the width of the probe, if that probe is about a width; `None`
+/// otherwise.
 pub(crate) fn not_as_wide(task: &Task, reading: &Reading) -> Option<Cause> {
     let probe = task.probe.filter(|probe| probe.spheres.is_none())?;
     let (width, height) = (reading.width, reading.height);
     let (name, wanted, chapter) = (probe.name, probe.width, task.chapter.name());
-    (wanted != width).then(|| Cause::new(
-        "wrong-shape",
-        format!(
-            "the picture is {width} × {height}, but that of the probe {name} has image_width = {wanted}"
-        ),
-        format!("Draw {chapter} with image_width = {wanted}."),
-    ))
+    (wanted != width).then(|| {
+        Cause::new(
+            "wrong-shape",
+            format!(
+                "the picture is {width} × {height}, but the probe {name} has image_width = {wanted}"
+            ),
+            format!("Draw {chapter} with image_width = {wanted}."),
+        )
+    })
 }
 
-/// Why the picture is not of the scene's shape, if it is not.
+/// Refuses a picture that no edition of the task draws in this size, and names the slips that do;
+/// `None` if an edition does.
 pub(crate) fn wrong_shape(task: &Task, width: u32, height: u32) -> Option<Cause> {
     if task
         .by_editions(width, height)
@@ -63,7 +68,7 @@ pub(crate) fn wrong_shape(task: &Task, width: u32, height: u32) -> Option<Cause>
     let usual = if slips.is_empty() {
         "No mistake in the catalogue gives this shape.".to_owned()
     } else {
-        format!("This shape is what these slips give: {}.", slips.join(", "))
+        format!("These slips give this shape: {}.", slips.join(", "))
     };
     Some(Cause::new(
         "wrong-shape",
@@ -76,10 +81,11 @@ pub(crate) fn wrong_shape(task: &Task, width: u32, height: u32) -> Option<Cause>
     ))
 }
 
-/// Why the picture has numbers that are no levels, if it has.
+/// Refuses a picture with numbers that are no levels, and guesses where they come from; `None` if
+/// all numbers are levels.
 pub(crate) fn no_levels(reading: &Reading) -> Option<Cause> {
     let outside = reading.outside()?;
-    let (column, row) = outside.first;
+    let [column, row] = outside.first;
     // What 16 bits can't hold was cut off.
     let said = |level: i16| match level {
         i16::MIN => format!("{level} or less"),
@@ -101,47 +107,49 @@ pub(crate) fn no_levels(reading: &Reading) -> Option<Cause> {
             "This is what NaN turns into: is 0 / 0 taken, the root of a negative number, or a number that was never set?"
         }
         (0.., 256) => {
-            "256 comes of a factor of 256, or of rounding: int(255.999 * r) is at most 255."
+            "256 comes from a factor of 256, or from rounding: int(255.999 * r) is at most 255."
         }
         _ => "A component of a color must be from 0 to 1 before it is scaled: int(255.999 * r).",
     };
     Some(Cause::new(
         "levels-outside",
         format!(
-            "{pixels} numbers {range}; the first is column {column}, row {row}: [{}]",
+            "{pixels} numbers {range}; the first is in column {column}, row {row}: [{}]",
             outside.pixel.map(said).join(", ")
         ),
         fix,
     ))
 }
 
-/// Why a picture of `others`, scenes of this chapter, is not the right one.
+/// Names the other task whose right picture this is, of `others`, at least one of one chapter.
 pub(crate) fn another(wanted: &Task, others: &[Task], language: Option<ReaderLanguage>) -> Cause {
-    let own = wanted.chapter.name();
-    let probes: Vec<&str> = others
-        .iter()
-        .filter_map(|task| Some(task.probe?.name))
-        .collect();
-    if others[0].chapter != wanted.chapter {
-        let other = others[0];
-        let by = match other.edition {
-            Edition::V4 => String::new(),
-            edition => format!(" by version {}", edition.name()),
-        };
-        let (other, command) = (other.chapter, other.command());
-        let missing = match other < wanted.chapter {
-            true => format!("What {own} adds is not seen: is it called, and is its answer used? "),
-            false => String::new(),
-        };
-        return Cause::new(
-            "another-chapter",
-            format!(
-                "this is a picture of the chapter {}{by}, not of {own}",
-                other.name()
-            ),
-            format!("{missing}If you meant {}: {command}", other.name()),
-        );
+    match others[0].chapter == wanted.chapter {
+        true => another_scene(wanted, others, language),
+        false => another_chapter(wanted, &others[0]),
     }
+}
+
+/// Names the chapter whose picture this is.
+fn another_chapter(wanted: &Task, other: &Task) -> Cause {
+    let (own, name) = (wanted.chapter.name(), other.chapter.name());
+    let by = match other.edition {
+        Edition::V4 => String::new(),
+        edition => format!(" by version {}", edition.name()),
+    };
+    let missing = match other.chapter < wanted.chapter {
+        true => format!("What {own} adds is not seen: is it called, and is its answer used? "),
+        false => String::new(),
+    };
+    Cause::new(
+        "another-chapter",
+        format!("this is a picture of the chapter {name}{by}, not of {own}"),
+        format!("{missing}If you meant {name}: {}", other.command()),
+    )
+}
+
+/// Names the probe whose picture this is, or the chapter itself, where a probe's was asked for.
+fn another_scene(wanted: &Task, others: &[Task], language: Option<ReaderLanguage>) -> Cause {
+    let own = wanted.chapter.name();
     let (problem, fix) = match (wanted.probe, others[0].probe) {
         (Some(probe), None) => (
             format!(
@@ -154,17 +162,20 @@ pub(crate) fn another(wanted: &Task, others: &[Task], language: Option<ReaderLan
                 wanted.command()
             ),
         ),
-        (wanted, _) => (
-            format!(
-                "this is the picture of the probe {}, not of {}",
-                probes.join(" or "),
-                wanted.map_or("the chapter itself", |wanted| wanted.name)
-            ),
-            format!(
-                "Is the change still in your program? As what it is, it is right: {}",
-                others[0].command()
-            ),
-        ),
+        (wanted, _) => {
+            let probes = others.iter().filter_map(|task| Some(task.probe?.name));
+            let probes = probes.collect::<Vec<_>>().join(" or ");
+            (
+                format!(
+                    "this is the picture of the probe {probes}, not of {}",
+                    wanted.map_or("the chapter itself", |wanted| wanted.name)
+                ),
+                format!(
+                    "Is the change still in your program? For the probe, the picture is right: {}",
+                    others[0].command()
+                ),
+            )
+        }
     };
     Cause::new("another-scene", problem, fix)
 }

@@ -1,74 +1,92 @@
-//! Pixel-by-pixel comparison: where two pictures differ.
+//! Pixel-by-pixel comparison of two pictures, to the last bit.
 
 use common::rtweekend::Picture;
 
-/// What sets `actual` apart from `expected`.
+/// The result of comparing two pictures.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Comparison {
-    /// Every pixel is the same.
+    /// The pictures have the same size and the same pixels.
     Equal,
-    /// The sizes differ: width and height in pixels, expected first.
-    Size((u32, u32), (u32, u32)),
-    /// The sizes are the same, some pixels are not.
+    /// Width or height differs; no pixel was compared.
+    AnotherSize,
+    /// The pictures have the same size, and at least one pixel differs.
     Pixels(Difference),
 }
 
-/// How many pixels differ, and where.
+/// The pixels in which two pictures of the same size differ, at least one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Difference {
-    /// How many pixels differ in at least one component.
+    /// Number of pixels that differ in at least one component.
     pub count: usize,
-    /// How many pixels the picture has.
+    /// Number of pixels of each picture.
     pub total: usize,
-    /// The farthest that a component is off, in levels.
+    /// Largest difference of a component, in levels, from 1 to 255.
     pub levels: u8,
-    /// The first and last column in which a pixel differs.
-    pub columns: (u32, u32),
-    /// The first and last row in which a pixel differs.
-    pub rows: (u32, u32),
-    /// Column and row of the first pixel that differs, in reading order.
-    pub first: (u32, u32),
+    /// First and last column in which a pixel differs, counted from 0.
+    pub columns: [u32; 2],
+    /// First and last row in which a pixel differs, counted from 0 at the top.
+    pub rows: [u32; 2],
+    /// Column and row of the first pixel that differs, row by row from the top.
+    pub first: [u32; 2],
+}
+
+/// A pixel in which two pictures differ.
+#[derive(Clone, Copy, Debug)]
+pub struct DifferingPixel {
+    /// Column, counted from 0.
+    pub column: u32,
+    /// Row, counted from 0 at the top.
+    pub row: u32,
+    /// Red, green and blue in the expected picture.
+    pub expected: [u8; 3],
+    /// Red, green and blue in the actual picture.
+    pub actual: [u8; 3],
 }
 
 impl Comparison {
-    /// Compares pixel by pixel, to the last bit.
+    /// Compares two pictures pixel by pixel.
     pub fn of(expected: &Picture, actual: &Picture) -> Self {
-        let sizes = [expected, actual].map(|picture| (picture.width(), picture.height()));
+        let sizes = [expected, actual].map(|picture| [picture.width(), picture.height()]);
         if sizes[0] != sizes[1] {
-            return Self::Size(sizes[0], sizes[1]);
+            return Self::AnotherSize;
         }
         let mut difference: Option<Difference> = None;
-        for (i, j, expected, actual) in differing_pixels(expected, actual) {
+        for pixel in differing_pixels(expected, actual) {
+            let (column, row) = (pixel.column, pixel.row);
             let found = difference.get_or_insert(Difference {
                 count: 0,
-                total: sizes[0].0 as usize * sizes[0].1 as usize,
+                total: expected.rgb().len() / 3,
                 levels: 0,
-                columns: (i, i),
-                rows: (j, j),
-                first: (i, j),
+                columns: [column; 2],
+                rows: [row; 2],
+                first: [column, row],
             });
             found.count += 1;
-            for (expected, actual) in expected.into_iter().zip(actual) {
+            for (expected, actual) in pixel.expected.into_iter().zip(pixel.actual) {
                 found.levels = found.levels.max(expected.abs_diff(actual));
             }
-            found.columns = (found.columns.0.min(i), found.columns.1.max(i));
-            found.rows.1 = j;
+            found.columns = [found.columns[0].min(column), found.columns[1].max(column)];
+            found.rows[1] = row;
         }
         difference.map_or(Self::Equal, Self::Pixels)
     }
 }
 
-/// Column, row, expected and actual color of each pixel that differs, row by
-/// row. The pictures must be of the same size.
+/// Iterates over the pixels in which two pictures of the same size differ, row by row from the top.
 pub fn differing_pixels<'a>(
     expected: &'a Picture,
     actual: &'a Picture,
-) -> impl Iterator<Item = (u32, u32, [u8; 3], [u8; 3])> + 'a {
+) -> impl Iterator<Item = DifferingPixel> + 'a {
     let width = expected.width();
     let (expected, _) = expected.rgb().as_chunks::<3>();
     let (actual, _) = actual.rgb().as_chunks::<3>();
     (0u32..)
         .zip(expected.iter().zip(actual))
         .filter(|(_, (expected, actual))| expected != actual)
-        .map(move |(n, (&expected, &actual))| (n % width, n / width, expected, actual))
+        .map(move |(n, (&expected, &actual))| DifferingPixel {
+            column: n % width,
+            row: n / width,
+            expected,
+            actual,
+        })
 }

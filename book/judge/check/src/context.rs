@@ -1,4 +1,5 @@
-//! What is known of a reader besides the picture: files, answers of functions, warnings.
+//! The context of a picture: the reader's files, the answers of its functions, warnings; and the
+//! evidence that the judge weighs.
 
 use std::cell::OnceCell;
 
@@ -14,39 +15,43 @@ pub(crate) use crate::sources::LineStatus;
 use crate::sources::{CorrectedLine, Sources};
 use crate::task::Task;
 
-/// Compares the answers of the reader's functions with those of a chapter's program.
+/// A function that compares the answers of the reader's functions with those of a chapter's program.
 pub type CompareAnswers<'a> = dyn Fn(&ChapterProgram) -> Mismatch + 'a;
 
-/// What is known besides the picture.
+/// All that is known of a reader's program besides its picture; by default nothing.
 #[derive(Default)]
 pub struct Context<'a> {
     /// The language in which the reader writes; `None` means the C++ of the edition.
     pub language: Option<ReaderLanguage>,
-    /// True if the reader can have made a slip; any, if nothing is known.
+    /// Tells whether the reader can have made a slip; `None` if every slip is possible.
     pub can_be_made: Option<&'a dyn Fn(&Slip) -> bool>,
-    /// What the reader wrote.
+    /// The reader's files; empty if they are not known.
     pub sources: Sources,
-    /// What the reader's functions answered.
+    /// Compares the answers of the reader's functions with those of a program; `None` if they were
+    /// not asked.
     pub answers: Option<&'a CompareAnswers<'a>>,
-    /// What the compiler warned of, in its words.
+    /// The warnings of the compiler, in its words.
     pub warnings: Vec<String>,
-    /// True if each step of the chapter has been done before, if steps are judged.
+    /// For each step of the chapter in its order, true if the reader has done it before; empty if no
+    /// steps are judged.
     pub steps: Vec<bool>,
 }
 
-/// More answers than one in fifty are not due to rounding.
+/// A program is refuted if it differs in more than one of this many answers: rounding explains no
+/// more.
 const REFUTING: usize = 50;
 
 impl Context<'_> {
-    /// Returns true if what the reader wrote follows version 4 of the book, as our chapters do: no
-    /// earlier one has such names.
+    /// Returns true if the reader's files follow version 4 of the book, as the chapters do: they are
+    /// a chapter's, or have names that no earlier version has.
     pub(crate) fn follows_version_4(&self) -> bool {
         let has_names =
             |it: &SourceFile| it.text.contains("pixel_delta") || it.text.contains("pixel00");
         self.sources.are_of_the_chapter() || self.sources.files().iter().any(has_names)
     }
 
-    /// Returns what there is to say of a slip in the scene, in the reader's language.
+    /// Returns the wrong line, the right line and the reason of a slip in the chapter of the task, in
+    /// the reader's language.
     pub fn words(&self, slip: &Slip, task: &Task) -> SlipText {
         let is_older = task.edition != Edition::V4;
         let language = match self.language {
@@ -61,54 +66,59 @@ impl Context<'_> {
         slip.words(language, task.chapter)
     }
 
-    /// Returns true if the reader can have made the slip, as far as it is known.
+    /// Returns true if the reader can have made the slip, as far as is known: its right line does not
+    /// stand in the files.
     pub fn can_be_made(&self, slip: &Slip, task: &Task) -> bool {
         self.can_be_made.is_none_or(|can_be| can_be(slip))
             && self.said(slip, task) != LineStatus::Right
     }
 
-    /// Returns true if the slip's line is right in the reader's files once they are repaired.
+    /// Returns true if the slip's line is wrong in the reader's files and right once they are
+    /// repaired.
     pub(crate) fn is_mended(&self, slip: &Slip, task: &Task, repair: &Repair) -> bool {
         let repaired = Sources::new(repair.files.clone(), Vec::new());
         self.sources.say(slip, task).0 == LineStatus::Wrong
             && repaired.say(slip, task).0 == LineStatus::Right
     }
 
-    /// Returns what the reader's files say of the slip. A line that an older edition has is wrong
-    /// in a mixture only, which no single line tells.
+    /// Finds out whether the slip's line is wrong or right in the reader's files.
     pub(crate) fn said(&self, slip: &Slip, task: &Task) -> LineStatus {
         self.sources.say(slip, task).0
     }
 
-    /// The reader's line that makes the slip, if it is found.
+    /// Finds the reader's line that makes the slip; `None` if the files are not known or have none.
     pub(crate) fn line_of(&self, slip: &Slip, task: &Task) -> Option<CorrectedLine> {
         self.sources.say(slip, task).1
     }
 
-    /// Returns true if the reader's functions answer as the program would.
+    /// Returns true if the reader's functions give all answers of the program, or were not asked.
     pub(crate) fn is_answered_by(&self, program: &ChapterProgram) -> bool {
         self.answers
             .is_none_or(|compare| compare(program).differing == 0)
     }
 }
 
-/// All that is known of what a reader did.
+/// The evidence in the judgment of one picture: the picture, its context, and what searches of both
+/// have found, each done once when it is first asked for.
 pub(crate) struct Evidence<'a> {
-    /// The scene that the picture is meant to show; the chapter's own instead of a probe
-    /// that is about another width.
+    /// The task; without its probe, if that is about another width than the picture's.
     pub(crate) task: Task,
-    /// The picture.
+    /// The picture as it was read.
     pub(crate) reading: &'a Reading,
-    /// True if it has numbers that are no levels.
+    /// True if the picture has numbers that are no levels from 0 to 255.
     pub(crate) has_no_levels: bool,
-    /// What is known besides.
+    /// The context of the picture.
     pub(crate) context: &'a Context<'a>,
+    /// The change that makes the reader's program right.
     repair: OnceCell<Option<Repair>>,
+    /// The single edits of the chapter that draw the picture.
     drawn: OnceCell<DrawingMutants>,
+    /// The slips that the chapter's own picture hides.
     passed: OnceCell<Vec<&'static Slip>>,
 }
 
 impl<'a> Evidence<'a> {
+    /// Collects the evidence; nothing is searched yet.
     pub(crate) fn new(task: &Task, reading: &'a Reading, context: &'a Context<'a>) -> Self {
         let is_about_another_width = task
             .probe
@@ -128,20 +138,21 @@ impl<'a> Evidence<'a> {
         }
     }
 
-    /// Returns what makes the reader's program right.
+    /// Searches for a change of the reader's own lines that makes the program right.
     pub(crate) fn repair(&self) -> Option<&Repair> {
         let before = self.context.steps.len().saturating_sub(1);
         let repair = || Repair::of(&self.task, self.reading, &self.context.sources, before);
         self.repair.get_or_init(repair).as_ref()
     }
 
-    /// The single edits that draw the picture, of the text of the scene that comes nearest.
+    /// Searches for the single edits that draw the picture, of the chapter's text for the `right`
+    /// task.
     pub(crate) fn drawn(&self, right: &Task) -> &DrawingMutants {
         let drawn = || search::drawn(right, self.reading, &self.context.sources);
         self.drawn.get_or_init(drawn)
     }
 
-    /// The slips that the reader can have made in the scene.
+    /// Iterates over the slips that the reader can have made in the task.
     pub(crate) fn slips(&self, task: &Task) -> impl Iterator<Item = &'static Slip> {
         let chapter = task.chapter;
         let unnamed = slips::unnamed().filter(move |slip| slip.is_possible_in(chapter));
@@ -150,8 +161,8 @@ impl<'a> Evidence<'a> {
         all.filter(|slip| self.has_passed(slip))
     }
 
-    /// Returns true if a program with that slip draws the right picture of the chapter, which a
-    /// probe follows.
+    /// Returns true if a program with that slip draws the chapter's own picture right. Who draws a
+    /// probe has drawn that before.
     fn has_passed(&self, slip: &Slip) -> bool {
         if self.task.probe.is_none() || slip.name.is_empty() {
             return true;
@@ -161,9 +172,8 @@ impl<'a> Evidence<'a> {
         passed.iter().any(|it| it.name == slip.name)
     }
 
-    /// Returns true if the reader's text or the answers of its functions speak against a program:
-    /// the right line of a slip stands there, or a function that answers so has another mistake or
-    /// none.
+    /// Returns true if the reader's files or functions speak against a program with slips: the right
+    /// line of one of its slips stands in the files, or more than one in [`REFUTING`] answers differ.
     pub(crate) fn is_refuted(&self, it: &Candidate) -> bool {
         let context = self.context;
         let is_right = |slip: &&'static Slip| context.said(slip, &it.task) == LineStatus::Right;
@@ -180,8 +190,8 @@ impl<'a> Evidence<'a> {
                 })
     }
 
-    /// Returns true if the reader's functions answer more like the whole chapter's than like those
-    /// of this step: the reader is past it.
+    /// Returns true if fewer answers of the reader's functions differ from the whole chapter's than
+    /// from those of this step: the reader is past the step.
     pub(crate) fn is_past(&self, step: &Task) -> bool {
         self.context.answers.is_some_and(|compare| {
             let [whole, step] =
@@ -190,7 +200,7 @@ impl<'a> Evidence<'a> {
         })
     }
 
-    /// Returns true if the wrong line of each of its slips stands in the reader's files.
+    /// Returns true if the wrong line of each slip of the candidate stands in the reader's files.
     pub(crate) fn is_found(&self, it: &Candidate) -> bool {
         let is_found = |slip: &&Slip| self.context.said(slip, &it.task) == LineStatus::Wrong;
         it.slips.iter().all(is_found)

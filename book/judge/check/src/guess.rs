@@ -1,5 +1,4 @@
-//! Classification by the nearest program: which chapter a picture is meant to be, where
-//! no chapter is named.
+//! Classification of a picture by the nearest program, where the reader names no chapter.
 
 use slips::{Chapter, Edition, PROBES};
 
@@ -10,13 +9,14 @@ use crate::pixels::{distance, spread};
 use crate::reading::Reading;
 use crate::task::Task;
 
-/// How many pixels are looked at.
+/// How many pixels of the picture are compared.
 const LOOK: u32 = 400;
-/// A pixel that is off by no more levels may be the same: edges and levels are mixed in many
-/// a file.
+/// The largest difference of a component, in levels, at which two pixels count as alike: many files
+/// mix edges and levels a little.
 const NEAR: u16 = 2;
 
-/// The scene whose picture comes nearest: right, or with one slip. The first in the book of several that draw the same, as chapters 3 and 4 do.
+/// Guesses the task of a picture: the one whose right program, or program with one slip, draws most
+/// of its pixels alike. Of tasks that draw the same, as chapters 3 and 4 do, the first in the book.
 pub fn task(reading: &Reading) -> Task {
     let mut nearest = (usize::MAX, own(Chapter::Gradient));
     for candidates in [right_ones, wrong_ones] {
@@ -34,12 +34,14 @@ pub fn task(reading: &Reading) -> Task {
     nearest.1
 }
 
+/// Returns the task of a whole chapter without a probe.
+/// Returns the task of a whole chapter without a probe.
 fn own(chapter: Chapter) -> Task {
     Task::new(chapter, None).expect("every chapter can be drawn without a probe")
 }
 
-/// The chapter and its probes, by each edition. A reader who
-/// follows an earlier edition draws no probe.
+/// Returns the right programs of the chapter by each edition, and of its probes by version 4, each
+/// with the task of which it speaks.
 fn right_ones(evidence: &Evidence) -> Vec<(Task, Candidate)> {
     let (task, reading) = (evidence.task, evidence.reading);
     let probes = PROBES.iter().filter(|probe| probe.spheres.is_some());
@@ -61,12 +63,15 @@ fn right_ones(evidence: &Evidence) -> Vec<(Task, Candidate)> {
     all.chain(probed).collect()
 }
 
+/// Returns the programs of the chapter with one slip, each with the task of which it speaks.
+/// Returns the programs of the chapter with one slip, each with the task of which it speaks.
 fn wrong_ones(evidence: &Evidence) -> Vec<(Task, Candidate)> {
     let all = singles(evidence).flatten();
     all.map(|it| (evidence.task, it)).collect()
 }
 
-/// How many of some pixels are not the program's, or `most`.
+/// Counts the pixels of a sample that are not alike in the program's picture, up to `most`; `most`
+/// if the sizes differ.
 fn off(it: &Candidate, reading: &Reading, most: usize) -> usize {
     let Some(output) = it.output(reading) else {
         return most;

@@ -1,21 +1,21 @@
-//! The layout of an answer in a page: the elements of the book.
+//! The layout of an answer as HTML, with the elements and classes of the book's pages.
 
 use std::fmt;
 
 use crate::answer::{Answer, Grade, Headline, Row, RowKind};
 
-/// Where an answer is shown as HTML.
+/// The page in which an answer is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HostPage {
-    /// In a page of the book, whose other pages can be opened.
+    /// A page of the book, with links to its other pages.
     Book,
-    /// In the page that judges the picture of a probe, too.
+    /// The book's page *Check your picture*, with a button that judges the picture of a probe.
     CheckPage,
-    /// In a page alone, as a report is.
+    /// A page of its own, as a report, without links.
     Report,
 }
 
-/// Lays out the verdict; its class is the kind.
+/// Lays out a headline as HTML: the verdict is strong, in a class for its grade.
 pub fn headline(headline: &Headline) -> String {
     // The name `right` is taken: mdBook lets what has it float.
     let class = match headline.grade {
@@ -28,7 +28,8 @@ pub fn headline(headline: &Headline) -> String {
     format!("{before}<strong class=\"{class}\">{verdict}</strong>{rest}")
 }
 
-/// Lays out what follows the verdict: what was printed, the rows, what to do next, and pages.
+/// Lays out all that follows the headline as HTML: lines that were printed, rows, what to do next,
+/// and links to pages. Empty if there is none of these.
 pub fn below(answer: &Answer, page: HostPage) -> String {
     let is_printed = |it: &&Row| it.kind == RowKind::Printed;
     let (printed, rows): (Vec<&Row>, Vec<&Row>) = answer.rows.iter().partition(is_printed);
@@ -52,7 +53,7 @@ pub fn below(answer: &Answer, page: HostPage) -> String {
     printed.chain([list]).chain(pages).collect()
 }
 
-/// Returns a text as HTML shows it.
+/// Escapes a text for HTML, between tags and in attributes.
 pub fn escaped(text: impl fmt::Display) -> String {
     text.to_string()
         .replace('&', "&amp;")
@@ -61,6 +62,7 @@ pub fn escaped(text: impl fmt::Display) -> String {
         .replace('"', "&quot;")
 }
 
+/// Lays out a row with its label.
 fn row(row: &Row, page: HostPage) -> String {
     let said = match row.kind {
         kind if kind.is_code() => format!("<code>{}</code>", escaped(&row.text)),
@@ -73,11 +75,12 @@ fn row(row: &Row, page: HostPage) -> String {
     item(row.kind.label(), &said)
 }
 
+/// Makes an item of a description list.
 fn item(label: &str, said: &str) -> String {
     format!("<dt>{label}</dt><dd>{said}</dd>")
 }
 
-/// Shows what stands between backticks as code.
+/// Escapes a text, and makes code of what stands between backticks.
 fn with_code(text: &str) -> String {
     let parts = text.split('`').enumerate();
     let part = |(n, part): (usize, &str)| match n % 2 {

@@ -9,6 +9,7 @@
 
 pub mod answer;
 pub mod any_language;
+pub mod attempt;
 pub mod blind_spots;
 mod candidate;
 mod candidates;
@@ -36,4 +37,4 @@ pub use candidate::{Conversion, Unexplained};
 pub use course::names;
 pub use judge::{judge, judge_file, judge_guessed};
 pub use search::{FileEdit, edits_everywhere};
-pub use sentences::names_of;
+pub use sentences::mistake_name;

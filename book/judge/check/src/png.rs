@@ -1,10 +1,10 @@
-//! PNG encoding; [`reading`](crate::reading) decodes.
+//! A PNG encoder; [`reading`](crate::reading) has the decoder.
 
 use common::rtweekend::Picture;
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder};
 
-/// The bytes of a PNG file that holds `picture`.
+/// Encodes a picture as the bytes of a PNG file, three bytes a pixel.
 ///
 /// # Panics
 /// If the encoder fails, which for a buffer in memory means a defect in it.

@@ -1,8 +1,7 @@
-//! The report page: the right picture, yours and the difference, side by side and on
-//! top of each other.
+//! The report page of `check`: the right picture, the reader's and their difference, side by side
+//! and on top of each other.
 //!
-//! Everything is in the page or beside it, so that it also works from a disk and
-//! without a network.
+//! The page needs only the files beside it, so that it works from a disk and without a network.
 
 use std::iter;
 
@@ -13,21 +12,22 @@ use crate::comparison::{Comparison, differing_pixels};
 use crate::html::escaped;
 use crate::png;
 
-/// What a report page shows.
+/// The content of a report page.
 #[derive(Debug)]
 pub struct ReportPage<'a> {
-    /// What it is about: the name of a chapter.
+    /// The title: the name of a chapter, as text.
     pub title: &'a str,
-    /// The verdict, as HTML.
+    /// The headline of the answer, as HTML.
     pub headline: &'a str,
-    /// The right picture and yours, if there is anything to see.
+    /// The reader's picture and the right one; `None` if the page shows no pictures.
     pub pictures: Option<&'a Pictures>,
-    /// What follows the pictures, as HTML.
+    /// The rest of the answer, below the pictures, as HTML.
     pub remarks: &'a str,
 }
 
 impl ReportPage<'_> {
-    /// The page, `index.html`, and the pictures that it shows, by their names.
+    /// Makes the files of the page, each with its name and its bytes: the pictures that it shows,
+    /// and `index.html`.
     pub fn files(&self) -> Vec<(String, Vec<u8>)> {
         let mut files = Vec::new();
         // What the reader named comes last, so that braces in it are only braces.
@@ -40,7 +40,7 @@ impl ReportPage<'_> {
         files
     }
 
-    /// Adds the pictures to `files`, and returns the figures that show them.
+    /// Adds the pictures to `files`, and returns the HTML that shows them.
     fn figures(&self, files: &mut Vec<(String, Vec<u8>)>) -> String {
         let Some(Pictures { yours, right }) = self.pictures else {
             return String::new();
@@ -60,10 +60,10 @@ impl ReportPage<'_> {
     }
 }
 
-/// Differing pixels in red on a faint gray copy of what was expected, or `None`
-/// if the sizes differ.
+/// Draws the pixels that differ in red, on a faint gray copy of the expected picture; `None` if the
+/// sizes differ.
 pub fn difference_picture(expected: &Picture, actual: &Picture) -> Option<Picture> {
-    if let Comparison::Size(..) = Comparison::of(expected, actual) {
+    if Comparison::of(expected, actual) == Comparison::AnotherSize {
         return None;
     }
     let (pixels, _) = expected.rgb().as_chunks::<3>();
@@ -75,13 +75,15 @@ pub fn difference_picture(expected: &Picture, actual: &Picture) -> Option<Pictur
         })
         .collect();
     let (width, height) = (expected.width(), expected.height());
-    for (i, j, ..) in differing_pixels(expected, actual) {
-        let at = 3 * (j as usize * width as usize + i as usize);
+    for pixel in differing_pixels(expected, actual) {
+        let at = 3 * (pixel.row as usize * width as usize + pixel.column as usize);
         rgb[at..at + 3].copy_from_slice(&[220, 0, 0]);
     }
     Picture::from_rgb(width, height, rgb)
 }
 
+/// The HTML of the two pictures on top of each other, with a slider that fades the upper one.
+/// The HTML of the two pictures on top of each other, with a slider that fades the upper one.
 const ONION: &str = "\
 <figure class=\"onion\">
 <div><img src=\"expected.png\" alt=\"expected\"><img id=\"top\" src=\"yours.png\" alt=\"yours\"></div>
@@ -95,6 +97,8 @@ show();
 </script>
 ";
 
+/// The HTML of the page, with its four parts in braces.
+/// The HTML of the page, with its four parts in braces.
 const TEMPLATE: &str = "\
 <!doctype html>
 <html lang=\"en\">

@@ -1,4 +1,4 @@
-//! The scene that a picture is meant to show.
+//! The task of a reader: which picture to draw.
 
 use std::collections::BTreeMap;
 use std::sync::{LazyLock, Mutex, PoisonError};
@@ -10,25 +10,28 @@ use crate::pixels::{distance, spread};
 use crate::reading::Reading;
 use slips::{Chapter, ChapterProgram, Edition, Probe, ReaderLanguage, Slip, steps, width_line};
 
-/// A chapter's scene, or a probe's in that chapter, by one edition of the book.
+/// The picture that a reader was asked to draw: a chapter's, as far as a step of it, with a probe or
+/// without, by one edition of the book.
 #[derive(Clone, Copy, Debug)]
 pub struct Task {
-    /// The chapter.
+    /// The chapter whose program draws the picture.
     pub chapter: Chapter,
-    /// The probe, or `None` for the book's own scene.
+    /// The probe, a small change of scene; `None` for the book's own picture.
     pub probe: Option<Probe>,
-    /// The edition whose program draws it.
+    /// The edition of the book whose program draws the picture.
     pub edition: Edition,
-    /// True if no other edition will do.
+    /// True if the picture of no other edition counts as right.
     insists: bool,
-    /// A step on the way to the chapter, counted from 0, if it is not the last.
+    /// The step on the way to the chapter after which the program is drawn, counted from 0; `None`
+    /// for the whole chapter.
     step: Option<usize>,
-    /// Width and height in pixels, if they are not the chapter's own.
+    /// Width and height in pixels; `None` for the chapter's own shape.
     shape: Option<(u32, u32)>,
 }
 
 impl Task {
-    /// The scene, or `None` if the chapter has no place for the probe's spheres.
+    /// Makes the task to draw the whole chapter by version 4. `None` if the chapter has no room for
+    /// the probe's spheres; never without a probe.
     pub fn new(chapter: Chapter, probe: Option<Probe>) -> Option<Self> {
         let has_room = probe.is_none_or(|probe| probe.fits(chapter));
         has_room.then_some(Self {
@@ -41,7 +44,7 @@ impl Task {
         })
     }
 
-    /// Returns this scene by that edition and no other.
+    /// Returns this task by that edition; pictures of other editions are wrong.
     pub fn only_by(self, edition: Edition) -> Self {
         Self {
             edition,
@@ -50,7 +53,8 @@ impl Task {
         }
     }
 
-    /// Returns this scene with that probe, or `None` if the chapter has no place for its spheres.
+    /// Returns this task with that probe, in the chapter's own shape; `None` if the chapter has no
+    /// room for its spheres.
     pub fn with_probe(self, probe: Probe) -> Option<Self> {
         probe.fits(self.chapter).then_some(Self {
             probe: Some(probe),
@@ -59,12 +63,12 @@ impl Task {
         })
     }
 
-    /// The chapter's own scene by the same edition.
+    /// Returns the task to draw the whole chapter by the same edition, without a probe.
     pub(crate) fn without_probe(self) -> Self {
         self.of_chapter(self.chapter)
     }
 
-    /// Returns this step of this scene, before a probe's change.
+    /// Returns this task without the probe, with the same step and shape.
     pub(crate) fn unchanged(self) -> Self {
         Self {
             probe: None,
@@ -72,8 +76,8 @@ impl Task {
         }
     }
 
-    /// Returns this scene drawn with the whole of b in place of its half, or the other way
-    /// round, if it is that of one sphere with its normals.
+    /// Returns this task for chapter 4 in place of 3, or for 3 in place of 4, which draw the same
+    /// picture by the whole of b or its half; `None` for other chapters and for steps.
     pub(crate) fn with_the_other_formula(self) -> Option<Self> {
         let chapter = match (self.chapter, self.step) {
             (Chapter::Normals, None) => Chapter::HalfBSphere,
@@ -83,7 +87,7 @@ impl Task {
         Some(Self { chapter, ..self })
     }
 
-    /// The scene of another chapter by the same edition.
+    /// Returns the task to draw another whole chapter by the same edition, without a probe.
     pub(crate) fn of_chapter(self, chapter: Chapter) -> Self {
         Self {
             chapter,
@@ -94,7 +98,7 @@ impl Task {
         }
     }
 
-    /// Returns this scene as far as it is written after a step.
+    /// Returns this task as far as the program is written after a step, counted from 0.
     pub(crate) fn at_step(self, step: usize) -> Self {
         Self {
             step: Some(step),
@@ -102,13 +106,14 @@ impl Task {
         }
     }
 
-    /// The step that it shows, counted from 0, if it is not the chapter's last.
+    /// Returns the step after which the program is drawn, counted from 0; `None` for the whole
+    /// chapter.
     pub fn step(&self) -> Option<usize> {
         self.step
     }
 
-    /// Returns true if the picture may be the right one of this scene to within so many levels:
-    /// some pixels tell, before all are compared.
+    /// Returns true if the picture has the right size, and [`GLANCE`] of its pixels are at most
+    /// `tolerance` levels off.
     pub(crate) fn may_be_shown_by(&self, reading: &Reading, tolerance: u8) -> bool {
         let output = self.program(&[]).run(reading.width);
         output.size() == (reading.width, reading.height)
@@ -118,7 +123,8 @@ impl Task {
             })
     }
 
-    /// Returns what a reader changes to draw it that wide, a line each.
+    /// Lists what a reader changes in the chapter's program to draw the task `width` pixels wide, a
+    /// line each.
     pub fn change(&self, width: u32, language: Option<ReaderLanguage>) -> String {
         match self.probe {
             Some(probe) => probe.lines(self.chapter, language),
@@ -126,7 +132,7 @@ impl Task {
         }
     }
 
-    /// The command that checks a picture of it.
+    /// Returns the command that checks a picture of this task.
     pub fn command(&self) -> String {
         let (companion, chapter) = (companion_command(), self.chapter.name());
         match self.probe {
@@ -135,15 +141,15 @@ impl Task {
         }
     }
 
-    /// The command that checks a picture of it with that probe.
+    /// Returns the command that checks a picture of this chapter with that probe.
     pub fn probed_command(&self, probe: Probe) -> String {
         let (companion, chapter) = (companion_command(), self.chapter.name());
         format!("{companion} check {chapter} --probe {} PICTURE", probe.name)
     }
 
-    /// Returns this scene by each edition that will do, in a picture of that size: the latest
-    /// edition first. A reader who draws in the shape that came with version 3.1 reads no earlier
-    /// one; but many keep the rays and the factor of the first.
+    /// Returns this task by each edition whose picture counts as right, in a picture of that size,
+    /// the latest edition first. In the shape that came with version 3.1 only later editions and the
+    /// first count: many readers keep the rays and the factor of that one.
     pub(crate) fn by_editions(self, width: u32, height: u32) -> impl Iterator<Item = Self> {
         Edition::ALL
             .into_iter()
@@ -152,8 +158,8 @@ impl Task {
             .filter(move |it| it.edition.is_first() || !it.is_in_a_later_shape(width, height))
     }
 
-    /// Returns true if the picture has the shape of version 4, which its edition has not; never
-    /// where the reader insists on that edition.
+    /// Returns true if the picture has the shape of version 4 and the edition of this task has
+    /// another; false if no other edition counts as right.
     pub(crate) fn is_in_a_later_shape(&self, width: u32, height: u32) -> bool {
         let latest = Self {
             edition: Edition::V4,
@@ -162,7 +168,8 @@ impl Task {
         !self.insists && self.has_another_shape() && latest.height(width) == height
     }
 
-    /// Returns this scene in a picture of that size, whose shape may be the scene's own.
+    /// Returns this task for a picture of `width` × `height` pixels: in the chapter's own shape if
+    /// that has this height, or else in just this shape.
     pub fn fitting(self, width: u32, height: u32) -> Self {
         let own = self.in_own_shape();
         if own.height(width) == height {
@@ -175,7 +182,7 @@ impl Task {
         }
     }
 
-    /// Returns this scene in the chapter's own shape.
+    /// Returns this task in the chapter's own shape.
     pub(crate) fn in_own_shape(self) -> Self {
         Self {
             shape: None,
@@ -183,12 +190,13 @@ impl Task {
         }
     }
 
-    /// Returns true if the shape is not that of the chapter.
+    /// Returns true if the shape is not the chapter's own.
     pub(crate) fn has_another_shape(&self) -> bool {
         self.shape.is_some()
     }
 
-    /// The program that draws the scene, with these slips in it.
+    /// Returns the program that draws the task, with these slips made in it: edition and shape come
+    /// first, then step, probe and slips.
     pub fn program(&self, slips: &[&Slip]) -> ChapterProgram {
         let right = || self.kept("", || self.right_program());
         let with = |slip: &Slip| self.kept(slip.name, || slip.applied_to(&right()));
@@ -204,7 +212,8 @@ impl Task {
         }
     }
 
-    /// The program of the scene with that slip, made once.
+    /// Returns the program of this task with the slip of that name, or the right one for an empty
+    /// name: one that was made before, or that `make` makes now.
     fn kept(&self, slip: &'static str, make: impl FnOnce() -> ChapterProgram) -> ChapterProgram {
         type Key = (
             Chapter,
@@ -237,6 +246,7 @@ impl Task {
         program
     }
 
+    /// Makes the program that draws the task without a mistake.
     fn right_program(&self) -> ChapterProgram {
         let mut program = self.edition.shaped(self.chapter, self.shape);
         if let Some(step) = self.step {
@@ -248,23 +258,24 @@ impl Task {
         }
     }
 
-    /// The slips that can be made here: those whose lines stand in the chapter.
+    /// Iterates over the slips that are possible in the chapter.
     pub fn slips(&self) -> impl Iterator<Item = &'static Slip> + use<> {
         let chapter = self.chapter;
         slips::all().filter(move |slip| slip.is_possible_in(chapter))
     }
 
-    /// The height of the right picture that is `width` pixels wide.
+    /// Returns the height in pixels of the right picture that is `width` pixels wide.
     pub fn height(&self, width: u32) -> u32 {
         self.program(&[]).run(width).size().1
     }
 
-    /// The sky of the same edition alone, in the size of the reader's picture.
+    /// Draws the sky of the same edition without spheres, `width` × `height` pixels.
     pub(crate) fn of_sky(&self, width: u32, height: u32) -> Picture {
         self.of_chapter(Chapter::Gradient).right(width, height)
     }
 
-    /// The right picture in the size of the reader's.
+    /// Draws the right picture in `width` × `height` pixels, in that shape if it is not the
+    /// chapter's.
     pub fn right(&self, width: u32, height: u32) -> Picture {
         let fitting = self.fitting(width, height);
         if fitting.is_as_compiled() {
@@ -273,7 +284,8 @@ impl Task {
         fitting.program(&[]).run(width).picture()
     }
 
-    /// Returns true if it is the chapter's own picture, which this program has compiled.
+    /// Returns true if the task is drawn by the chapter's compiled functions: the whole chapter of
+    /// version 4, in its own shape and without other spheres.
     pub(crate) fn is_as_compiled(&self) -> bool {
         let is_changed = self.step.is_some() || self.shape.is_some();
         let has_spheres = self.probe.is_some_and(|probe| probe.spheres.is_some());
@@ -281,7 +293,7 @@ impl Task {
     }
 }
 
-/// So many programs are kept at most.
+/// How many programs are kept at most.
 const MOST: usize = 5000;
-/// How many pixels tell a scene from most others.
+/// How many pixels are compared to tell a task from most others.
 const GLANCE: u32 = 64;

@@ -1,4 +1,4 @@
-//! Discriminating tests: a probe that tells mistakes apart.
+//! Discriminating tests: the choice of a probe that tells mistakes apart.
 
 use std::collections::HashSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -6,8 +6,8 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use crate::task::Task;
 use slips::{PROBES, Probe, Slip};
 
-/// The probe that tells most of the mistakes apart, the cheapest change among equals;
-/// `None` if all of them draw the same in all of them.
+/// Chooses the probe in which the mistakes draw most different pictures, the first of equals; `None`
+/// if there is one mistake, or all draw the same in each probe. Never chooses that of the task.
 pub(crate) fn apart(task: &Task, mistakes: &[Vec<&'static Slip>]) -> Option<Probe> {
     let mut best = (1, None);
     for probe in PROBES.into_iter().filter(|_| mistakes.len() > 1) {
@@ -20,7 +20,7 @@ pub(crate) fn apart(task: &Task, mistakes: &[Vec<&'static Slip>]) -> Option<Prob
     best.1
 }
 
-/// How many pictures of that scene the mistakes draw.
+/// Counts the different pictures that the mistakes draw of the task, `width` pixels wide.
 fn pictures(task: &Task, width: u32, mistakes: &[Vec<&'static Slip>]) -> usize {
     let mark = |mistake: &Vec<&'static Slip>| {
         let output = task.program(mistake).run(width);

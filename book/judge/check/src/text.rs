@@ -1,4 +1,4 @@
-//! The layout of an answer in a terminal: labeled lines of a width, colored or not.
+//! The layout of an answer in a terminal: labeled lines of a given width, colored or not.
 
 use textwrap::{Options, WordSplitter};
 
@@ -6,18 +6,19 @@ use crate::answer::{Answer, Grade, Headline, Row, RowKind};
 use crate::names;
 use crate::workspace;
 
-/// Bold and color, or neither.
+/// The style of texts in a terminal: with bold and color, or plain.
 #[derive(Clone, Copy, Debug)]
 pub struct Style {
-    /// True where a terminal obeys.
+    /// True if the terminal obeys the codes for bold and color.
     pub is_colored: bool,
 }
 
-/// No answer takes more lines, so that it is read at one glance.
+/// The most lines of an answer, so that it is read at one glance.
 pub const MOST_LINES: usize = 12;
 
-/// Lays out an answer in at most `most` lines of `width` characters: the headline and what is to
-/// be done next, and between them as many rows as there is room for.
+/// Lays out an answer in at most `most` lines of `width` characters: the headline, as many rows as
+/// there is room for, the pages to read, and what to do next. A `…` stands for rows that are left
+/// out.
 pub fn lines(answer: &Answer, style: Style, width: usize, most: usize) -> Vec<String> {
     let mut lines = headline(&answer.headline, style, width);
     let read = answer.read.iter().map(|slip| {
@@ -36,7 +37,7 @@ pub fn lines(answer: &Answer, style: Style, width: usize, most: usize) -> Vec<St
     lines
 }
 
-/// Lays out the verdict alone.
+/// Lays out a headline in lines of `width` characters, with its verdict in the color of its grade.
 pub fn headline(headline: &Headline, style: Style, width: usize) -> Vec<String> {
     let [before, verdict, rest] = headline.parts();
     let verdict = match headline.grade {
@@ -49,8 +50,8 @@ pub fn headline(headline: &Headline, style: Style, width: usize) -> Vec<String> 
     said.lines().map(str::to_owned).collect()
 }
 
-/// Returns the text in lines of this width, but for a word that is longer, with `first` before
-/// the first of them, and `rest` before the others.
+/// Wraps a text into lines of `width` characters, with `first` before the first line and `rest`
+/// before the others. A longer word is not broken.
 pub fn filled(text: &str, width: usize, first: &str, rest: &str) -> String {
     let options = Options::new(width)
         .initial_indent(first)
@@ -62,7 +63,8 @@ pub fn filled(text: &str, width: usize, first: &str, rest: &str) -> String {
     textwrap::fill(&text, options).replace('\u{a0}', " ")
 }
 
-/// Keeps the rows for which there is room, with a mark where some are left out.
+/// Keeps the first rows for which there is room, in lines of a terminal, with a `…` if some are left
+/// out.
 fn fitting(rows: Vec<Vec<String>>, width: usize, room: usize) -> Vec<String> {
     if rows.iter().map(|row| height(row, width)).sum::<usize>() <= room {
         return rows.concat();
@@ -78,12 +80,13 @@ fn fitting(rows: Vec<Vec<String>>, width: usize, room: usize) -> Vec<String> {
     lines
 }
 
-/// Counts the lines of a terminal that these lines fill.
+/// Counts the lines of a terminal of this `width` that these lines fill.
 fn height(lines: &[String], width: usize) -> usize {
     let rows = |line: &String| textwrap::core::display_width(line).div_ceil(width).max(1);
     lines.iter().map(rows).sum()
 }
 
+/// Lays out a row in lines of this `width`.
 fn row(row: &Row, style: Style, width: usize) -> Vec<String> {
     match row.kind {
         RowKind::Printed => vec![row.text.clone()],
@@ -98,39 +101,43 @@ fn row(row: &Row, style: Style, width: usize) -> Vec<String> {
     }
 }
 
-/// The text in as many lines as it takes, with the label before the first.
+/// Wraps a text into lines of this `width`, with the label before the first.
 fn labeled(label: &str, text: &str, style: Style, width: usize) -> Vec<String> {
     let rest = " ".repeat(LABEL + 2);
     let said = filled(text, width, &style.labeled(label), &rest);
     said.lines().map(str::to_owned).collect()
 }
 
-/// How wide a label is.
+/// The width of a label, in characters.
 const LABEL: usize = 9;
 
 impl Style {
-    /// Makes a text bold.
+    /// Makes a text bold; returns it as it is in a plain style.
     pub fn bold(self, text: &str) -> String {
         self.in_code("1", text)
     }
 
-    /// Makes a text pale.
+    /// Makes a text pale; returns it as it is in a plain style.
     pub fn dim(self, text: &str) -> String {
         self.in_code("2", text)
     }
 
+    /// Makes a text red.
     fn red(self, text: &str) -> String {
         self.in_code("31", text)
     }
 
+    /// Makes a text green.
     fn green(self, text: &str) -> String {
         self.in_code("32", text)
     }
 
+    /// Pads a label to its width.
     fn labeled(self, label: &str) -> String {
         self.dim(&format!("{label:<LABEL$}")) + "  "
     }
 
+    /// Puts a text between a terminal's code and the one that ends it.
     fn in_code(self, code: &str, text: &str) -> String {
         match self.is_colored {
             true => format!("\x1b[{code}m{text}\x1b[0m"),

@@ -1,4 +1,4 @@
-//! Where a slip is explained in this workspace.
+//! Paths to the explanation of a slip in this workspace.
 
 pub use course::workspace::workspace;
 
@@ -8,8 +8,8 @@ use slips::Slip;
 
 use crate::names;
 
-/// The page of the book that tells how it is right, with the heading, as seen from where
-/// the reader is; `None` if it was not woven here.
+/// Returns the path of the page that explains a slip, with its heading as `#…`, as seen from the
+/// current folder; `None` if the book was not woven in this workspace.
 pub fn page(slip: &Slip) -> Option<String> {
     let path = workspace()?.join("target/book").join(slip.address());
     let (file, _) = path.to_str()?.rsplit_once('#')?;
@@ -18,7 +18,8 @@ pub fn page(slip: &Slip) -> Option<String> {
         .then(|| names::name_from_here(&path))
 }
 
-/// The file that has the line right, likewise.
+/// Returns the path of the source that has the slip's line right, as seen from the current folder;
+/// `None` if there is no such file.
 pub fn source(slip: &Slip) -> Option<String> {
     let path = workspace()?.join(slip.source()?);
     path.is_file().then(|| names::name_from_here(&path))

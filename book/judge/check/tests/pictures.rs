@@ -2,9 +2,9 @@
 
 use std::{slice, thread};
 
-use check::answer::{Attempt, Commands};
+use check::attempt::{Attempt, Commands};
 use check::context::Context;
-use check::names_of;
+use check::mistake_name;
 use check::reading::Reading;
 use check::task::Task;
 use check::text::{MOST_LINES, Style, lines};
@@ -75,7 +75,7 @@ const ANSWERS: [(Chapter, &str, Way, &str); 19] = [
         Chapter::Normals,
         "",
         gray,
-        "unknown: It has no color: red, green and blue are equal in each pixel.",
+        "unknown: The picture has no color: red, green and blue are equal in each pixel.",
     ),
 ];
 
@@ -340,7 +340,7 @@ fn said(verdict: &Verdict) -> String {
     let Some(mistakes) = &finding.mistakes else {
         return format!("unknown: {}", finding.sights.join(" "));
     };
-    let names: Vec<String> = mistakes.all.iter().map(|it| names_of(it)).collect();
+    let names: Vec<String> = mistakes.all.iter().map(|it| mistake_name(it)).collect();
     let left = match mistakes.unexplained.off {
         0 => String::new(),
         off => format!(" but for {off}"),

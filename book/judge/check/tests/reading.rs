@@ -110,7 +110,7 @@ fn numbers_that_are_no_levels_are_kept_and_found() {
     .expect("its numbers are numbers");
     let outside = reading.outside().expect("two pixels");
     assert_eq!(outside.count, 2);
-    assert_eq!(outside.first, (1, 0));
+    assert_eq!(outside.first, [1, 0]);
     assert_eq!(outside.pixel, [256, -107, 511]);
     assert_eq!((outside.lowest, outside.highest), (i16::MIN, i16::MAX));
     assert_eq!(reading.picture().rgb()[3..6], [255, 0, 255]);
@@ -289,8 +289,10 @@ fn a_wrong_count_says_what_it_looks_like() {
         (27, "3 columns"),
         (60, "<="),
         (35, "multiple of three"),
-        (39, "3 more follow"),
-        (51, "17 pixels"),
+        (39, "3 more numbers follow"),
+        (37, "1 more number follows"),
+        (3, "1 pixel:"),
+        (51, "17 pixels:"),
     ] {
         let refused = read(text(count).as_bytes()).expect_err("36 are wanted");
         assert!(refused.fix.contains(hint), "{count}: {refused}");

@@ -2,7 +2,7 @@
 //!
 //! For a longer campaign `PROPTEST_CASES` says how many files are spoiled.
 
-use check::answer::{Attempt, Commands};
+use check::attempt::{Attempt, Commands};
 use check::context::Context;
 use check::judge_file;
 use check::png;

@@ -1,6 +1,7 @@
 //! A picture that is right says nothing of a function that no ray of it needs.
 
-use check::answer::{Answer, Attempt, Commands, LawsStatus};
+use check::answer::Answer;
+use check::attempt::{Attempt, Commands, LawsStatus};
 use check::context::Context;
 use check::judge_file;
 use check::task::Task;

@@ -5,7 +5,8 @@
 
 use std::iter;
 
-use check::answer::{Answer, Attempt, Commands, Pictures};
+use check::answer::{Answer, Pictures};
+use check::attempt::{Attempt, Commands};
 use check::context::Context;
 use check::html::{HostPage, below, escaped, headline};
 use check::reading::{self, Cause, MOST_PIXELS, Reading};
@@ -199,7 +200,7 @@ fn refused(request: CheckRequest, cause: Cause) -> CheckResponse {
 /// differs, and the number of pixels that differ.
 fn facts(task: &Task, verdict: &Verdict, reading: &Reading) -> String {
     let difference = verdict.finding().and_then(|it| it.difference.as_ref());
-    let (column, row) = difference.map_or((0, 0), |it| it.first);
+    let [column, row] = difference.map_or([0, 0], |it| it.first);
     let facts = [
         task.chapter.name(),
         task.probe.map_or("", |probe| probe.name),

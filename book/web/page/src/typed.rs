@@ -4,7 +4,8 @@
 //! [`check`] judges it in the words that `watch` has for a crate on disk. This module turns the
 //! verdict into HTML.
 
-use check::answer::{Answer, Attempt, Commands, Grade, LawsStatus, Row, RowKind};
+use check::answer::{Answer, Grade, Row, RowKind};
+use check::attempt::{Attempt, Commands, LawsStatus};
 use check::context::Context;
 use check::html::{self, HostPage};
 use check::judge;

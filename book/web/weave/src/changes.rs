@@ -25,16 +25,17 @@ fn pictures(before: Chapter, after: Chapter) -> (String, String) {
             let same = "The picture does not change, not by a single bit.";
             (same.to_owned(), String::new())
         }
-        Comparison::Size((width, height), (new_width, new_height)) => {
-            let sentence = format!(
-                "The picture is another one, of {new_width} × {new_height} pixels instead of {width} × {height}."
-            );
+        Comparison::AnotherSize => {
+            let [size, new_size] =
+                [&old, &new].map(|it| format!("{} × {}", it.width(), it.height()));
+            let sentence =
+                format!("The picture is another one, of {new_size} pixels instead of {size}.");
             (sentence, String::new())
         }
         Comparison::Pixels(it) => {
             let sentence = format!(
                 "{} of {} pixels change, in columns {} to {} and rows {} to {}.",
-                it.count, it.total, it.columns.0, it.columns.1, it.rows.0, it.rows.1
+                it.count, it.total, it.columns[0], it.columns[1], it.rows[0], it.rows[1]
             );
             let panels = difference_picture(&old, &new).map(|changed| {
                 let file = |of: Chapter| format!("pictures/{}.snap.png", of.name());

@@ -8,7 +8,8 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
 
-use check::answer::{Answer, Attempt, Commands, Row, RowKind};
+use check::answer::{Answer, Row, RowKind};
+use check::attempt::{Attempt, Commands};
 use check::context::Context;
 use check::html::{self, HostPage};
 use check::names::{self, companion_command};

@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use ::laws::answers::{ANSWERS_VARIABLE, AnswerFile, Answers};
 use ::laws::{Complaint, Outcome};
-use check::answer::LawsStatus;
+use check::attempt::LawsStatus;
 use slips::{Chapter, ReaderLanguage, lawful};
 
 use crate::limited;

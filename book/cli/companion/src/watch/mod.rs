@@ -14,12 +14,13 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-use check::answer::{Answer, Attempt, Commands, LawsStatus, Row, RowKind};
+use check::answer::{Answer, Row, RowKind};
+use check::attempt::{Attempt, Commands, LawsStatus};
 use check::context::Context;
 use check::judge_file;
 use check::names::{companion_command, name_from_here};
 use check::reading::{Cause, read};
-use check::sentences::{self, printed, step_is_done};
+use check::sentences::{self, printed, step_done_line};
 use check::task::Task;
 use clap::Args;
 use common::engine::output;
@@ -229,7 +230,7 @@ impl WatchedProgram {
         let chapter = self.task.chapter;
         let is_sky = |picture: Picture| picture == Chapter::Gradient.picture(picture.width());
         chapter == Chapter::RedSphere
-            && !self.done.has(&step_is_done(chapter, 1))
+            && !self.done.has(&step_done_line(chapter, 1))
             && read(bytes).is_ok_and(|reading| is_sky(reading.picture()))
     }
 
@@ -262,7 +263,7 @@ impl WatchedProgram {
         let compare = answers.map(|answers| {
             |program: &ChapterProgram| lawful::mismatch_with(answers, chapter, program, MOST_UNLIKE)
         });
-        let is_done = |step| self.done.has(&step_is_done(chapter, step));
+        let is_done = |step| self.done.has(&step_done_line(chapter, step));
         let context = Context {
             language,
             can_be_made: Some(&can_be_made),

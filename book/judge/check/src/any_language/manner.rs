@@ -1,5 +1,5 @@
-//! Manners: answers of other editions and of other derivations, which no picture of these chapters
-//! tells from those of version 4.
+//! Manners: differences from version 4 of the book that other editions and derivations have, and
+//! that no picture of these chapters shows.
 
 use super::{Ask, FunctionKind};
 use laws::nearer_root::{BAND, root_bound};
@@ -9,19 +9,19 @@ use laws::record::RecordedHit;
 use laws::strategies::{ordinary, ordinary_with_interval};
 use laws::{Case, IntervalCase};
 
-/// A manner in which a function answers.
+/// A harmless difference between a function's answers and those of version 4.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Manner {
     /// A root at an end of the range counts.
     EndsCount,
     /// A tangent is a miss.
     TangentsMiss,
-    /// Only what is in front of the eye is hit.
+    /// A root behind the eye is a miss.
     NothingBehind,
 }
 
 impl Manner {
-    /// Returns the sentence that tells of it, with its origin.
+    /// Returns the clause that describes the manner and names its origin.
     pub fn says(self) -> &'static str {
         match self {
             Self::EndsCount => "a root at an end of the range counts, as in version 3 of the book",
@@ -30,7 +30,7 @@ impl Manner {
         }
     }
 
-    /// Finds the manners that a function keeps wherever one would show.
+    /// Finds the manners that a function keeps in each telling question in which they would show.
     pub(super) fn of(function: FunctionKind, ask: &Ask) -> Vec<Self> {
         let asked = match function {
             FunctionKind::Record => telling_cases(&ordinary_with_interval()),
@@ -57,8 +57,8 @@ impl Manner {
         all.into_iter().filter(is_kept).collect()
     }
 
-    /// Returns true if a function with this manner must answer otherwise than one without, whatever else
-    /// its manners are.
+    /// Returns true if a function with this manner must give another answer to the question than one
+    /// without, whatever its other manners are.
     fn shows(self, function: FunctionKind, asked: &IntervalCase) -> bool {
         let IntervalCase { case, t_min, t_max } = *asked;
         let exact = ExactCase::of(&case);
@@ -88,7 +88,7 @@ impl Manner {
         }
     }
 
-    /// Returns the right answer, if what was found differs from that by this manner alone.
+    /// Returns the right answer, if the answer that was found differs from it by this manner alone.
     pub(super) fn meant(
         self,
         function: FunctionKind,
@@ -117,7 +117,7 @@ impl Manner {
     }
 }
 
-/// Fills the record of a hit at `t`, as chapter 5 fills it.
+/// Makes the right record of a hit at the ray parameter `t`, as chapter 5 does.
 pub(super) fn right_record(case: &Case, t: f64) -> RecordedHit {
     let point = case.ray.at(t);
     let outward = (point - case.center) * (1.0 / case.radius);

@@ -1,7 +1,5 @@
-//! An adapter for any language: a function that is asked by lines of text, and answers by lines.
-//!
-//! A line asks about one ray and one sphere, a line answers. So a program in any language can be
-//! put under the laws of a Rust function, if it reads and prints numbers.
+//! An adapter that puts a program in any language under the laws of a Rust function: it reads
+//! questions and prints answers, a line of text each, about one ray and one sphere.
 
 use std::cell::RefCell;
 
@@ -16,40 +14,41 @@ mod manner;
 pub use manner::Manner;
 use manner::right_record;
 
-/// What stands for an infinite end: not every language reads infinity, and no root that is asked
-/// for is as far away.
+/// The finite number that stands for an infinite end of a range: not every language reads infinity,
+/// and no root that is asked for is as far away.
 const FAR: f64 = 1e300;
 
-/// What a function of a chapter answers about one ray and one sphere.
+/// The kind of a chapter's function, by its answer about one ray and one sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FunctionKind {
-    /// True if the line meets the sphere, as in chapter 2.
+    /// A function that decides whether the line meets the sphere, as in chapter 2.
     Decision,
-    /// The nearer root, as in chapters 3 and 4.
+    /// A function that returns the nearer root, as in chapters 3 and 4.
     Root,
-    /// The nearest hit in a range, as in chapter 5.
+    /// A function that returns the nearest hit in a range, as in chapter 5.
     Record,
 }
 
-/// Asks a program for the hit in a range, which only a [`FunctionKind::Record`] has.
+/// A function that asks a program for the nearest hit; only a [`FunctionKind::Record`] heeds the
+/// range of the question.
 pub type Ask<'a> = dyn Fn(&IntervalCase) -> Option<RecordedHit> + 'a;
 
-/// What comes of a program.
+/// The verdict of the laws on a function in any language.
 pub struct FunctionVerdict {
-    /// True if the laws hold, apart from its manners.
+    /// The outcome of the laws, with answers that differ only by a manner taken as right.
     pub outcome: Outcome,
-    /// In which of its answers it differs from version 4 of the book, and no picture shows it.
+    /// The manners in which some of its answers differ from version 4 of the book.
     pub manners: Vec<Manner>,
-    /// What was asked about the smallest case that breaks a law.
+    /// The questions about the smallest case that breaks a law, each once; empty if none is broken.
     pub last: Vec<IntervalCase>,
 }
 
-/// Why a line is no answer.
+/// The reason why a line is no answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoAnswer {
-    /// Its numbers have a comma where a decimal point should be.
+    /// A number has a comma where the decimal point should be.
     DecimalComma,
-    /// It is something else.
+    /// The line has other words, or more or fewer numbers, than an answer.
     Other,
 }
 
@@ -71,14 +70,15 @@ impl FunctionKind {
         words.collect::<Vec<_>>().join(" ")
     }
 
-    /// Reads the answer of a line.
+    /// Parses the line that answers a question; `None` is a miss.
     ///
-    /// For a record, the normal and `front` or `back` may stand behind `t`; without them, they
-    /// count as right. If a program `says_minus_one` for a miss, as the book's C++ in chapters 3
-    /// and 4, that counts as one, unless it is the root.
+    /// The line is `miss`, `hit` for a decision, or the number `t`. For a record, the normal and
+    /// `front` or `back` may follow `t`; without them, they count as right. If a program
+    /// `says_minus_one` for a miss, as the book's C++ does in chapters 3 and 4, that number is a miss
+    /// unless it is the root.
     ///
     /// # Errors
-    /// If it is no answer.
+    /// If the line is no answer, with the reason.
     pub fn read(
         self,
         asked: &IntervalCase,
@@ -107,7 +107,7 @@ impl FunctionKind {
     }
 }
 
-/// Reads a number as any language prints it: NaN also as `-nan(ind)`.
+/// Parses a number as any language prints it: NaN also as `-nan(ind)`.
 fn number(word: &str) -> Result<f64, NoAnswer> {
     let is_nan = word.to_ascii_lowercase().contains("nan");
     let has_comma = || word.replace(',', ".").parse::<f64>().is_ok();
@@ -119,7 +119,7 @@ fn number(word: &str) -> Result<f64, NoAnswer> {
     }
 }
 
-/// Returns true if `t` is the nearer root, as far as rounding lets it be known.
+/// Returns true if `t` is the nearer root, within the bound of rounding.
 fn is_root(case: &Case, t: f64) -> bool {
     let exact = ExactCase::of(case);
     let bound = root_bound(case, exact.discriminant_margin());
@@ -172,7 +172,7 @@ pub fn tried(trial: &Trial, function: FunctionKind, ask: &Ask) -> FunctionVerdic
     }
 }
 
-/// Each question once, of the kind of the last one: what is asked about a range is no matter of
+/// Returns each question once, and only those of the kind of the last one: about a range, or about
 /// the whole line.
 fn of_one_kind(asked: Vec<IntervalCase>) -> Vec<IntervalCase> {
     let is_on_the_line = |it: &IntervalCase| it.t_min == f64::NEG_INFINITY;

@@ -1,13 +1,13 @@
-//! P6, raw PPM: the same header, and then bytes.
+//! P6, raw PPM: a parser of the same header as that of P3, and of three bytes a pixel.
 
 use super::cause::{AS_BYTES, Cause};
 use super::header;
 use super::numbers::Reading;
-use super::tokens::Tokens;
+use super::tokens::PpmTokens;
 
-/// Reads a P6 file.
+/// Reads a P6 file, which begins with `P6`. Names the first fault that it finds.
 pub(super) fn read(bytes: &[u8]) -> Result<Reading, Cause> {
-    let mut tokens = Tokens::after_magic(bytes);
+    let mut tokens = PpmTokens::after_magic(bytes);
     let header = header::read(bytes, &mut tokens)?;
     let (header_text, body) = bytes.split_at(tokens.body().min(bytes.len()));
     if is_numbers(body) && !fits(header, body) {
@@ -34,8 +34,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Reading, Cause> {
     })
 }
 
-/// Returns true if the body has the bytes that the header promises. A dark picture may look like
-/// text, but only by chance like text of just this length.
+/// Returns true if the body has as many bytes as the header promises. Only such a body may look
+/// like text and be none: that of a dark picture.
 fn fits(header: header::Header, body: &[u8]) -> bool {
     let [width, height, _] = header.numbers;
     let pixels = width
@@ -44,6 +44,7 @@ fn fits(header: header::Header, body: &[u8]) -> bool {
     pixels == i64::try_from(body.len()).ok()
 }
 
+/// Returns true if the body is text of whole numbers alone.
 fn is_numbers(body: &[u8]) -> bool {
     !body.is_empty()
         && body
@@ -51,7 +52,7 @@ fn is_numbers(body: &[u8]) -> bool {
             .all(|byte| byte.is_ascii_digit() || byte.is_ascii_whitespace() || *byte == b'-')
 }
 
-/// Why there are not three bytes a pixel.
+/// Names the fault of a body that has not the `wanted` number of bytes, three a pixel.
 fn miscounted(wanted: usize, header: &[u8], body: &[u8]) -> Cause {
     let found = body.len();
     let problem = format!("the picture needs {wanted} bytes after the header, but {found} follow");
@@ -74,8 +75,8 @@ fn miscounted(wanted: usize, header: &[u8], body: &[u8]) -> Cause {
     }
 }
 
-/// Returns what was done to bytes that were taken for text, if their number tells. Windows ends a
-/// line with 13 and 10, other systems with 10 alone.
+/// Says how ends of lines were changed in bytes that were taken for text, if the number of bytes
+/// shows it. Windows ends a line with 13 and 10, other systems with 10 alone.
 fn changed_ends_of_line(wanted: usize, header: &[u8], body: &[u8]) -> Option<&'static str> {
     // The second half of the end of the header's last line.
     let rest = body.strip_prefix(b"\n").filter(|_| header.ends_with(b"\r"));

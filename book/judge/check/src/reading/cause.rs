@@ -1,22 +1,22 @@
-//! Why some bytes are no picture.
+//! A fault of a file or a picture: its name, the problem and the fix.
 
 use std::fmt;
 
 use super::limits::{MOST_BYTES, MOST_PIXELS};
 
-/// What keeps a file from being a picture.
+/// What keeps a file from being a picture, or a picture from being the right one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Cause {
-    /// What the cause is called, for programs. It never changes.
+    /// The name of the cause for programs, such as `too-few-numbers`; it never changes.
     pub name: &'static str,
-    /// What is wrong, and where.
+    /// A sentence on what is wrong and where, without capital and full stop.
     pub problem: String,
-    /// What to do about it.
+    /// Sentences on what to do about the problem.
     pub fix: String,
 }
 
 impl Cause {
-    /// A cause by its name, the problem and the fix.
+    /// Makes a cause of its name, the problem and the fix.
     pub fn new(name: &'static str, problem: impl Into<String>, fix: impl Into<String>) -> Self {
         Self {
             name,
@@ -25,7 +25,7 @@ impl Cause {
         }
     }
 
-    /// A file of more than [`MOST_BYTES`].
+    /// Refuses a file of more than [`MOST_BYTES`] bytes.
     pub fn too_large() -> Self {
         Self::new(
             "too-large",
@@ -34,6 +34,8 @@ impl Cause {
         )
     }
 
+    /// Refuses a picture whose header promises more than [`MOST_PIXELS`], with its width and height
+    /// as they stand there.
     pub(super) fn absurd_size([width, height]: [String; 2]) -> Self {
         Self::new(
             "absurd-size",
@@ -51,7 +53,7 @@ impl fmt::Display for Cause {
     }
 }
 
-/// What to do when bytes have been changed as if they were text.
+/// The fix for bytes that have been changed as if they were text.
 pub(super) const AS_BYTES: &str = "Print bytes as bytes. On Windows that is a file opened with \"wb\" in C and Python, or with \
      std::ios::binary in C++; for standard output _setmode(_fileno(stdout), _O_BINARY) in C and C++, \
      and sys.stdout.buffer in Python. A copy must be binary too: git may need *.ppm binary in .gitattributes.";

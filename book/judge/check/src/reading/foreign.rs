@@ -1,11 +1,12 @@
-//! File signatures: what is neither PPM nor PNG, and what it is instead.
+//! File signatures: recognizes files that are neither PPM nor PNG by their first bytes.
 
 use super::cause::Cause;
 
+/// The fix for a text that a shell has put into another encoding.
 const REDIRECT: &str = "PowerShell before 7.4 does this to what > writes. Let the program write the file itself, or type: cmd /c \"program > picture.ppm\"";
 
-/// The text as a program has printed it, and what a shell has made of it, if it has: a
-/// letter of two bytes, or a mark before the first.
+/// Takes back what a shell does to the text of a program: returns the text as it was printed, and
+/// names the encoding, UTF-16 or a byte-order mark. `None` for bytes in neither.
 pub(super) fn before_a_shell(bytes: &[u8]) -> Option<(Vec<u8>, Cause)> {
     let (text, name, problem) = match bytes {
         [0xff, 0xfe, 0, 0, ..] | [b'P', 0, 0, ..] => return None,
@@ -27,14 +28,15 @@ pub(super) fn before_a_shell(bytes: &[u8]) -> Option<(Vec<u8>, Cause)> {
     Some((text, Cause::new(name, problem, REDIRECT)))
 }
 
-/// A picture as text has no letter that takes more than a byte.
+/// Decodes UTF-16 into a byte a letter, with `?` for letters beyond a byte, which no picture has.
+/// `unit` joins two bytes in their order.
 fn narrow(words: &[u8], unit: fn([u8; 2]) -> u16) -> Vec<u8> {
     let (words, _) = words.as_chunks();
     let letter = |&word: &[u8; 2]| u8::try_from(unit(word)).unwrap_or(b'?');
     words.iter().map(letter).collect()
 }
 
-/// Formats that are recognized only to say that they are not read.
+/// The first bytes and the names of formats that are recognized, and not read.
 const FORMATS: [(&[u8], &str); 14] = [
     (b"\xff\xd8\xff", "JPEG, which changes colors"),
     (b"GIF8", "GIF, which has no more than 256 colors"),
@@ -52,15 +54,40 @@ const FORMATS: [(&[u8], &str); 14] = [
     (b"\0\0\0P", "text in UTF-32"),
 ];
 
-/// Why bytes that begin like neither P3, P6 nor PNG are no picture.
+/// A test of the bytes behind the white space at the beginning of a file, and the name, the problem
+/// and the fix of a fault.
+type Fault = (fn(&[u8]) -> bool, &'static str, &'static str, &'static str);
+
+/// Usual beginnings of files that are no pictures.
+const FAULTS: [Fault; 4] = [
+    (
+        |text| text.is_empty(),
+        "empty",
+        "the file is empty",
+        "Did the program stop with an error, or print to standard error? The picture goes to standard output.",
+    ),
+    (
+        |text| text.starts_with(b"P3") || text.starts_with(b"P6"),
+        "header",
+        "white space stands before the first letter",
+        "The file begins with its P at once.",
+    ),
+    (
+        |text| text.starts_with(b"p3") || text.starts_with(b"p6"),
+        "header",
+        "the first letter is a small p",
+        "Write P3, with a capital P.",
+    ),
+    (
+        |text| text[0].is_ascii_digit() || text[0] == b'-',
+        "missing-header",
+        "the file begins with a number: its first line is missing",
+        "First comes P3, then width and height, and then 255, on a line each; below them the pixels.",
+    ),
+];
+
+/// Names what keeps bytes from being a picture that begin neither with P3 or P6 nor as a PNG does.
 pub(super) fn cause(bytes: &[u8]) -> Cause {
-    if bytes.iter().all(u8::is_ascii_whitespace) {
-        return Cause::new(
-            "empty",
-            "there is nothing in it",
-            "Did the program stop with an error, or print to standard error? The picture goes to standard output.",
-        );
-    }
     if let Some((_, format)) = FORMATS.iter().find(|(magic, _)| bytes.starts_with(magic)) {
         return Cause::new(
             "other-format",
@@ -79,29 +106,8 @@ pub(super) fn cause(bytes: &[u8]) -> Cause {
         );
     }
     let text = bytes.trim_ascii_start();
-    if text.starts_with(b"P3") || text.starts_with(b"P6") {
-        return Cause::new(
-            "header",
-            "white space stands before the first letter",
-            "The file begins with its P at once.",
-        );
-    }
-    if text.starts_with(b"p3") || text.starts_with(b"p6") {
-        return Cause::new(
-            "header",
-            "the first letter is a small p",
-            "Write P3, with a capital P.",
-        );
-    }
-    if text
-        .first()
-        .is_some_and(|byte| byte.is_ascii_digit() || *byte == b'-')
-    {
-        return Cause::new(
-            "missing-header",
-            "the file begins with a number: its first line is missing",
-            "First comes P3, then width and height, and then 255, on a line each; below them the pixels.",
-        );
+    if let Some(&(_, name, problem, fix)) = FAULTS.iter().find(|(is_it, ..)| is_it(text)) {
+        return Cause::new(name, problem, fix);
     }
     let line: String = String::from_utf8_lossy(&text[..text.len().min(160)])
         .chars()
@@ -110,7 +116,9 @@ pub(super) fn cause(bytes: &[u8]) -> Cause {
         .collect();
     Cause::new(
         "not-a-picture",
-        format!("it begins with {line:?}, and a picture begins with P3, P6 or the mark of a PNG"),
+        format!(
+            "the file begins with {line:?}, and a picture begins with P3, P6 or the mark of a PNG"
+        ),
         "Send only the picture to standard output, the header first. Messages go to standard error.",
     )
 }

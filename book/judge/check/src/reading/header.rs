@@ -1,26 +1,27 @@
-//! The PPM header: width, height and the highest level.
+//! A parser of the PPM header: width, height and the highest level.
 
 use super::cause::Cause;
 use super::limits::MOST_PIXELS;
-use super::tokens::{Token, Tokens};
+use super::tokens::{PpmToken, PpmTokens};
 
-/// Width, height and maximum.
+/// The three numbers of a header.
 #[derive(Clone, Copy)]
 pub(super) struct Header<'a> {
+    /// Width and height in pixels, and the highest level.
     pub(super) numbers: [i64; 3],
-    /// The numbers as they stand in the file, which may be too long for the above.
-    words: [Token<'a>; 3],
+    /// The words of the three numbers as they stand in the file, which may be beyond 64 bits.
+    words: [PpmToken<'a>; 3],
 }
 
 impl Header<'_> {
-    /// The highest level that the file says it has.
+    /// Returns the highest level, which should be 255.
     pub(super) fn maximum(&self) -> i64 {
         self.numbers[2]
     }
 }
 
-/// Reads the three numbers.
-pub(super) fn read<'a>(bytes: &[u8], tokens: &mut Tokens<'a>) -> Result<Header<'a>, Cause> {
+/// Reads the three numbers; names the first fault that it finds.
+pub(super) fn read<'a>(bytes: &[u8], tokens: &mut PpmTokens<'a>) -> Result<Header<'a>, Cause> {
     if bytes.get(2).is_some_and(u8::is_ascii_alphanumeric) {
         return Err(Cause::new(
             "header",
@@ -46,7 +47,7 @@ pub(super) fn read<'a>(bytes: &[u8], tokens: &mut Tokens<'a>) -> Result<Header<'
     })
 }
 
-/// The size that the header promises, if a picture can have it.
+/// Returns width and height in pixels, if both are at least 1 and a picture of that size is read.
 pub(super) fn size(header: Header) -> Result<(u32, u32), Cause> {
     let [width, height, _] = header.numbers;
     if width < 0 || height < 0 {
@@ -74,7 +75,8 @@ pub(super) fn size(header: Header) -> Result<(u32, u32), Cause> {
     }
 }
 
-/// Why the third number is not 255, from how many numbers follow it.
+/// Names the fault of a header whose third number is not 255, guessed from how many numbers follow
+/// it.
 pub(super) fn wrong_maximum(header: Header, following: u64) -> Cause {
     let [first, second, third] = header.numbers;
     let pixels = |width: i64, height: i64| match (u64::try_from(width), u64::try_from(height)) {
@@ -110,12 +112,13 @@ pub(super) fn wrong_maximum(header: Header, following: u64) -> Cause {
     Cause::new(
         "wrong-maximum",
         format!(
-            "the highest level is said to be {}",
+            "the header says that the highest level is {}",
             header.words[2].shown()
         ),
         "Write 255 after the size, and levels from 0 to 255: int(255.999 * r).",
     )
 }
 
+/// The fix for a header whose numbers are not in their order.
 const ORDER: &str =
     "The header is P3 (or P6), then width and height, then 255, such as \"P3\\n400 225\\n255\\n\".";

@@ -1,4 +1,4 @@
-//! Limits: how much is read of what anyone may send.
+//! Limits on the size of the files and pictures that are read.
 
 /// The largest file that is read, in bytes. A P3 text of [`MOST_PIXELS`] fits.
 pub const MOST_BYTES: usize = 1 << 29;

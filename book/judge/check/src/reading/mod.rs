@@ -28,10 +28,10 @@ pub use cause::Cause;
 pub use limits::{MOST_BYTES, MOST_PIXELS};
 pub use numbers::{Outside, Reading};
 
-/// The picture that a file holds.
+/// Reads the picture in the bytes of a file: P3, P6 or PNG, also P3 in UTF-16 as a shell may make it.
 ///
 /// # Errors
-/// What keeps the bytes from being a picture, and how to mend it.
+/// The [`Cause`] that keeps the bytes from being a picture, with its fix.
 pub fn read(bytes: &[u8]) -> Result<Reading, Cause> {
     if bytes.len() > MOST_BYTES {
         return Err(Cause::too_large());

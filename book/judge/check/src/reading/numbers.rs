@@ -1,43 +1,44 @@
-//! The numbers of a picture as they stand in a file, levels or not.
+//! The numbers of a picture as they stand in a file: levels from 0 to 255, or others.
 
 use common::rtweekend::Picture;
 
 use super::cause::Cause;
 
-/// A picture as a reader's program wrote it.
+/// A picture that was read from a file, with its numbers as a reader's program wrote them.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Reading {
-    /// Pixels in a row, at least 1.
+    /// Width in pixels, at least 1.
     pub width: u32,
-    /// Number of rows, at least 1.
+    /// Height in pixels, at least 1.
     pub height: u32,
-    /// Red, green and blue, row by row from the top.
+    /// Red, green and blue of each pixel, `j * width + i`, row by row from the top.
     ///
-    /// A P3 text may hold numbers that no level can be, such as 256 and −107,
-    /// and they tell much about a mistake. What 16 bits can't hold stops at
-    /// ±2¹⁵, which is far beyond what any mistake needs.
+    /// Levels are from 0 to 255. A P3 text may hold other numbers, such as 256 and −107, which tell
+    /// much about a mistake; beyond 16 bits they become the largest or the smallest number.
     pub pixels: Vec<[i16; 3]>,
-    /// What keeps a viewer from the text, if a shell has put it into another encoding.
+    /// A fault that does not keep the picture from being read, only viewers from showing it, or
+    /// some of it: another encoding of a text, or transparent pixels of a PNG; `None` if there is
+    /// none.
     pub encoding: Option<Cause>,
 }
 
-/// Numbers that are no levels: below 0 or above 255.
+/// The numbers of a picture that are no levels: below 0 or above 255.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Outside {
-    /// How many pixels have at least one.
+    /// Number of pixels with at least one such number, at least 1.
     pub count: usize,
-    /// Column and row of the first one.
-    pub first: (u32, u32),
-    /// Its red, green and blue.
+    /// Column and row of the first such pixel, from the left and from the top.
+    pub first: [u32; 2],
+    /// Red, green and blue of that pixel.
     pub pixel: [i16; 3],
-    /// The lowest number of the picture.
+    /// The lowest number of the whole picture.
     pub lowest: i16,
-    /// The highest number of the picture.
+    /// The highest number of the whole picture.
     pub highest: i16,
 }
 
 impl Reading {
-    /// Returns this picture as numbers from a file hold it.
+    /// Returns the reading of a file that holds this picture.
     pub fn of(picture: &Picture) -> Self {
         let (pixels, _) = picture.rgb().as_chunks::<3>();
         Self {
@@ -48,7 +49,8 @@ impl Reading {
         }
     }
 
-    /// Returns the picture that a viewer can show: numbers stop at 0 and 255.
+    /// Returns the picture as a viewer shows it: numbers below 0 become 0, those above 255 become
+    /// 255.
     ///
     /// # Panics
     /// If there are more or fewer pixels than the size says.
@@ -59,12 +61,12 @@ impl Reading {
             .expect("a reading has as many pixels as its size says")
     }
 
-    /// Returns true if all pixels are of the same color.
+    /// Returns true if all pixels have the same color.
     pub fn is_plain(&self) -> bool {
         self.pixels.iter().all(|pixel| *pixel == self.pixels[0])
     }
 
-    /// The numbers that are no levels, if there are any.
+    /// Finds the numbers that are no levels; `None` if all are from 0 to 255.
     pub fn outside(&self) -> Option<Outside> {
         let is_outside = |pixel: &[i16; 3]| pixel.iter().any(|level| !(0..256).contains(level));
         let n = self.pixels.iter().position(is_outside)?;
@@ -75,7 +77,7 @@ impl Reading {
                 .iter()
                 .filter(|&pixel| is_outside(pixel))
                 .count(),
-            first: (n as u32 % self.width, n as u32 / self.width),
+            first: [n as u32 % self.width, n as u32 / self.width],
             pixel: self.pixels[n],
             lowest: levels().min()?,
             highest: levels().max()?,

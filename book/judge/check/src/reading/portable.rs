@@ -1,4 +1,4 @@
-//! PNG, read by the image library within limits.
+//! PNG: a decoder with limits on size and memory, around that of the crate `image`.
 
 use std::io::{Cursor, ErrorKind};
 
@@ -9,9 +9,10 @@ use super::cause::{AS_BYTES, Cause};
 use super::limits::MOST_PIXELS;
 use super::numbers::Reading;
 
+/// The first eight bytes of a PNG file.
 const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
 
-/// Reads a PNG file of three or four channels, or gray.
+/// Reads a PNG file of three or four channels, or gray. Names the first fault that it finds.
 pub(super) fn read(bytes: &[u8]) -> Result<Reading, Cause> {
     if !bytes.starts_with(SIGNATURE) && bytes.len() >= SIGNATURE.len() {
         return Err(Cause::new(
@@ -40,7 +41,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Reading, Cause> {
     })
 }
 
-/// Width and height as the first chunk tells them.
+/// Reads width and height in pixels from the first chunk; `None` if that is no header.
 fn size(bytes: &[u8]) -> Option<[u32; 2]> {
     let chunk = bytes.strip_prefix(SIGNATURE)?.get(4..)?;
     let (numbers, _) = chunk.strip_prefix(b"IHDR")?.as_chunks();
@@ -48,7 +49,8 @@ fn size(bytes: &[u8]) -> Option<[u32; 2]> {
     Some([width, height].map(|number| u32::from_be_bytes(*number)))
 }
 
-/// The levels, with what is lost by taking three bytes a pixel.
+/// Returns the levels of an image, three a pixel, and a remark if some pixels are transparent:
+/// these are taken as on black. Refuses an image of which more than half is transparent.
 fn pixels(image: DynamicImage) -> Result<(Vec<[i16; 3]>, Option<Cause>), Cause> {
     // The upper byte is the level, both where 8 bits became 16 and where a component was scaled
     // by 65535.999.
@@ -82,6 +84,7 @@ fn pixels(image: DynamicImage) -> Result<(Vec<[i16; 3]>, Option<Cause>), Cause> 
     Ok((pixels, taken))
 }
 
+/// Names the cause of an error of the decoder.
 fn cause(error: ImageError) -> Cause {
     match error {
         ImageError::Limits(_) => Cause::new(
@@ -100,6 +103,7 @@ fn cause(error: ImageError) -> Cause {
     }
 }
 
+/// Refuses a file that ends before its picture does.
 fn truncated() -> Cause {
     Cause::new(
         "truncated-png",

@@ -1,41 +1,46 @@
-//! A tokenizer for PPM: words, comments and line ends.
+//! A tokenizer for the text of PPM files: words, comments and line ends.
 
 use super::cause::Cause;
 
-/// Words between white space, each with its place in the file. What follows a
-/// `#` up to the end of the line is a comment.
+/// An iterator over the words of a PPM file that stand between white space. A `#` and the rest of
+/// its line are a comment.
 ///
-/// A comment may stand right behind a number, as in `400#width`, and ends it, as
-/// netpbm's own tools have it. Behind anything else, a `#` belongs to the word: of
-/// `1.#IND`, which Windows prints for NaN, a message shows all.
+/// A comment may follow a number at once, as in `400#width`, and ends it, as netpbm's own tools
+/// have it. A `#` that follows anything else belongs to the word, so that a message shows all of
+/// `1.#IND`, which Windows prints for NaN.
 #[derive(Clone)]
-pub(super) struct Tokens<'a> {
+pub(super) struct PpmTokens<'a> {
+    /// The bytes of the file.
     bytes: &'a [u8],
+    /// The index of the first byte that is not yet read.
     at: usize,
 }
 
-/// A word of the text.
+/// A word of a PPM file.
 #[derive(Clone, Copy)]
-pub(super) struct Token<'a> {
+pub(super) struct PpmToken<'a> {
+    /// The bytes of the word, at least one.
     pub(super) word: &'a [u8],
+    /// The index of its first byte in the file.
     start: usize,
 }
 
-impl<'a> Tokens<'a> {
-    /// The words after the two letters that say which format it is.
+impl<'a> PpmTokens<'a> {
+    /// Begins behind the two letters that name the format, `P3` or `P6`.
     pub(super) fn after_magic(bytes: &'a [u8]) -> Self {
         Self { bytes, at: 2 }
     }
 
-    /// Where bytes begin that are no words: after the one byte of white space that
-    /// ends the last word. As netpbm has it, a comment right behind the word comes
-    /// before that byte, which is then the end of its line.
+    /// Returns the index of the first byte behind the header of a P6 file: the one after the single
+    /// byte of white space that ends the last word. As netpbm has it, a comment that follows the
+    /// word at once comes before that byte, which is then the end of the comment's line. May lie
+    /// beyond the end of the file.
     pub(super) fn body(&self) -> usize {
         self.at + self.comment() + 1
     }
 
-    /// How long the comment is that begins here, without the end of the line; 0 if
-    /// none does.
+    /// Returns the length in bytes of the comment that begins at the next byte, without the end of
+    /// its line; 0 if none does.
     fn comment(&self) -> usize {
         let rest = &self.bytes[self.at..];
         let is_end = |byte: &u8| b"\r\n".contains(byte);
@@ -46,10 +51,10 @@ impl<'a> Tokens<'a> {
     }
 }
 
-impl<'a> Iterator for Tokens<'a> {
-    type Item = Token<'a>;
+impl<'a> Iterator for PpmTokens<'a> {
+    type Item = PpmToken<'a>;
 
-    fn next(&mut self) -> Option<Token<'a>> {
+    fn next(&mut self) -> Option<PpmToken<'a>> {
         loop {
             let byte = *self.bytes.get(self.at)?;
             if byte == b'#' {
@@ -63,7 +68,7 @@ impl<'a> Iterator for Tokens<'a> {
         let start = self.at;
         let rest = &self.bytes[start..];
         let length = rest.iter().position(|&byte| is_space(byte));
-        let token = Token {
+        let token = PpmToken {
             word: &rest[..length.unwrap_or(rest.len())],
             start,
         };
@@ -73,8 +78,8 @@ impl<'a> Iterator for Tokens<'a> {
     }
 }
 
-impl Token<'_> {
-    /// The number that stands before a comment in this word, if one does.
+impl PpmToken<'_> {
+    /// Returns the part before a `#` of this word, if that part is a number.
     fn before_comment(self) -> Option<Self> {
         let end = self.word.iter().position(|&byte| byte == b'#')?;
         let word = &self.word[..end];
@@ -82,8 +87,8 @@ impl Token<'_> {
         token.number().map(|_| token)
     }
 
-    /// Returns the number that the word is; one beyond 64 bits is the largest, since
-    /// no size and no level is that large.
+    /// Parses the word as a whole number with an optional sign; `None` if it is none. A number
+    /// beyond 64 bits becomes the largest or the smallest one.
     pub(super) fn number(&self) -> Option<i64> {
         let (negative, digits) = match self.word {
             [b'-', digits @ ..] => (true, digits),
@@ -104,7 +109,8 @@ impl Token<'_> {
         Some(if negative { -number } else { number })
     }
 
-    /// The word as a message can show it: short and harmless.
+    /// Returns the word as a message can show it: at most 24 characters, without control
+    /// characters.
     pub(super) fn shown(&self) -> String {
         const LONGEST: usize = 24;
         let shown: String = String::from_utf8_lossy(&self.word[..self.word.len().min(4 * LONGEST)])
@@ -119,7 +125,8 @@ impl Token<'_> {
         }
     }
 
-    /// Where the word is, for a message.
+    /// Names the line, counted from 1, and the byte, counted from 0, at which the word begins in
+    /// the file of these `bytes`.
     pub(super) fn place(&self, bytes: &[u8]) -> String {
         // The old Macintosh ended a line with 13 alone, Windows does with 13 and 10.
         let is_end = |at: &usize| match bytes[*at] {
@@ -130,7 +137,7 @@ impl Token<'_> {
         format!("line {lines}, byte {}", self.start)
     }
 
-    /// Returns what is wrong with a word after the last pixel, whatever it is.
+    /// Names what is wrong with a word that follows the last pixel.
     pub(super) fn stray(&self, bytes: &[u8]) -> Cause {
         if matches!(self.word, b"P3" | b"P6") {
             return self.cause(bytes);
@@ -143,85 +150,93 @@ impl Token<'_> {
         )
     }
 
-    /// Why the word is no number, though one should be there.
+    /// Names what is wrong with a word where a number should be, which is no number.
     pub(super) fn cause(&self, bytes: &[u8]) -> Cause {
-        let problem = |what: &str| {
-            let (word, place) = (self.shown(), self.place(bytes));
-            format!("{place}: {word:?} {what}")
-        };
         let text = String::from_utf8_lossy(self.word);
-        let lower = text.trim_start_matches(['-', '+']).to_ascii_lowercase();
-        if self.word.contains(&0x1b) {
-            Cause::new(
-                "text-in-body",
-                problem("has terminal colors in it"),
-                NO_TEXT,
-            )
-        } else if ["nan", "inf", "1.#"]
-            .iter()
-            .any(|odd| lower.starts_with(odd))
-        {
-            Cause::new(
-                "not-a-number",
-                problem(
-                    "is what a division by zero, or the square root of a negative number, prints",
-                ),
-                "Convert to int before printing, and look for 0 / 0: a direction of length zero, or a width of 1 without a guard.",
-            )
-        } else if text.parse::<f64>().is_ok() {
-            Cause::new(
-                "fractions",
-                problem("is not a whole number"),
-                "Print integers alone, as sizes and as levels: int(255.999 * r).",
-            )
-        } else if text.contains("\\n") {
-            Cause::new(
-                "line-endings",
-                problem("has the two characters \\ and n in it instead of a new line"),
-                "Write \"\\n\" between double quotes, in the language's own way.",
-            )
-        } else if text.contains('\u{a0}') {
-            Cause::new(
-                "separators",
-                problem("has a no-break space in it, which looks like a space"),
-                "Type ordinary spaces between the numbers, in the header too.",
-            )
-        } else if text.contains([',', ';', '(', '[', '{']) {
-            Cause::new(
-                "separators",
-                problem("has more than digits in it"),
-                "Separate the numbers by spaces and new lines alone, without commas or brackets.",
-            )
-        } else if self.word == b"P3" || self.word == b"P6" {
-            Cause::new(
-                "second-picture",
-                problem("begins a second picture"),
-                "Write into a new file: >> appends to what is there, > replaces it.",
-            )
-        } else if self
-            .word
-            .iter()
-            .any(|byte| !byte.is_ascii() || *byte < b' ')
-        {
-            Cause::new(
-                "binary-in-text",
-                problem("is not text"),
-                "P3 is followed by numbers as text: does something else print to standard output, as \"press any key\" in another language? Print the numbers as text, with spaces between them.",
-            )
-        } else if let [b'0'..=b'9', .., b'n'] = self.word[..] {
-            Cause::new(
-                "text-in-body",
-                problem("stands among the numbers"),
-                "A line ends with \\n: is the backslash missing?",
-            )
-        } else {
-            Cause::new("text-in-body", problem("stands among the numbers"), NO_TEXT)
-        }
+        let fault = FAULTS.iter().find(|(is_it, ..)| is_it(&text));
+        let (_, name, problem, fix) = *fault.expect("the last fault is that of any word");
+        let (word, place) = (self.shown(), self.place(bytes));
+        Cause::new(name, format!("{place}: {word:?} {problem}"), fix)
     }
 }
 
+/// A test of a word that is no number, and the name, the problem and the fix of its fault.
+type Fault = (fn(&str) -> bool, &'static str, &'static str, &'static str);
+
+/// The faults of words that are no numbers; the first whose test a word passes is its fault.
+const FAULTS: [Fault; 10] = [
+    (
+        |word| word.contains('\u{1b}'),
+        "text-in-body",
+        "has terminal colors in it",
+        NO_TEXT,
+    ),
+    (
+        is_not_a_number,
+        "not-a-number",
+        "is what a division by zero, or the square root of a negative number, prints",
+        "Convert to int before printing, and look for 0 / 0: a direction of length zero, or a width of 1 without a guard.",
+    ),
+    (
+        |word| word.parse::<f64>().is_ok(),
+        "fractions",
+        "is not a whole number",
+        "Print integers alone, as sizes and as levels: int(255.999 * r).",
+    ),
+    (
+        |word| word.contains("\\n"),
+        "line-endings",
+        "has the two characters \\ and n in it instead of a new line",
+        "Write \"\\n\" between double quotes, in the language's own way.",
+    ),
+    (
+        |word| word.contains('\u{a0}'),
+        "separators",
+        "has a no-break space in it, which looks like a space",
+        "Type ordinary spaces between the numbers, in the header too.",
+    ),
+    (
+        |word| word.contains([',', ';', '(', '[', '{']),
+        "separators",
+        "has more than digits in it",
+        "Separate the numbers by spaces and new lines alone, without commas or brackets.",
+    ),
+    (
+        |word| matches!(word, "P3" | "P6"),
+        "second-picture",
+        "begins a second picture",
+        "Write into a new file: >> appends to what is there, > replaces it.",
+    ),
+    (
+        |word| word.contains(|letter: char| !letter.is_ascii() || letter < ' '),
+        "binary-in-text",
+        "is not text",
+        "P3 is followed by numbers as text: does something else print to standard output, as \"press any key\" in another language? Print the numbers as text, with spaces between them.",
+    ),
+    (
+        |word| word.starts_with(|letter: char| letter.is_ascii_digit()) && word.ends_with('n'),
+        "text-in-body",
+        "stands among the numbers",
+        "A line ends with \\n: is the backslash missing?",
+    ),
+    (
+        |_| true,
+        "text-in-body",
+        "stands among the numbers",
+        NO_TEXT,
+    ),
+];
+
+/// Returns true if C or C++ prints a NaN or an infinity as this word.
+fn is_not_a_number(word: &str) -> bool {
+    let word = word.trim_start_matches(['-', '+']).to_ascii_lowercase();
+    ["nan", "inf", "1.#"].iter().any(|it| word.starts_with(it))
+}
+
+/// The fix for text among the numbers.
 const NO_TEXT: &str = "Only the picture goes to standard output. Send progress and messages to standard error: std::clog, eprintln!, sys.stderr.";
 
+/// Returns true for a byte that is white space in a PPM file.
 fn is_space(byte: u8) -> bool {
     // The vertical tab and the form feed are white space to a PPM as well.
     matches!(byte, b' ' | b'\t'..=b'\r')

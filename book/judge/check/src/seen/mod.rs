@@ -1,12 +1,11 @@
-//! What can be seen in a picture that no known program draws.
+//! Observations about a picture that no known program draws.
 //!
-//! These are observations: each sentence is true of the pixels, and says nothing
-//! about the code.
+//! Each sentence is true of the pixels; about the code it only asks.
 
 mod pixel;
 mod shape;
+mod side_by_side;
 mod tinted;
-mod view;
 
 use common::rtweekend::Picture;
 use slips::SphereCount;
@@ -17,40 +16,44 @@ use crate::reading::Reading;
 use crate::sentences::ONLY_SKY;
 use crate::task::Task;
 
-use view::View;
+use side_by_side::SideBySide;
 
-/// Where one pixel in so many is another, nearly all are the same.
+/// A picture is nearly of one color if at most one in so many pixels has another.
 const ODD: usize = 32;
-/// Neighbors that are so many levels apart make an edge.
+/// Two neighboring pixels make an edge if they are more than so many levels apart.
 const EDGE: u16 = 16;
 
-/// Returns what can be seen, the most telling first, and the numbers of the first pixel that
-/// differs.
+/// Observes a picture beside the right one of the task: returns sentences, the most telling first,
+/// and rows about the first pixel that differs. No sentences if no pixel of a sample is more than a
+/// level off, no rows if no pixel differs.
 pub(crate) fn seen(task: &Task, reading: &Reading, right: &Picture) -> (Vec<String>, Vec<Row>) {
-    let view = View::new(task, reading, right);
-    if view.wrong.is_empty() {
-        return (Vec::new(), view.first_pixel());
+    let pictures = SideBySide::new(task, reading, right);
+    if pictures.wrong.is_empty() {
+        return (Vec::new(), pictures.first_pixel());
     }
-    let whole = view.plain().or_else(|| view.turned());
+    let whole = pictures.plain().or_else(|| pictures.turned());
     let sights = match whole {
         Some(whole) => vec![whole],
         None => [
-            view.unscaled(),
-            view.only_sky(),
-            view.rows_alike(),
-            view.gray(),
-            view.disc(),
-            view.only_at_edges().or_else(|| view.where_it_differs()),
+            pictures.unscaled(),
+            pictures.only_sky(),
+            pictures.rows_alike(),
+            pictures.gray(),
+            pictures.disc(),
+            pictures
+                .only_at_edges()
+                .or_else(|| pictures.where_it_differs()),
         ]
         .into_iter()
         .flatten()
-        .chain(view.tints())
+        .chain(pictures.tints())
         .collect(),
     };
-    (sights, view.first_pixel())
+    (sights, pictures.first_pixel())
 }
 
-impl View<'_> {
+impl SideBySide<'_> {
+    /// Notes that all pixels have one color, or nearly all.
     fn plain(&self) -> Option<String> {
         let first = self.found(0);
         let same = self.places.iter().filter(|n| self.found(**n) == first);
@@ -65,13 +68,14 @@ impl View<'_> {
         (is_plain && !is_cut).then(|| match first {
             [0, 0, 0] => {
                 format!(
-                    "{all} is black: is no color ever set, or is it no number, such as 0 / 0 or the root of a negative one?"
+                    "{all} is black: is no color ever set, or is the color no number, such as 0 / 0 or the root of a negative one?"
                 )
             }
             color => format!("{all} has the same color, {color:?}."),
         })
     }
 
+    /// Notes that the picture shows the sky alone, where there should be a sphere.
     fn only_sky(&self) -> Option<String> {
         if self.task.chapter.sphere_count() == SphereCount::None || self.task.probe.is_some() {
             return None;
@@ -84,7 +88,7 @@ impl View<'_> {
         is_all.then(|| ONLY_SKY.to_owned())
     }
 
-    /// Each row is the first one again, where the right rows are not.
+    /// Notes that each row is the first one again, where the right rows differ.
     fn rows_alike(&self) -> Option<String> {
         let width = self.reading.width;
         let is_alike = |pixel: &dyn Fn(u32) -> [i16; 3]| {
@@ -96,6 +100,7 @@ impl View<'_> {
         })
     }
 
+    /// Notes that all levels are 0 or 1, as of components that are not scaled.
     fn unscaled(&self) -> Option<String> {
         let levels = self.reading.pixels.iter().flatten();
         let most = levels
@@ -107,7 +112,7 @@ impl View<'_> {
         ))
     }
 
-    /// Several rays a pixel change only those in which two things meet.
+    /// Notes that only pixels at edges are wrong, as with several rays through a pixel.
     fn only_at_edges(&self) -> Option<String> {
         let width = self.reading.width as usize;
         let is_at_edge = |&n: &u32| {
@@ -120,20 +125,22 @@ impl View<'_> {
             far.any(|levels| levels > EDGE)
         };
         self.wrong.iter().all(is_at_edge).then(|| {
-            "Only at edges is anything wrong: does your program send several rays through a pixel? \
+            "Only pixels at edges are wrong: does your program send several rays through a pixel? \
              Send one."
                 .to_owned()
         })
     }
 
-    /// On the spheres, in the sky, or along the rim.
+    /// Notes that all wrong pixels are on the spheres, or none is.
     fn where_it_differs(&self) -> Option<String> {
         let (spheres, sky): (Vec<u32>, Vec<u32>) =
             self.wrong.iter().partition(|&&n| self.is_hit(n));
         let said = match (spheres.len(), sky.len()) {
             _ if self.task.chapter.sphere_count() == SphereCount::None => return None,
-            (_, 0) => "Only where spheres should be is anything wrong by more than a level.",
-            (0, _) => "Where spheres should be all is right; only beside them it is wrong.",
+            (_, 0) => "Only where spheres should be are pixels wrong by more than a level.",
+            (0, _) => {
+                "Where spheres should be, all pixels are right; beside the spheres some are wrong."
+            }
             _ => return None,
         };
         Some(said.to_owned())

@@ -1,10 +1,11 @@
-//! The first pixel that differs, with all numbers as they should be there.
+//! The first pixel that differs, and the numbers of its ray in a right program.
 
-use super::view::View;
+use super::side_by_side::SideBySide;
 use crate::answer::{Row, RowKind};
 
-impl View<'_> {
-    /// Returns what a reader's program should print for that pixel.
+impl SideBySide<'_> {
+    /// Lists the first pixel that differs, with its right and its wrong color, and the numbers that a
+    /// right program computes there. Empty if no pixel differs.
     pub(super) fn first_pixel(&self) -> Vec<Row> {
         let pixels = 0..self.reading.pixels.len() as u32;
         let mut differing = pixels.filter(|&n| self.expected(n) != self.found(n));
@@ -13,7 +14,7 @@ impl View<'_> {
         };
         let (i, j) = (n % self.reading.width, n / self.reading.width);
         let (should, is) = (self.expected(n), self.found(n));
-        let first = format!("column {i}, row {j}: should be {should:?}, yours {is:?}");
+        let first = format!("column {i}, row {j}: should be {should:?}, yours is {is:?}");
         let numbers = self.output().trace(n).into_iter();
         let numbers = numbers.filter(|it| TELLING.contains(&&*it.label));
         let numbers: Vec<_> = numbers
@@ -28,7 +29,7 @@ impl View<'_> {
     }
 }
 
-/// The numbers by which a mistake is found: where the ray goes, and what the sphere makes of it.
+/// The names of the numbers that are listed: of the ray, and of its intersection with the sphere.
 const TELLING: [&str; 9] = [
     "unit_direction",
     "oc",

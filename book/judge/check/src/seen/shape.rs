@@ -1,21 +1,21 @@
-//! Where things are: a picture that is turned, a disc that is too large or too small.
+//! Observations about places: a picture that is turned, a disc that is too large or too small.
 
 use slips::SphereCount;
 
-use super::view::View;
+use super::side_by_side::SideBySide;
 use crate::pixels::distance;
 
-/// One pixel in so many may be another in a picture that is turned.
+/// A picture is the turned right one if at most one in so many pixels differs from that.
 const TURNED: usize = 20;
-/// Levels that were shown by rows in another order may be off by so many.
+/// How many levels a pixel of a turned picture may be off.
 const NEAR: u16 = 2;
-/// A sky may be off by so many and still be one.
+/// How many levels a pixel of the sky may be off.
 const SKY: u16 = 8;
-/// A column or a row in so many of a disc may be another by a rounding.
+/// How many times the error in the place of a disc fits into the disc, if it is rounding.
 const ROUND: u32 = 20;
 
-impl View<'_> {
-    /// Returns true if it is the right picture upside down or in a mirror.
+impl SideBySide<'_> {
+    /// Notes that the picture is the right one upside down or in a mirror.
     pub(super) fn turned(&self) -> Option<String> {
         let (width, height) = (self.reading.width, self.reading.height);
         let is_like = |place: fn(u32, u32, u32, u32) -> (u32, u32)| {
@@ -28,15 +28,16 @@ impl View<'_> {
             TURNED * off <= self.places.len() && TURNED * off <= self.wrong.len()
         };
         if is_like(|i, j, _, height| (i, height - 1 - j)) {
-            Some("It is the right picture upside down.".to_owned())
+            Some("The picture is the right one upside down.".to_owned())
         } else if is_like(|i, j, width, _| (width - 1 - i, j)) {
-            Some("It is the right picture in a mirror: left is right.".to_owned())
+            Some("The picture is the right one in a mirror: left is right.".to_owned())
         } else {
             None
         }
     }
 
-    /// From where to where the one sphere reaches, if the sky around it is right.
+    /// Notes the columns and rows of all that is not sky beside those of the one sphere, if they
+    /// differ. `None` if the sphere's pixels are right, or the chapter has no sphere or several.
     pub(super) fn disc(&self) -> Option<String> {
         let is_sphere_right = !self.wrong.iter().any(|n| self.is_hit(*n));
         if self.task.chapter.sphere_count() != SphereCount::One || is_sphere_right {
@@ -69,7 +70,8 @@ impl View<'_> {
         ))
     }
 
-    /// The first and last column and row of such pixels.
+    /// Finds the first and the last column, and the first and the last row, of the pixels for which
+    /// `is_meant` holds; `None` if there are none.
     fn bounds(&self, is_meant: impl Fn(u32) -> bool) -> Option<[[u32; 2]; 2]> {
         let width = self.reading.width;
         let all = (0..self.reading.pixels.len() as u32).filter(|n| is_meant(*n));

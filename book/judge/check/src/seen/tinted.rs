@@ -1,20 +1,24 @@
-//! Colors that are off in the same way everywhere.
+//! Observations about colors that are off in the same way everywhere.
 
 use slips::Chapter;
 
-use super::view::View;
+use super::side_by_side::SideBySide;
 
-impl View<'_> {
+impl SideBySide<'_> {
+    /// Notes that all pixels are gray.
     pub(super) fn gray(&self) -> Option<String> {
         let gray = self
             .reading
             .pixels
             .iter()
             .all(|[red, green, blue]| red == green && green == blue);
-        gray.then(|| "It has no color: red, green and blue are equal in each pixel.".to_owned())
+        gray.then(|| {
+            "The picture has no color: red, green and blue are equal in each pixel.".to_owned()
+        })
     }
 
-    /// Finds components that are off in the same way everywhere: a line for the sky, one for spheres.
+    /// Notes components that are off in the same way everywhere: a sentence about the sky, and one
+    /// about the spheres. Empty if the picture is gray.
     pub(super) fn tints(&self) -> Vec<String> {
         if self.gray().is_some() {
             return Vec::new();
@@ -46,6 +50,8 @@ impl View<'_> {
         places.into_iter().filter_map(of_place).collect()
     }
 
+    /// Says how a component, 0 to 2 for red to blue, differs in all of these pixels: by a sum, by a
+    /// factor, or as a constant. `None` if it is right, or differs in no such way.
     fn tint(&self, places: &[u32], channel: usize) -> Option<String> {
         let pairs: Vec<(f64, f64)> = places
             .iter()

@@ -1,4 +1,4 @@
-//! A picture beside the right one, and what can be asked about their pixels.
+//! A picture beside the right one, with a sample of pixels.
 
 use std::collections::HashSet;
 
@@ -9,26 +9,30 @@ use crate::pixels::{distance, spread};
 use crate::reading::Reading;
 use crate::task::Task;
 
-/// How many pixels are looked at where all would be too many.
+/// The size of the sample, where all pixels would be too many.
 const LOOK: u32 = 5000;
 
 /// A reader's picture beside the right one.
-pub(super) struct View<'a> {
+pub(super) struct SideBySide<'a> {
+    /// The task that the picture should fulfill.
     pub(super) task: &'a Task,
+    /// The reader's picture.
     pub(super) reading: &'a Reading,
+    /// The right picture, of the same size.
     pub(super) right: &'a Picture,
-    /// Pixels to look at.
+    /// The sample: indices of pixels, `j * width + i` from the top.
     pub(super) places: Vec<u32>,
-    /// Those of them that are more than one level off.
+    /// The pixels of the sample that are more than one level off.
     pub(super) wrong: Vec<u32>,
-    /// Those of which the right program's ray hits something.
+    /// The pixels of the sample in which the ray of the right program hits a sphere.
     hits: HashSet<u32>,
 }
 
-impl<'a> View<'a> {
+impl<'a> SideBySide<'a> {
+    /// Takes the sample, and runs the right program to know what its rays hit.
     pub(super) fn new(task: &'a Task, reading: &'a Reading, right: &'a Picture) -> Self {
         let places: Vec<u32> = spread(LOOK, reading.pixels.len() as u32).collect();
-        let mut view = Self {
+        let mut pictures = Self {
             task,
             reading,
             right,
@@ -36,31 +40,34 @@ impl<'a> View<'a> {
             wrong: Vec::new(),
             hits: HashSet::new(),
         };
-        let is_wrong = |n: &u32| distance(view.expected(*n), view.found(*n)) > 1;
-        view.wrong = places.iter().copied().filter(is_wrong).collect();
-        let output = view.output();
-        view.hits = places.iter().copied().filter(|n| output.hits(*n)).collect();
-        view.places = places;
-        view
+        let is_wrong = |n: &u32| distance(pictures.expected(*n), pictures.found(*n)) > 1;
+        pictures.wrong = places.iter().copied().filter(is_wrong).collect();
+        let output = pictures.output();
+        pictures.hits = places.iter().copied().filter(|n| output.hits(*n)).collect();
+        pictures.places = places;
+        pictures
     }
 }
 
-impl View<'_> {
+impl SideBySide<'_> {
+    /// Returns the pixel of the reader's picture at an index.
     pub(super) fn found(&self, n: u32) -> [i16; 3] {
         self.reading.pixels[n as usize]
     }
 
+    /// Returns the pixel of the right picture at an index.
     pub(super) fn expected(&self, n: u32) -> [i16; 3] {
         let (right, _) = self.right.rgb().as_chunks::<3>();
         right[n as usize].map(i16::from)
     }
 
-    /// The right program's output.
+    /// Runs the right program in the size of the picture.
     pub(super) fn output(&self) -> Output {
         let fitting = self.task.fitting(self.reading.width, self.reading.height);
         fitting.program(&[]).run(self.reading.width)
     }
 
+    /// Returns true if the ray of the right program hits a sphere in this pixel of the sample.
     pub(super) fn is_hit(&self, n: u32) -> bool {
         self.hits.contains(&n)
     }

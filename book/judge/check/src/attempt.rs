@@ -1,0 +1,147 @@
+//! An attempt: a picture that a reader hands in with what is known of its program, and the
+//! [`Answer`] to it.
+
+use laws::Report;
+use slips::{Chapter, Probe};
+
+use crate::answer::{Answer, Pictures, Row, RowKind};
+use crate::context::Context;
+use crate::reading::Cause;
+use crate::sentences::{law, refused};
+use crate::task::Task;
+use crate::verdict::{Finding, Verdict};
+
+/// The outcome of the laws for the functions that a reader typed.
+#[derive(Debug)]
+pub enum LawsStatus {
+    /// All laws hold.
+    Obeyed,
+    /// A function of the chapter breaks the law of this report.
+    Broken(Box<Report>),
+    /// A function of the reader's own prelude, on which all else stands, breaks the law of this
+    /// report.
+    BrokenPrelude(Box<Report>),
+    /// A function of the chapter has a `todo!()` at this place, such as `src/lib.rs:12`.
+    NotWritten(String),
+    /// A function of the reader's own prelude has a `todo!()` at this place.
+    UnwrittenPrelude(String),
+    /// The laws were not tried to the end; the text is what was printed instead.
+    Unknown(String),
+    /// The laws are still being built.
+    Coming,
+}
+
+/// A picture that a reader hands in, with what is known of its program.
+pub struct Attempt<'a> {
+    /// The task that the picture should fulfill.
+    pub task: Task,
+    /// True if the task was guessed from the picture.
+    pub is_guessed: bool,
+    /// The name of the picture, such as its file's; empty if it has none.
+    pub name: String,
+    /// What keeps viewers from showing the file, such as an encoding in UTF-16; `None` if nothing
+    /// does.
+    pub encoding: Option<Cause>,
+    /// What is known of the reader's program.
+    pub context: &'a Context<'a>,
+    /// The outcome of the laws; `None` where the functions can't be asked.
+    pub laws: Option<&'a LawsStatus>,
+    /// The commands that the reader can give next.
+    pub commands: Commands<'a>,
+}
+
+/// The commands that a reader can type next, or their like on a page.
+pub struct Commands<'a> {
+    /// Makes the command that judges the chapter's own picture, or a probe's.
+    pub judge: Box<dyn Fn(Option<Probe>) -> String + 'a>,
+    /// Makes the command that starts another chapter; `None` where no chapter is typed.
+    pub start: Option<Box<dyn Fn(Chapter) -> String + 'a>>,
+    /// The command that shows more of a broken law; empty if there is none.
+    pub test: &'static str,
+}
+
+impl Commands<'_> {
+    /// Makes the commands for a reader who hands in pictures alone: those of `check`, for the
+    /// chapter of the task.
+    pub fn of_pictures(task: Task) -> Self {
+        let judge = move |probe: Option<Probe>| match probe {
+            Some(probe) => task.probed_command(probe),
+            None => task.without_probe().command(),
+        };
+        Self {
+            judge: Box::new(judge),
+            start: None,
+            test: "",
+        }
+    }
+}
+
+impl Attempt<'_> {
+    /// Puts the verdict on the picture into an answer.
+    ///
+    /// A picture that is not recognized, though its task was guessed, is called so. A law that the
+    /// reader's own prelude breaks comes before all that explains the picture.
+    pub fn answer(&self, verdict: Verdict) -> Answer {
+        let mut answer = match (self.unrecognized(&verdict), self.laws) {
+            (Some(answer), _) => answer,
+            (None, Some(LawsStatus::BrokenPrelude(report))) => Answer {
+                rows: law(report),
+                ..self.judged(&verdict)
+            }
+            .then("put this right first: what else is wrong may stand on it"),
+            (None, _) => self.judged(&verdict),
+        };
+        if self.is_guessed && answer.headline.verdict != "not recognized" {
+            answer.rows.push(self.taken_for());
+        }
+        let besides =
+            |it: &Cause| Row::new(RowKind::Besides, format!("{}. {}", it.problem, it.fix));
+        answer.rows.extend(self.encoding.iter().map(besides));
+        answer.pictures = Pictures::of(verdict);
+        answer
+    }
+
+    /// Puts the verdict into an answer, for a picture that is recognized.
+    fn judged(&self, verdict: &Verdict) -> Answer {
+        match verdict {
+            Verdict::Right(right) => self.right(right),
+            Verdict::AlmostRight(finding) => match (&finding.almost_right, finding.task.step()) {
+                (Some(almost_right), Some(step)) if almost_right.is_exact() => {
+                    self.step(step, finding)
+                }
+                (almost_right, _) => {
+                    let unexplained = almost_right
+                        .as_ref()
+                        .map(|it| it.unexplained)
+                        .unwrap_or_default();
+                    self.nearly_right(finding, &unexplained)
+                }
+            },
+            Verdict::Wrong(finding) => self.wrong(finding),
+            Verdict::Another { cause, .. } => refused(&self.name, "wrong", cause),
+            Verdict::WrongShape { cause, finding } => {
+                let answer = refused(&self.name, "wrong", cause);
+                self.with_pixels(answer, finding.as_deref())
+            }
+            Verdict::NotAPicture { cause, finding } => {
+                let verdict = match finding {
+                    Some(_) => "not a valid picture",
+                    None => "not a picture",
+                };
+                let answer = refused(&self.name, verdict, cause);
+                self.with_pixels(answer, finding.as_deref())
+            }
+        }
+    }
+
+    /// Adds what explains the pixels of a picture that was refused, but for the numbers of a ray,
+    /// which would take the room of the cause.
+    fn with_pixels(&self, answer: Answer, finding: Option<&Finding>) -> Answer {
+        let Some(finding) = finding else {
+            return answer;
+        };
+        let mut answer = self.explained(answer, finding);
+        answer.rows.retain(|row| row.kind != RowKind::Numbers);
+        answer
+    }
+}

@@ -1,0 +1,99 @@
+//! What a reader can do next: draw a further picture, look at a line, write the next step.
+
+use slips::{Slip, steps};
+
+use super::{law, named};
+use crate::answer::{Row, RowKind};
+use crate::attempt::{Attempt, LawsStatus};
+use crate::blind_spots::{self, NextPicture};
+use crate::task::Task;
+use crate::verdict::{Finding, RightPicture};
+
+impl Attempt<'_> {
+    /// Returns the rows that the laws add to a wrong picture: the broken law, or that all of them
+    /// hold; none if the lines to mend are known.
+    pub(super) fn of_the_laws(&self, finding: &Finding) -> Vec<Row> {
+        let is_unknown = finding.mistakes.as_ref().is_none_or(|it| !it.is_in_text);
+        let hold = "hold: look at what calls the function, and at what becomes of its answer";
+        match self.laws {
+            _ if finding.repair.is_some() => Vec::new(),
+            Some(LawsStatus::Broken(report)) if !finding.is_answered || is_unknown => law(report),
+            Some(LawsStatus::Obeyed) if is_unknown => vec![Row::new(RowKind::Laws, hold)],
+            _ => Vec::new(),
+        }
+    }
+
+    /// Returns the row that names the chapter that was guessed. Chapters 3 and 4 draw the same
+    /// picture, so that both are named.
+    pub(crate) fn taken_for(&self) -> Row {
+        let also = self
+            .task
+            .with_the_other_formula()
+            .map(|other| other.chapter);
+        let also = also.map_or(String::new(), |other| format!(" or {}", other.name()));
+        Row::new(
+            RowKind::Besides,
+            format!("the picture was taken for {}{also}", named(&self.task)),
+        )
+    }
+
+    /// Proposes a further picture, which shows mistakes that the right one hides: of those that
+    /// the reader can have made, and with which the functions would answer as they do. `None` if
+    /// no mistake is hidden.
+    pub(super) fn to_test_more(&self, right: &RightPicture) -> Option<Row> {
+        let chapter = self.task.chapter;
+        let may_be = |slip: &Slip| {
+            self.context.can_be_made(slip, &self.task)
+                && (self.context.answers)
+                    .is_none_or(|compare| compare(&slip.program(chapter)).differing == 0)
+        };
+        let NextPicture { task, width, .. } = &blind_spots::next(&right.task, right.width, may_be)?;
+        // A program may have its height as a number.
+        let line = format!("image_width = {width}");
+        let both = format!("{line}, so that image_height is {}", task.height(*width));
+        let change = task
+            .change(*width, self.context.language)
+            .replace('\n', "; ");
+        let change = change.replacen(&line, &both, 1);
+        let (name, what) = match task.probe {
+            Some(probe) => (probe.name, format!("the probe {}", probe.name)),
+            None => ("", format!("the chapter {width} pixels wide")),
+        };
+        let judge = (self.commands.judge)(task.probe);
+        let said = format!("to test more, draw {what}: {change}; then {judge}");
+        Some(Row::new(RowKind::Probe(name), said))
+    }
+
+    /// Proposes a probe that tells apart mistakes that draw the same picture; `None` if no probe
+    /// does.
+    pub(super) fn to_tell_apart(&self, finding: &Finding) -> Option<Row> {
+        let probe = finding.mistakes.as_ref()?.telling?;
+        let change = probe
+            .lines(finding.task.chapter, self.context.language)
+            .replace('\n', "; ");
+        let (name, judge) = (probe.name, (self.commands.judge)(Some(probe)));
+        let said = format!(
+            "draw the probe {name}, which tells some of these mistakes apart: {change}; then {judge}"
+        );
+        Some(Row::new(RowKind::Probe(name), said))
+    }
+
+    /// Advises on a shape that is not the book's: it may be a choice, or the work of these slips.
+    pub(super) fn shape_is(&self, task: &Task, slips: &[&Slip]) -> String {
+        let said =
+            |slip: &&Slip| format!("{} ({})", slip.name, self.context.words(slip, task).wrong);
+        let look = match slips {
+            [] => String::new(),
+            slips => {
+                let slips = slips.iter().map(said).collect::<Vec<_>>();
+                format!("; if not, look for {}", slips.join(", or "))
+            }
+        };
+        format!("if you chose the shape, nothing is wrong{look}")
+    }
+}
+
+/// Says what to write in the step at an index from 0: `step 1: …`.
+pub(super) fn step_says(at: usize, step: &steps::ChapterStep) -> String {
+    format!("step {}: {}", at + 1, step.says)
+}

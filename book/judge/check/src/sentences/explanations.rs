@@ -1,0 +1,268 @@
+//! What explains a picture, as rows: the reader's lines and what should be there, or else what is
+//! seen; and what the laws and other programs have said.
+
+use std::iter;
+
+use laws::Report;
+use slips::{ReaderLanguage, Slip};
+
+use super::{alternatives, line_and_right, mistake_name, row};
+use crate::answer::{Row, RowKind};
+use crate::candidate::Conversion;
+use crate::context::Context;
+use crate::names;
+use crate::search::{Change, Correction, DrawingMutants, Mutant, Repair};
+use crate::sources::CorrectedLine;
+use crate::task::Task;
+use crate::verdict::{Finding, Mistakes};
+
+/// How many mistakes that draw the same picture are named at most.
+const NAMED: usize = 3;
+/// How many warnings of a compiler are shown at most.
+const WARNINGS: usize = 2;
+/// An observation about a picture whose every ray misses.
+pub(crate) const ONLY_SKY: &str = "There is only sky: no sphere is to be seen.";
+
+impl Finding {
+    /// Lists what explains the picture, the most important row first: the lines of a repair, a
+    /// mistake, or edits that draw the picture, or else what is to be seen. Empty if the picture is
+    /// right but for a few pixels.
+    pub fn rows(&self, context: &Context) -> Vec<Row> {
+        if let Some(repair) = &self.repair {
+            let slip = self.single().first();
+            let why = slip.map_or("", |slip| context.words(slip, &self.task).why);
+            return repair.rows().chain(row(RowKind::Why, why)).collect();
+        }
+        if self.almost_right.is_some() {
+            return Vec::new();
+        }
+        let warnings = context.warnings.iter().take(WARNINGS);
+        let warnings = warnings.map(|it| Row::new(RowKind::Warned, it));
+        warnings.chain(self.explained(context)).collect()
+    }
+
+    /// Lists the mistakes or edits that draw the picture, or else what is to be seen.
+    fn explained(&self, context: &Context) -> Vec<Row> {
+        // A hundred mistakes draw only sky: a picture alone tells none of them.
+        let is_sky = self.shows_only_sky();
+        match &self.mistakes {
+            Some(it) if is_sky && (context.sources.is_empty() || !it.is_in_text) => {
+                let many = "many more mistakes draw only sky: the picture can't tell them apart";
+                let rows = iter::once(Row::new(RowKind::Seen, ONLY_SKY)).chain(it.perhaps(context));
+                return rows.chain(row(RowKind::More, many)).collect();
+            }
+            Some(it) => return it.rows(context, self.total()),
+            None if self.drawn.is_told() => return self.drawn.rows(context, &self.task),
+            None => {}
+        }
+        let seen = self.sights.iter().map(|it| Row::new(RowKind::Seen, it));
+        let seen = seen.chain(self.first.iter().cloned());
+        let drawn = self.drawn.rows(context, &self.task);
+        let unknown =
+            (drawn.is_empty() && self.sights.len() != 1).then(|| self.nothing_known(context));
+        seen.chain(drawn).chain(unknown).collect()
+    }
+
+    /// Says that no known mistake was found.
+    fn nothing_known(&self, context: &Context) -> Row {
+        let said = match self.task.probe {
+            Some(_) => {
+                "no known mistake draws this picture and leaves the chapter's own right: is that one right?"
+            }
+            None if context.sources.is_empty() => "no known mistake draws this picture",
+            None => "no known mistake that can be in your files draws this picture",
+        };
+        Row::new(RowKind::Tried, said)
+    }
+}
+
+impl Mistakes {
+    /// Lists the only mistake in full, or the first of several by their wrong lines, and how they
+    /// were tried on a picture of so many `pixels`.
+    fn rows(&self, context: &Context, pixels: usize) -> Vec<Row> {
+        let rows = match &self.all[..] {
+            [mistake] => self.in_full(mistake, context),
+            _ => self.perhaps(context).collect(),
+        };
+        rows.into_iter()
+            .chain([Row::new(RowKind::Tried, self.tried(pixels))])
+            .collect()
+    }
+
+    /// Lists the wrong line, the right line and the reason of each slip of a mistake.
+    fn in_full(&self, mistake: &[&'static Slip], context: &Context) -> Vec<Row> {
+        let rows = mistake.iter().flat_map(|slip| {
+            let words = context.words(slip, &self.task);
+            let kind = match self.is_in_text {
+                true => RowKind::Probably,
+                false => RowKind::Perhaps,
+            };
+            let lines = match context.line_of(slip, &self.task) {
+                Some(found) => found.rows(),
+                None => line_and_right(kind, &words.wrong, &words.right),
+            };
+            let lines = lines.into_iter().filter(|it| !it.text.is_empty());
+            lines.chain(row(RowKind::Why, words.why))
+        });
+        rows.collect()
+    }
+
+    /// Lists the wrong lines of the first few mistakes, in the reader's language.
+    fn perhaps(&self, context: &Context) -> impl Iterator<Item = Row> {
+        let wrong = |mistake: &Vec<&'static Slip>| {
+            let words = mistake.iter().map(|slip| context.words(slip, &self.task));
+            let wrong: Vec<String> = words.map(|words| words.wrong.into_owned()).collect();
+            format!("{}  ({})", wrong.join("; "), mistake_name(mistake))
+        };
+        alternatives(self.all.iter().take(NAMED).map(wrong))
+    }
+
+    /// Says how well the mistakes explain a picture of so many `pixels`, and whether their lines
+    /// were found in the reader's files.
+    fn tried(&self, pixels: usize) -> String {
+        let is_pair = self.all[0].len() > 1;
+        let with = match (&self.all[..], is_pair) {
+            ([one], false) if one[0].name.is_empty() => "this mistake".to_owned(),
+            ([one], false) => format!("the mistake {}", one[0].name),
+            ([one], true) => format!("both mistakes, {},", mistake_name(one)),
+            (_, false) => "any of these mistakes".to_owned(),
+            (_, true) => "any of these pairs".to_owned(),
+        };
+        let draws = match self.unexplained.is_nothing() {
+            true => "draws exactly your picture".to_owned(),
+            false => format!(
+                "draws your picture, but for {}",
+                self.unexplained.said(pixels)
+            ),
+        };
+        let wrapped = match self.conversion {
+            Conversion::Wrapped => ", if levels beyond 255 begin again at 0, as in a byte of C",
+            _ => "",
+        };
+        let others = match self.all.len() {
+            1 => String::new(),
+            2..=NAMED => ", and so may others".to_owned(),
+            all => format!(", and so may others; {all} are known"),
+        };
+        let recognized = match (self.is_in_text, self.all.len() > 1 || is_pair) {
+            (true, _) => "",
+            (false, false) => ". Its line was not found in your files",
+            (false, true) => ". Their lines were not found in your files",
+        };
+        format!("the chapter with {with} {draws}{wrapped}{others}{recognized}")
+    }
+}
+
+impl DrawingMutants {
+    /// Lists the likeliest edits of the chapter that draw the picture, in the reader's language, and
+    /// how they were tried; nothing if there is none.
+    fn rows(&self, context: &Context, task: &Task) -> Vec<Row> {
+        let language = context
+            .language
+            .unwrap_or(ReaderLanguage::Cpp(task.edition));
+        let typed = |line: &str| language.spelled(line, task.chapter);
+        let said = |it: &Mutant| match (&*it.wrong, &it.yours) {
+            (_, Some(yours)) => yours.line.to_string(),
+            ("", None) => format!("{}  left out", typed(&it.right)),
+            (wrong, None) => typed(wrong),
+        };
+        let (rows, tried) = match &self.all[..] {
+            [] => return Vec::new(),
+            [it] if self.count == 1 => {
+                let rows = match (&*it.wrong, &it.yours) {
+                    ("", _) => vec![Row::new(RowKind::Missing, typed(&it.right))],
+                    (_, Some(yours)) => yours.rows(),
+                    (wrong, None) => {
+                        line_and_right(RowKind::Perhaps, &typed(wrong), &typed(&it.right))
+                    }
+                };
+                (
+                    rows,
+                    "the chapter with this one edit draws exactly your picture",
+                )
+            }
+            all => {
+                let tried = match self.is_told() {
+                    true => {
+                        "the chapter with any of these edits draws exactly your picture, and so may others"
+                    }
+                    false => {
+                        "many more edits of the chapter draw your picture, which does not tell them apart"
+                    }
+                };
+                (alternatives(all.iter().map(said)).collect(), tried)
+            }
+        };
+        rows.into_iter().chain(row(RowKind::Tried, tried)).collect()
+    }
+}
+
+impl Repair {
+    /// Lists the reader's wrong lines, each with what should be there, and how they were tried.
+    fn rows(&self) -> impl Iterator<Item = Row> {
+        let with = match self.changes.len() {
+            1 => "with this change",
+            _ => "with these changes",
+        };
+        let is_spelled = |it: &Change| matches!(it.right, Correction::InOwnLanguage(_));
+        let tried = if self.changes.iter().all(is_spelled) {
+            "the chapter with your line in its place draws your picture".to_owned()
+        } else if self.is_hidden {
+            format!("{with} your functions answer as the chapter's do")
+        } else {
+            format!("{with} your program draws the picture")
+        };
+        let changes = self.changes.iter().flat_map(Change::rows);
+        changes.chain(row(RowKind::Tried, &tried))
+    }
+}
+
+impl Change {
+    /// Lists the reader's line and the right one; or only the right one, where a line is missing.
+    fn rows(&self) -> Vec<Row> {
+        let right = match &self.right {
+            Correction::Above(line) => {
+                let above = format!("above {}:{}  {line}", self.yours.file, self.yours.number);
+                return vec![Row::new(RowKind::Missing, above)];
+            }
+            Correction::Instead(line) | Correction::InOwnLanguage(line) => line,
+            Correction::LeaveOut => "left out",
+        };
+        line_and_right(RowKind::Yours, &self.yours.to_string(), right)
+    }
+}
+
+impl CorrectedLine {
+    /// Lists the reader's line and the right one.
+    fn rows(&self) -> Vec<Row> {
+        line_and_right(RowKind::Yours, &self.line.to_string(), &self.right)
+    }
+}
+
+/// Lists the parts of a report on a broken law: the law, what was found and what is allowed, known
+/// mistakes with the same answers, and where the law is explained.
+pub fn law(report: &Report) -> Vec<Row> {
+    let broken = &report.broken;
+    let kinds = iter::once(RowKind::SameAs).chain(iter::repeat(RowKind::More));
+    let same_as = kinds
+        .zip(&report.same_as)
+        .map(|(kind, it)| Row::new(kind, it));
+    let rows = [
+        (RowKind::Law, &*broken.law),
+        (RowKind::Found, &broken.found),
+        (RowKind::Allowed, &broken.allowed),
+    ];
+    let rows = rows.into_iter().map(|(kind, it)| Row::new(kind, it));
+    rows.chain(same_as)
+        .chain([Row::new(RowKind::Read, &*broken.read)])
+        .collect()
+}
+
+/// Makes a row of each line that a compiler or a program has printed. Control characters, which a
+/// terminal would obey, are escaped.
+pub fn printed(text: &str) -> Vec<Row> {
+    let lines = text.lines();
+    lines
+        .map(|line| Row::new(RowKind::Printed, names::escape_for_terminal(line)))
+        .collect()
+}
