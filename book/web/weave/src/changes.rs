@@ -6,7 +6,11 @@ use slips::Chapter;
 
 use crate::slip::address;
 
-/// The pictures of chapter `name` and of the one before, the pixels that changed, and the new files.
+/// Returns the Markdown for `{{changes NAME}}`: the pictures of the chapter `name` and of the one
+/// before, the pixels that changed, and the names of new files.
+///
+/// # Errors
+/// If there is no such chapter, or none before it.
 pub(crate) fn changes(name: &str) -> Result<String, String> {
     let [before, after] = Chapter::OF_THE_BOOK
         .array_windows()
@@ -17,7 +21,8 @@ pub(crate) fn changes(name: &str) -> Result<String, String> {
     Ok(format!("{panels}{sentence}{files}"))
 }
 
-/// Returns what becomes of the picture; and where only some of its pixels change, the pictures.
+/// Returns a sentence about what changed in the picture, and the HTML of the pictures if only some
+/// pixels did; else no HTML.
 fn pictures(before: Chapter, after: Chapter) -> (String, String) {
     let [old, new] = [before, after].map(|chapter| chapter.picture(chapter.book_width()));
     match Comparison::of(&old, &new) {
@@ -51,10 +56,13 @@ fn pictures(before: Chapter, after: Chapter) -> (String, String) {
     }
 }
 
+/// Returns a picture with a title below, as HTML.
 fn panel(title: &str, file: &str, alt: &str) -> String {
     format!("<figure><img src=\"{file}\" alt=\"{alt}\"><figcaption>{title}</figcaption></figure>")
 }
 
+/// Returns a sentence that names the files which only the later chapter has: empty, if there are
+/// none.
 fn new_files(before: Chapter, after: Chapter) -> String {
     let is_old = |name: &str| before.files().iter().any(|(old, _)| *old == name);
     let names = after.files().iter().map(|(name, _)| *name);

@@ -9,13 +9,14 @@ use crate::controls;
 use crate::ground::{escaped, read};
 use crate::source::{self, SourceItem};
 
-/// What a page has listed so far, so that a listing can say what it stands beside: the
-/// file, the lines, and what to look for there.
+/// The items that a page has listed so far: file, lines, and name, so that a later listing can say
+/// where it stands beside them.
 #[derive(Default)]
 pub(crate) struct Listed(Vec<(String, Range<usize>, String)>);
 
 impl Listed {
-    /// `, below …` or `, above …`, if something else of the same file was listed before.
+    /// Returns `, below NAME` or `, above NAME` for the nearest item of the same file that was
+    /// listed before, or nothing if there is none.
     fn beside(&self, file: &str, item: &SourceItem) -> String {
         let of_file = || self.0.iter().filter(|(of, ..)| of == file);
         let before = of_file().filter(|(_, lines, _)| lines.end <= item.lines.start);
@@ -28,6 +29,7 @@ impl Listed {
         })
     }
 
+    /// Remembers items as listed; imports are left out.
     fn add(&mut self, file: &str, items: &[SourceItem]) {
         let entries = items.iter().filter(|item| !item.is_import).map(|item| {
             let name = item.called().to_owned();
@@ -37,8 +39,12 @@ impl Listed {
     }
 }
 
-/// The `items` of the source at `path` from the `folder`, or all of it, as Markdown. Beside
-/// each line stands its value for the ray of the `figure`.
+/// Returns the listing of a source as Markdown: the `items` of the file at `path`, seen from
+/// `folder`, or all of it if the list is empty. Beside each line stands its value for the ray of
+/// the `figure`, if one is given.
+///
+/// # Errors
+/// If the file cannot be read, or an item or the figure is not there.
 pub(crate) fn listing(
     folder: &Path,
     path: &str,
@@ -70,7 +76,8 @@ pub(crate) fn listing(
     ))
 }
 
-/// Returns what opens the editor at a listing that a reader types: to type it, or to break it.
+/// Returns the buttons that open the editor at a listing (to type it, or to break it), or nothing
+/// for a file that readers do not type.
 fn tools(file: &str) -> String {
     let is_of = |it: &Chapter| file.contains(&format!("_{}/src/", it.name()));
     let chapter = Chapter::OF_THE_BOOK.into_iter().find(is_of);
@@ -84,8 +91,8 @@ fn tools(file: &str) -> String {
     )
 }
 
-/// A line of values for each line of the code: what a name comes to that the figure says, and
-/// the result in the last line.
+/// Returns a column of values beside the code, as HTML: that of a name at its `let`, and the result
+/// at the last line.
 fn values(figure: &str, code: &str) -> Result<String, String> {
     let says = controls::says(figure)?;
     let lines: Vec<&str> = code.lines().map(str::trim).collect();
@@ -111,7 +118,7 @@ fn values(figure: &str, code: &str) -> Result<String, String> {
     ))
 }
 
-/// Where a reader types the listing of this file; or that it is there to be read.
+/// Says where a reader types the listing of this file, or that it is there to be read.
 fn whose(file: &str) -> String {
     let folders: Vec<&str> = file.splitn(3, '/').collect();
     match folders[..] {

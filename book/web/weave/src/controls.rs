@@ -9,8 +9,9 @@ use figures::{ACCURACY, Figure, LESSON, Movable, Parameter, figures, html};
 
 use crate::ground::{escaped, named};
 
-/// The figure `live`: its question, its drawing under handles, what is to be seen, buttons,
-/// the answer, closed, and the caption. Its place is that in the module that draws it.
+/// Returns a live figure as HTML: its question, its drawing under handles, inputs and buttons, a
+/// sentence, the answer, closed, and the caption. `data-figure` is the index of the figure in the
+/// module that draws it.
 pub(crate) fn around(live: &dyn Movable) -> String {
     let Figure {
         name,
@@ -51,26 +52,34 @@ pub(crate) fn around(live: &dyn Movable) -> String {
     )
 }
 
-/// A number that the live figure of that name says: at first as it is on the page.
+/// Returns the HTML of words that the live figure `figure` says under `name`: those of its
+/// defaults, until the reader moves the figure.
+///
+/// # Errors
+/// If there is no such figure, or it says no such words.
 pub(crate) fn number(figure: &str, name: &str) -> Result<String, String> {
     let kind = format!("number of {figure}");
     let (_, value) = named(&kind, name, says(figure)?, |(name, _)| name)?;
     Ok(followed(figure, name, &value))
 }
 
-/// Returns what the live figure of that name says at first.
+/// Returns all words, by name, that a live figure says for its defaults.
+///
+/// # Errors
+/// If there is no such figure.
 pub(crate) fn says(figure: &str) -> Result<BTreeMap<&'static str, String>, String> {
     let live = named("live figure", figure, figures(), |live| live.name())?;
     Ok(live.answer(&live.defaults()).says)
 }
 
-/// A number in the text, in whose place the script puts what the figure says later.
+/// Returns words in the text as HTML that the script replaces when the reader moves the figure.
 pub(crate) fn followed(figure: &str, name: &str, value: &str) -> String {
     format!("<span class=\"told\" data-told=\"{figure} {name}\">{value}</span>")
 }
 
-/// Each handle holds a slider for each number that it changes: for the keyboard, and for
-/// a reader who listens. Where two handles change the same, the Tab key stops at the first.
+/// Returns the handles of a figure, each with a slider for every parameter that it changes: for the
+/// keyboard, and for a reader who listens. Of two handles that change the same parameters, the Tab
+/// key stops only at the first.
 fn handles(live: &dyn Movable) -> String {
     let all = live.handles();
     let handle = |(k, places): (usize, &Vec<usize>)| {
@@ -85,6 +94,7 @@ fn handles(live: &dyn Movable) -> String {
     all.iter().enumerate().map(handle).collect()
 }
 
+/// Returns the attributes of the slider for the parameter at index `n`.
 fn slider(n: usize, number: &Parameter) -> String {
     let Parameter {
         name,
@@ -105,7 +115,7 @@ fn slider(n: usize, number: &Parameter) -> String {
     )
 }
 
-/// For each number that no handle changes a list, if it is a choice, or a slider.
+/// Returns a list or a slider for each parameter that no handle changes.
 fn inputs(live: &dyn Movable) -> String {
     let handled = live.handles().concat();
     let numbers = live.parameters().iter().enumerate();
@@ -120,6 +130,7 @@ fn inputs(live: &dyn Movable) -> String {
     .collect()
 }
 
+/// Returns the list of choices for the parameter at index `n`.
 fn choice(n: usize, number: &Parameter) -> String {
     let options = number.choices.iter().zip(0..).map(|(choice, value)| {
         let value = number.least + f64::from(value);
@@ -129,6 +140,7 @@ fn choice(n: usize, number: &Parameter) -> String {
     format!("<select data-number=\"{n}\">{options}</select>")
 }
 
+/// Returns the buttons of the figure, one that resets it, and the link to its current state.
 fn buttons(live: &dyn Movable) -> String {
     let actions = live.actions().into_iter().enumerate();
     let buttons: String = actions

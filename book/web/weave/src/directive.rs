@@ -1,4 +1,4 @@
-//! The directives: what stands between `{{` and `}}`.
+//! Directives of a page: the text between `{{` and `}}`, and what it is replaced by.
 
 use std::path::Path;
 
@@ -6,32 +6,36 @@ use crate::code::{self, Listed};
 use crate::ground::{read, split};
 use crate::{changes, controls, figure, measured, slip, step};
 
-/// What stands in a page in place of a directive or a formula.
+/// The text that takes the place of a directive or a formula in a page.
 pub(crate) enum Woven {
-    /// Part of a line.
+    /// A part of a line.
     Inline(String),
     /// Markdown that needs lines of its own.
     Block(String),
 }
 
-/// Returns what the directive with this `text` stands for, in a page of `folder`.
+/// Returns the text that replaces a directive in a page of `folder`; `text` is all between its
+/// braces.
 ///
-/// | in a page | there appears |
+/// | directive | its replacement |
 /// |---|---|
 /// | `{{code PATH}}` | the whole source file |
-/// | `{{code PATH ITEM, ITEM}}` | these items of it, and beside which of those listed before they stand |
-/// | `{{traced FIGURE PATH ITEMS}}` | the same, and beside each line its value for the ray of the figure |
-/// | `{{figure NAME}}` | the figure, drawn now, with its caption; handles, if it is live |
-/// | `{{live FIGURE NAME}}` | a number that this live figure says, and follows it |
+/// | `{{code PATH ITEM, ITEM}}` | these items of a source, and where they stand beside items listed before |
+/// | `{{traced FIGURE PATH ITEMS}}` | such a listing, with each line's value for the ray of the figure |
+/// | `{{figure NAME}}` | the figure, drawn now, with its caption and, if it is live, its handles |
+/// | `{{live FIGURE NAME}}` | a number that this live figure says, also when it is moved |
 /// | `{{chart NAME}}` | the chart, and a table of its numbers |
-/// | `{{changes NAME}}` | what changed from the chapter before to this one |
-/// | `{{editions}}` | what each edition of the book draws |
+/// | `{{changes NAME}}` | the differences between a chapter's picture and the one before |
+/// | `{{editions}}` | the pictures of each edition of the book |
 /// | `{{slip NAME CHAPTER}}` | the wrong picture that this slip draws |
-/// | `{{slips LOOK}}` | all slips that look like that; `{{slips LOOK NAMES}}`, `{{slips LOOK not NAMES}}` |
-/// | `{{symptoms SLIPS}}` | the parts of the page of slips, each as the picture of its slip, and all slips by their names |
+/// | `{{slips LOOK}}` | all slips of a look; also `{{slips LOOK NAMES}}`, `{{slips LOOK not NAMES}}` |
+/// | `{{symptoms SLIPS}}` | the parts of the page of slips, each as the picture of its slip, and all slips by name |
 /// | `{{step CHAPTER NUMBER}}` | the picture after this step on the way to the chapter |
 /// | `{{snapshot PATH}}` | the Markdown in a snapshot |
 /// | `{{value FILE KEY}}` | a number that was measured |
+///
+/// # Errors
+/// If there is no such directive, or its replacement cannot be made.
 pub(crate) fn resolve(text: &str, folder: &Path, listed: &mut Listed) -> Result<Woven, String> {
     let (name, rest) = split(text.trim());
     let (first, second) = split(rest);
@@ -60,7 +64,7 @@ pub(crate) fn resolve(text: &str, folder: &Path, listed: &mut Listed) -> Result<
     block.map(Woven::Block)
 }
 
-/// Returns what the snapshot at `path` holds, without the header of the file.
+/// Returns the text of the snapshot at `path`, without the header that insta writes.
 fn snapshot(path: &Path) -> Result<String, String> {
     let text = read(path)?;
     // insta begins a snapshot with a header between lines of dashes.

@@ -7,14 +7,20 @@ use figures::{CHARTS, Chart};
 use crate::controls;
 use crate::ground::named;
 
-/// The figure of that name, drawn now, with its caption and with what moves it.
+/// Draws the figure `name`; returns it with its caption, handles, inputs and buttons.
+///
+/// # Errors
+/// If there is no such figure.
 pub(crate) fn figure(name: &str) -> Result<String, String> {
     let figure = named("figure", name, figures::figures(), |figure| figure.name())?;
     Ok(controls::around(figure))
 }
 
-/// The chart of that name, drawn now from its files in the folder `notes`, with its
-/// caption and a table of the same numbers.
+/// Draws the chart `name` from its files in the folder `notes`; returns it with its caption and a
+/// table of its numbers.
+///
+/// # Errors
+/// If there is no such chart, or one of its files is missing or wrong.
 pub(crate) fn chart(notes: &Path, name: &str) -> Result<String, String> {
     let chart = named("chart", name, CHARTS, |chart| chart.name)?;
     let drawn = chart.draw_from(notes)?;
@@ -30,7 +36,8 @@ pub(crate) fn chart(notes: &Path, name: &str) -> Result<String, String> {
     ))
 }
 
-/// Buttons of which one is pressed: the style sheet shows the panel in the same place.
+/// Returns radio buttons for the panels of a chart, of which the style sheet shows one; nothing if
+/// the page shows all.
 fn choice(chart: &Chart) -> String {
     let button = |(n, words): (usize, &&str)| {
         let checked = if n == 0 { " checked" } else { "" };
@@ -44,7 +51,7 @@ fn choice(chart: &Chart) -> String {
     }
 }
 
-/// An empty line would end the HTML in a page of Markdown.
+/// Puts HTML on one line: an empty line would end it in a page of Markdown.
 fn on_one_line(html: &str) -> String {
     html.lines().map(str::trim).collect::<Vec<_>>().join(" ")
 }

@@ -1,14 +1,14 @@
-//! What the directives stand on: names, files, and HTML.
+//! Helpers of the directives: names, files, and HTML.
 
 use std::fs;
 use std::path::Path;
 
 pub(crate) use figures::escape as escaped;
 
-/// The one of `all` that has this name.
+/// Returns the one of `all` whose name is `name`. `kind` says in the error what was looked for.
 ///
 /// # Errors
-/// If there is none, with the names that there are.
+/// If there is none; the message lists the names that there are.
 pub(crate) fn named<T>(
     kind: &str,
     name: &str,
@@ -26,15 +26,15 @@ pub(crate) fn named<T>(
     Err(format!("there is no {kind} `{name}`: there are {names}"))
 }
 
-/// The text of a file.
+/// Reads the text of a file.
 ///
 /// # Errors
-/// With its name, and what keeps it from being read.
+/// A message with the path, and why the file cannot be read.
 pub(crate) fn read(path: &Path) -> Result<String, String> {
     fs::read_to_string(path).map_err(|cause| format!("{}: {cause}", path.display()))
 }
 
-/// The first word of the text, and what follows.
+/// Returns the first word of the text, and the rest; either may be empty.
 pub(crate) fn split(text: &str) -> (&str, &str) {
     let (first, rest) = text.split_once(' ').unwrap_or((text, ""));
     (first, rest.trim())

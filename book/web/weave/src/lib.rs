@@ -1,9 +1,8 @@
-//! A preprocessor of mdBook: pages, sources, figures and formulas become one book.
+//! A preprocessor of mdBook that makes one book of pages, sources, figures and formulas.
 //!
-//! mdBook does what it does well: Markdown, search, themes, the print page. What
-//! it does not know, the directives of the pages and their formulas, is resolved
-//! before by [`Weaver`]. Whatever goes wrong fails the build, with the file, the
-//! line and the cause.
+//! mdBook does Markdown, search, themes and the print page. Before it starts, [`Weaver`] replaces
+//! all that mdBook does not know: the directives of the pages, and their formulas. Any error fails
+//! the build, with the file, the line and the cause.
 
 mod changes;
 mod code;
@@ -35,10 +34,10 @@ use maths::Maths;
 use page::Page;
 use symbols::Symbols;
 
-/// Weaves the book in the folder `source`, which has a book.toml, into the empty `folder`.
+/// Builds the book in the folder `source`, which has a book.toml, into the empty `folder`.
 ///
 /// # Errors
-/// If a page can't be woven, or mdBook as much as warns; with every cause that was found.
+/// If a page cannot be woven, or mdBook gives an error or a warning. The message has all of them.
 pub fn weave(source: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
     let warnings = warnings::collect(|| {
         let mut book = MDBook::load(source).map_err(cannot_weave)?;
@@ -52,21 +51,23 @@ pub fn weave(source: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
     Err(format!("mdBook warns about the book\n{}", warnings.join("\n")).into())
 }
 
-/// Answers mdBook's own program: it asks with a book as JSON, and gets the woven one.
+/// Serves mdBook's own program as a preprocessor: reads a book as JSON from `question`, and writes
+/// the woven book to `answer`.
 ///
 /// # Errors
-/// If that is no book, or a page can't be woven.
+/// If the input is no book, or a page cannot be woven.
 pub fn preprocess(question: impl Read, answer: impl Write) -> Result<(), Box<dyn Error>> {
     let (context, book) = parse_input(question).map_err(cannot_weave)?;
     let woven = Weaver.run(&context, book).map_err(cannot_weave)?;
     Ok(serde_json::to_writer(answer, &woven)?)
 }
 
+/// Says that the book can't be woven, and why.
 fn cannot_weave(error: Cause) -> Box<dyn Error> {
     format!("the book can't be woven\n{error:#}").into()
 }
 
-/// Resolves what the pages have that mdBook does not know.
+/// The preprocessor that replaces directives and formulas.
 struct Weaver;
 
 impl Preprocessor for Weaver {

@@ -1,7 +1,8 @@
-//! `weave SOURCE FOLDER`: weaves the book in the folder SOURCE, and lets it take the place of
-//! an older one in FOLDER. Without words it is what mdBook's own program calls a preprocessor.
+//! `weave SOURCE FOLDER`: weaves the book in the folder SOURCE, and then puts it in the place of an
+//! older one in FOLDER. Without arguments it serves mdBook's own program as a preprocessor.
 //!
-//! `cargo rtrace book` has cargo build this and runs it. So it builds without mdBook itself.
+//! `cargo rtrace book` has cargo build this program and runs it, so that the command itself builds
+//! without mdBook.
 
 use std::error::Error;
 use std::ffi::OsString;
@@ -24,10 +25,10 @@ fn main() -> ExitCode {
     })
 }
 
-/// What the folder is called where another one is refused.
+/// The word for the folder's content in the message that refuses a folder of something else.
 const KIND: &str = "book";
 
-/// Weaves beside the old book, which stays until the new one is whole.
+/// Weaves the book into a new folder, and only when it is complete, replaces the old one.
 fn replace(source: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
     files::refuse_strangers(folder, KIND)?;
     let new = folder.join("new");

@@ -1,4 +1,4 @@
-//! Formulas: LaTeX becomes MathML, which browsers draw without any help.
+//! Formulas: LaTeX becomes MathML, which browsers draw by themselves.
 
 use std::collections::HashSet;
 
@@ -6,22 +6,26 @@ use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
 
 use crate::symbols::Symbols;
 
-/// The formulas of the book.
+/// The converter of the book's formulas, which also explains their symbols.
 pub(crate) struct Maths {
     converter: LatexToMathML,
     symbols: Symbols,
 }
 
 impl Maths {
-    /// Maths without macros.
+    /// Makes a converter without macros.
     pub(crate) fn new(symbols: Symbols) -> Self {
         let converter = LatexToMathML::new(MathCoreConfig::default())
             .expect("without macros there is none that can be wrong");
         Self { converter, symbols }
     }
 
-    /// A formula inside a line, which does not part from the `punctuation` behind it. A symbol
-    /// that is not among those `met` is explained; nothing is, where there are none to be met.
+    /// Converts a formula inside a line; a line never breaks between it and the `punctuation`
+    /// behind it. The first time that a page shows a symbol, which then is not in `met`, the
+    /// formula links to the page of symbols; never, if `met` is `None`.
+    ///
+    /// # Errors
+    /// If the formula is wrong.
     pub(crate) fn inline(
         &self,
         latex: &str,
@@ -39,8 +43,11 @@ impl Maths {
         })
     }
 
-    /// A formula on a line of its own; `\tag{n}` makes it equation n of the book. What follows
-    /// a wide gap may go on in the next line.
+    /// Converts a formula on a line of its own; `\tag{n}` makes it equation n of the book. A line
+    /// may break at a wide gap.
+    ///
+    /// # Errors
+    /// If the formula or its tag is wrong.
     pub(crate) fn equation(&self, latex: &str) -> Result<String, String> {
         let (formula, number) = without_tag(latex)?;
         let formula = formula.replace(r"\qquad", r"\quad");
@@ -58,6 +65,7 @@ impl Maths {
         })
     }
 
+    /// Converts a formula to MathML on one line.
     fn convert(&self, latex: &str, display: MathDisplay) -> Result<String, String> {
         let converted = self.converter.convert_with_local_state(latex, display);
         converted
@@ -66,7 +74,7 @@ impl Maths {
     }
 }
 
-/// The formula without its `\tag{n}`, and n.
+/// Returns the formula without its `\tag{n}`, and n.
 fn without_tag(latex: &str) -> Result<(String, Option<&str>), String> {
     let Some((before, rest)) = latex.split_once(r"\tag{") else {
         return Ok((latex.to_owned(), None));
@@ -80,8 +88,8 @@ fn without_tag(latex: &str) -> Result<(String, Option<&str>), String> {
     }
 }
 
-/// MathML that means the same after Markdown: on one line, and the punctuation
-/// of its text as numbers of characters.
+/// Protects MathML from Markdown: puts it on one line, and writes the punctuation of its text as
+/// numbers of characters.
 fn untouched_by_markdown(mathml: &str) -> String {
     let mut is_tag = false;
     let mut safe = String::new();

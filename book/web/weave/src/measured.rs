@@ -1,4 +1,4 @@
-//! Numbers that were measured, out of the tables (CSV) that hold them.
+//! Measured numbers, read from the tables (CSV) that hold them.
 
 use std::path::Path;
 
@@ -6,10 +6,12 @@ use figures::table;
 
 use crate::ground::read;
 
-/// The value at `key` in the table at `path`, as it is printed.
+/// Returns the number at `key` in the table at `path`, as a page prints it.
 ///
-/// The key is `CELL/CELL.COLUMN`, where the cells are those that the row begins
-/// with, or that of a line `# KEY: value`.
+/// The key is `CELL/CELL.COLUMN`, with the first cells of a row, or KEY of a line `# KEY: value`.
+///
+/// # Errors
+/// If the file cannot be read, or does not have exactly one number with this key.
 pub(crate) fn value(path: &Path, key: &str) -> Result<String, String> {
     let text = read(path)?;
     let found = match key.rsplit_once('.') {
@@ -24,6 +26,7 @@ pub(crate) fn value(path: &Path, key: &str) -> Result<String, String> {
     }
 }
 
+/// Returns all fields of this column whose row begins with `cells`.
 fn in_table(text: &str, cells: &str, column: &str) -> csv::Result<Vec<String>> {
     let mut reader = table::reader(text);
     let place = reader.headers()?.iter().position(|name| name == column);
@@ -37,7 +40,7 @@ fn in_table(text: &str, cells: &str, column: &str) -> csv::Result<Vec<String>> {
     Ok(found)
 }
 
-/// A power of ten as people write it: 2.5e-16 is 2.5·10⁻¹⁶. An empty field is `none`.
+/// Writes a power of ten as people do, 2.5·10⁻¹⁶ for 2.5e-16, and an empty field as `none`.
 fn printed(value: &str) -> String {
     match value.split_once('e') {
         None if value.is_empty() => "none".to_owned(),

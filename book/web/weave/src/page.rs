@@ -1,4 +1,4 @@
-//! One page: where its formulas and directives are, and what becomes of them.
+//! One page: finds its formulas and directives, and replaces them.
 
 use std::collections::HashSet;
 use std::env;
@@ -11,27 +11,30 @@ use crate::code::Listed;
 use crate::directive::{self, Woven};
 use crate::maths::Maths;
 
-/// A page as it was written.
+/// A page as its author wrote it, in Markdown with directives and formulas.
 pub(crate) struct Page<'a> {
     path: PathBuf,
     text: &'a str,
 }
 
-/// A piece of a page and what becomes of it, or why nothing does.
+/// A range of bytes in a page, and the text for its place or the reason why there is none.
 type Piece = (Range<usize>, Result<Woven, String>);
 
 impl<'a> Page<'a> {
-    /// The page at `path`, with `text` in it.
+    /// Makes a page of its path and its text.
     pub(crate) fn new(path: PathBuf, text: &'a str) -> Self {
         Self { path, text }
     }
 
-    /// The folder that paths in the page start from.
+    /// Returns the folder from which paths in the page start.
     pub(crate) fn folder(&self) -> &Path {
         self.path.parent().unwrap_or(&self.path)
     }
 
-    /// The page as mdBook understands it, or each cause why there is none.
+    /// Replaces the page's directives and formulas; returns Markdown for mdBook.
+    ///
+    /// # Errors
+    /// All problems of the page, each with its file and line.
     pub(crate) fn weave(&self, maths: &Maths) -> Result<String, Vec<String>> {
         let (mut pieces, opaque) = self.formulas(maths);
         pieces.extend(self.directives(&opaque));
@@ -57,7 +60,7 @@ impl<'a> Page<'a> {
         }
     }
 
-    /// File and line of the byte `at`, as seen from the folder that the reader is in.
+    /// Returns the file and the line of the byte `at`, seen from the current folder.
     fn place(&self, at: usize) -> String {
         let line = 1 + self.text[..at].matches('\n').count();
         let here = env::current_dir().unwrap_or_default();
@@ -65,7 +68,7 @@ impl<'a> Page<'a> {
         format!("{}:{line}", path.display())
     }
 
-    /// The formulas, and the ranges in which braces mean what they are.
+    /// Returns the formulas, and the ranges (code and formulas) in which braces are no directive.
     fn formulas(&self, maths: &Maths) -> (Vec<Piece>, Vec<Range<usize>>) {
         let mut pieces = Vec::new();
         let mut opaque: Vec<Range<usize>> = Vec::new();
@@ -98,7 +101,7 @@ impl<'a> Page<'a> {
         (pieces, opaque)
     }
 
-    /// Where the punctuation ends that begins at the byte `at`.
+    /// Returns the end of the punctuation that begins at the byte `at`.
     fn end_of_punctuation(&self, at: usize) -> usize {
         let rest = &self.text[at..];
         self.text.len()
@@ -107,7 +110,8 @@ impl<'a> Page<'a> {
                 .len()
     }
 
-    /// A formula that does not end is mere text to the parser.
+    /// Finds a dollar sign in `text` that begins no formula: to the parser, a formula without an
+    /// end is mere text.
     fn stray_dollar(&self, text: Range<usize>) -> Option<Piece> {
         let at = text.start + self.text[text.clone()].find('$')?;
         let cause = r"this $ belongs to no formula: close it, or write \$".to_owned();
@@ -115,6 +119,7 @@ impl<'a> Page<'a> {
         (!is_escaped).then_some((at..at, Err(cause)))
     }
 
+    /// Returns the directives outside of the ranges `opaque`.
     fn directives(&self, opaque: &[Range<usize>]) -> Vec<Piece> {
         let mut pieces = Vec::new();
         let mut listed = Listed::default();
@@ -141,7 +146,7 @@ impl<'a> Page<'a> {
         pieces
     }
 
-    /// `text` between empty lines, each indented or quoted as the line at `start` is.
+    /// Puts `text` between empty lines, each line indented or quoted as the line at `start` is.
     fn block(&self, start: usize, text: &str) -> String {
         let line = self.text[..start].rsplit('\n').next().unwrap_or("");
         let prefix = &line[..line.len() - line.trim_start_matches([' ', '>']).len()];
@@ -150,8 +155,8 @@ impl<'a> Page<'a> {
     }
 }
 
-/// The parser with mdBook's options (see `mdbook_markdown::new_cmark_parser`), and
-/// with formulas.
+/// Makes a parser with mdBook's options (see `mdbook_markdown::new_cmark_parser`), and with
+/// formulas.
 fn parser(text: &str) -> Parser<'_> {
     let options = Options::ENABLE_TABLES
         | Options::ENABLE_FOOTNOTES

@@ -11,7 +11,10 @@ use slips::{Chapter, Edition, ReaderLanguage, Slip, SlipText, Unseen, WrongPictu
 
 use crate::ground::{escaped, read, split};
 
-/// The picture that a slip draws in a chapter, with the name of both below it.
+/// Returns the picture that the slip `name` draws in a chapter, with both names below.
+///
+/// # Errors
+/// If there is no such slip, or it cannot be made in the chapter.
 pub(crate) fn slip(name: &str, chapter: &str) -> Result<String, String> {
     let slip = slips::find(name).ok_or_else(|| format!("there is no slip `{name}`"))?;
     let chapter = Chapter::find(chapter)
@@ -26,7 +29,7 @@ pub(crate) fn slip(name: &str, chapter: &str) -> Result<String, String> {
     ))
 }
 
-/// Returns what each edition of the book draws, and by what it differs.
+/// Returns the picture of each edition of the book, and how it differs from ours.
 pub(crate) fn editions() -> String {
     // To see the two programs of version 1 apart takes a comparison of bits.
     let mut editions = Edition::ALL.to_vec();
@@ -51,12 +54,16 @@ fn one_edition(edition: Edition) -> String {
     )
 }
 
-/// How wide the pictures of editions are, in pixels.
+/// The width of an edition's picture in pixels.
 const EDITION_WIDTH: u32 = 144;
 
-/// The slips of a look with their pictures: `LOOK`, or `LOOK NAME NAME` for those that have one of
-/// these names or are made in a chapter of that name, or `LOOK not NAME NAME` for the others. Those
-/// of the look `Right` draw the right picture wherever they are made.
+/// Returns the slips of a look (a kind of wrong picture), with their pictures. `chosen` is `LOOK`;
+/// `LOOK NAME NAME` for only the slips with these names or made in chapters with these names; or
+/// `LOOK not NAME NAME` for all others. The slips of the look `Right` draw the right picture in all
+/// chapters.
+///
+/// # Errors
+/// If there is no such look, slip or chapter.
 pub(crate) fn gallery(chosen: &str) -> Result<String, String> {
     if chosen == "Right" {
         return Ok(unseen().map(|slip| shown_by(slip) + "\n").collect());
@@ -64,8 +71,12 @@ pub(crate) fn gallery(chosen: &str) -> Result<String, String> {
     Ok(wrong_pictures(chosen)?.into_par_iter().map(tile).collect())
 }
 
-/// The parts of the page of slips in the folder `notes`, each as one of its pictures, that of the
-/// slip in its place in `shown`; and below them each slip by its name.
+/// Returns a card for each part of the page of slips in the folder `notes`, with the picture of the
+/// slip at its place in the list `shown`; and below the cards all slips by name.
+///
+/// # Errors
+/// If the page cannot be read, has other than one part for each slip of the list, or a part that
+/// lacks its slip.
 pub(crate) fn symptoms(notes: &Path, shown: &str) -> Result<String, String> {
     let text = read(&notes.join(PAGE).with_extension("md"))?;
     let parts = text.split("\n## ").filter(|part| part.contains(GALLERY));
@@ -88,11 +99,12 @@ pub(crate) fn symptoms(notes: &Path, shown: &str) -> Result<String, String> {
     ))
 }
 
-/// The page of slips, and how the line begins in which it asks for those of a look.
+/// The page of slips, and the beginning of its lines that ask for the slips of a look.
 const PAGE: &str = "slips";
 const GALLERY: &str = "{{slips ";
 
-/// A part of the page as the picture of the slip `shown`, which leads there.
+/// Returns the card of a part of the page: the picture of the slip `shown`, which links to the
+/// part.
 fn card((part, shown): (&str, &str)) -> Result<String, String> {
     let (title, rest) = part.split_once(" {#").unwrap_or((part, ""));
     let (id, _) = rest.split_once('}').unwrap_or_default();
@@ -143,14 +155,14 @@ fn wrong_pictures(chosen: &str) -> Result<Vec<&'static WrongPicture>, String> {
     }
 }
 
-/// Those that draw the right picture in all their chapters.
+/// Returns the slips that draw the right picture in all their chapters.
 fn unseen() -> impl Iterator<Item = &'static Slip> {
     let seen = WRONG_PICTURES.iter().flat_map(|wrong| &wrong.slips);
     let seen: Vec<&str> = seen.map(|slip| slip.name).collect();
     slips::all().filter(move |slip| !seen.contains(&slip.name))
 }
 
-/// A picture, and beside it the slips that draw it.
+/// Returns a wrong picture, and beside it the slips that draw it.
 fn tile(wrong: &WrongPicture) -> String {
     let chapter = wrong.chapter.name();
     let names: Vec<&str> = wrong.slips.iter().map(|slip| slip.name).collect();
@@ -165,7 +177,8 @@ fn tile(wrong: &WrongPicture) -> String {
     )
 }
 
-/// Returns what the page calls the slip where it has this look: its name, where it is seen first.
+/// Returns the anchor of a slip on the page: its name, where its first picture stands, and else its
+/// name with the chapter's.
 fn id(slip: &Slip, wrong: &WrongPicture) -> String {
     let has = |wrong: &&WrongPicture| wrong.slips.iter().any(|it| it.name == slip.name);
     match WRONG_PICTURES.iter().find(has) {
@@ -174,7 +187,7 @@ fn id(slip: &Slip, wrong: &WrongPicture) -> String {
     }
 }
 
-/// The slip in words, as an item of a list.
+/// Returns the slip in words, as an item of a list.
 fn item(slip: &Slip, id: &str) -> String {
     let name = slip.name;
     let first = slip.chapters().next().unwrap_or(Chapter::HittableList);
@@ -200,7 +213,7 @@ fn shown_by(slip: &Slip) -> String {
     format!("{}. {shown}", item(slip, slip.name))
 }
 
-/// The picture inside the page, pixel by pixel.
+/// Returns a picture as an `<img>` that holds all its pixels; `alt` describes it.
 pub(crate) fn image(picture: &Picture, alt: &str) -> String {
     format!(
         "<img class=\"pixels\" width=\"{}\" height=\"{}\" alt=\"{}\" src=\"{}\">",
@@ -211,7 +224,7 @@ pub(crate) fn image(picture: &Picture, alt: &str) -> String {
     )
 }
 
-/// An address that has the whole picture in it.
+/// Returns a data URL that holds the whole picture as a PNG.
 pub(crate) fn address(picture: &Picture) -> String {
     let png = BASE64_STANDARD.encode(png::encode(picture));
     format!("data:image/png;base64,{png}")

@@ -6,20 +6,23 @@ use proc_macro2::Span;
 use syn::spanned::Spanned;
 use syn::{Ident, ImplItem, Item, TraitItem};
 
-/// An item by its name or names, and the lines that it fills, from 0.
+/// An item of a Rust source, with the names that find it.
 ///
-/// A function, type, trait or constant goes by its name, an import by its line, an impl block
-/// by its header, a method by either of them, `::` and its name. Doc comments and attributes
-/// belong to an item.
+/// A function, type, trait or constant goes by its name, an import by its line, an impl block by
+/// its header, and a method by its block's header or owner, `::` and its name. Doc comments and
+/// attributes belong to an item.
 pub(crate) struct SourceItem {
+    /// The names that find the item, at least one.
     pub(crate) names: Vec<String>,
+    /// The lines that the item fills, counted from 0.
     pub(crate) lines: Range<usize>,
+    /// True for a `use` declaration.
     pub(crate) is_import: bool,
-    /// The block that it is a method of, if it is one.
+    /// The block around the item if it is a method, else `None`.
     block: Option<OuterBlock>,
 }
 
-/// The block around a method: its header, and the lines that the header fills.
+/// The trait or impl block around a method: its header, and the lines of the header, from 0.
 #[derive(Clone, PartialEq)]
 struct OuterBlock {
     header: String,
@@ -27,6 +30,7 @@ struct OuterBlock {
 }
 
 impl SourceItem {
+    /// Makes an item that is no import and stands in no block.
     fn new(names: Vec<String>, span: Span) -> Self {
         Self {
             names,
@@ -36,17 +40,18 @@ impl SourceItem {
         }
     }
 
-    /// Returns what stands in the source to look for: of a method, the header of its block.
+    /// Returns the name by which a reader looks for the item: that of a method is its block's
+    /// header.
     pub(crate) fn called(&self) -> &str {
         let block = self.block.as_ref().map(|block| &block.header);
         block.unwrap_or(&self.names[0])
     }
 }
 
-/// The items in `list`, with the names that commas separate there.
+/// Returns the items of a source whose names, separated by commas, are in `list`.
 ///
 /// # Errors
-/// If the source is no Rust, or an item is not there, or twice.
+/// If the source is no Rust, or has none or several items of a name.
 pub(crate) fn items(source: &str, list: &str) -> Result<Vec<SourceItem>, String> {
     let file = syn::parse_file(source)
         .map_err(|cause| format!(": line {}: {cause}", cause.span().start().line))?;
@@ -57,7 +62,7 @@ pub(crate) fn items(source: &str, list: &str) -> Result<Vec<SourceItem>, String>
     names(list).into_iter().map(find).collect()
 }
 
-/// The names in a list; a comma inside brackets belongs to a name.
+/// Splits a list of names; a comma inside brackets belongs to a name.
 fn names(list: &str) -> Vec<&str> {
     let mut depth = 0;
     let is_separator = |letter: char| {
@@ -67,6 +72,7 @@ fn names(list: &str) -> Vec<&str> {
     list.split(is_separator).map(str::trim).collect()
 }
 
+/// Returns the only item with this name.
 fn find(mut items: Vec<SourceItem>, name: &str) -> Result<SourceItem, String> {
     let all: Vec<String> = items.iter().map(|item| item.names[0].clone()).collect();
     items.retain(|item| item.names.iter().any(|other| other == name));
@@ -79,8 +85,8 @@ fn find(mut items: Vec<SourceItem>, name: &str) -> Result<SourceItem, String> {
     }
 }
 
-/// The items, with an empty line between them unless they stand together in the source;
-/// methods of one block are in one block.
+/// Returns the text of the items, with an empty line between two that do not touch in the source.
+/// Methods of one block share its header and its end.
 pub(crate) fn excerpt(source: &str, items: &[SourceItem]) -> String {
     let source: Vec<&str> = source.lines().collect();
     let text = |lines: &Range<usize>| source[lines.clone()].join("\n") + "\n";
@@ -100,7 +106,7 @@ pub(crate) fn excerpt(source: &str, items: &[SourceItem]) -> String {
     excerpt
 }
 
-/// The item, and what can be named inside it.
+/// Returns an item, and the methods inside of it.
 fn named(item: &Item, source: &str) -> Vec<SourceItem> {
     let plain = |name: &Ident| vec![SourceItem::new(vec![name.to_string()], item.span())];
     match item {
@@ -144,6 +150,7 @@ fn named(item: &Item, source: &str) -> Vec<SourceItem> {
     }
 }
 
+/// Returns the header of a block, from its first word to its brace.
 fn block(source: &str, start: Span, brace: Span) -> OuterBlock {
     let header = &source[start.byte_range().start..brace.byte_range().start];
     OuterBlock {
@@ -152,7 +159,7 @@ fn block(source: &str, start: Span, brace: Span) -> OuterBlock {
     }
 }
 
-/// Methods by the header of their block, and by its owner, if it has one.
+/// Returns methods of a block, named by its header and by its owner, if there is one.
 fn in_block<'a>(
     block: &OuterBlock,
     owner: Option<String>,
@@ -167,7 +174,7 @@ fn in_block<'a>(
     })
 }
 
-/// From the first line of one place to the last of another, from 0.
+/// Returns the lines from the first one of `start` to the last one of `end`, counted from 0.
 fn lines(start: Span, end: Span) -> Range<usize> {
     start.start().line - 1..end.end().line
 }

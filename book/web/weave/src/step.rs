@@ -1,11 +1,14 @@
-//! Half-finished pictures: what there is to see after a step on the way to a chapter.
+//! Half-finished pictures: the picture after a step on the way to a chapter.
 
 use slips::{Chapter, ChapterProgram, steps};
 
 use crate::ground::{escaped, named};
 use crate::slip::image;
 
-/// The picture of step `number` of the chapter, drawn now, and what to type for it.
+/// Draws the picture after step `number` of a chapter; returns it with the words on what to type.
+///
+/// # Errors
+/// If there is no such chapter or step.
 pub(crate) fn step(chapter: &str, number: &str) -> Result<String, String> {
     let chapter = named("chapter", chapter, Chapter::ALL, |chapter| chapter.name())?;
     let (name, steps) = (chapter.name(), steps::of_chapter(chapter));
@@ -22,7 +25,7 @@ pub(crate) fn step(chapter: &str, number: &str) -> Result<String, String> {
     ))
 }
 
-/// Marks what stands between backticks as code.
+/// Puts the text between backticks into `<code>`.
 fn with_code(says: &str) -> String {
     let tags = [["", ""], ["<code>", "</code>"]].into_iter().cycle();
     let pieces = says.split('`').zip(tags);

@@ -1,26 +1,28 @@
-//! A glossary in place: the first time that a symbol stands in a page, it says what it means.
+//! A glossary in place: the first time that a page shows a symbol, the symbol links to its meaning.
 
 use std::collections::{HashMap, HashSet};
 use std::path::Path;
 
 use crate::ground::{escaped, read};
 
-/// The page that has all symbols.
+/// The page that explains all symbols.
 const PAGE: &str = "symbols.md";
 
-/// How each symbol of the book is typed, and what it means, as the tables of their page have it.
+/// The symbols of the book by their LaTeX: how each is typed in the code, and its meaning.
 #[derive(Default)]
 pub(crate) struct Symbols(HashMap<String, [String; 2]>);
 
 impl Symbols {
-    /// Those of the page in the folder `notes`; none, if there is no such page.
+    /// Reads the symbols from the tables of their page in the folder `notes`; there are none
+    /// without that page.
     pub(crate) fn read(notes: &Path) -> Self {
         let text = read(&notes.join(PAGE)).unwrap_or_default();
         Self(text.lines().flat_map(row).collect())
     }
 
-    /// The `mathml` of a formula. If it is a symbol that is not among those `met` on its page,
-    /// it leads to the page of symbols, and has its meaning. The search knows it as it is typed.
+    /// Returns the `mathml` of a formula. If the formula is a symbol that is not yet in `met`, it
+    /// becomes a link to the page of symbols with its meaning, and the search finds it as it is
+    /// typed.
     pub(crate) fn explained(
         &self,
         formula: &str,
@@ -40,7 +42,7 @@ impl Symbols {
     }
 }
 
-/// The symbols of a row `| $t$ | t | the ray parameter | …`, and what they mean.
+/// Reads the symbols of a row `| $t$ | t | the ray parameter | …`, each with its name and meaning.
 fn row(line: &str) -> Vec<(String, [String; 2])> {
     let cells: Vec<&str> = line.split('|').map(str::trim).collect();
     let ["", symbols, typed, meaning, ..] = cells[..] else {

@@ -1,4 +1,4 @@
-//! Log capture: what mdBook only warns about fails the build.
+//! Log capture: a warning of mdBook fails the build.
 
 use std::fmt::{Debug, Write};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -7,7 +7,10 @@ use tracing::field::{Field, Visit};
 use tracing::span::{Attributes, Id, Record};
 use tracing::{Event, Level, Metadata, Subscriber, subscriber};
 
-/// Does the `work`, and returns what was warned about meanwhile.
+/// Does the `work`, and returns all warnings that were logged meanwhile.
+///
+/// # Errors
+/// The error of `work`.
 pub(crate) fn collect<E>(work: impl FnOnce() -> Result<(), E>) -> Result<Vec<String>, E> {
     let warnings = Warnings::default();
     subscriber::with_default(warnings.clone(), work)?;
@@ -44,7 +47,7 @@ impl Subscriber for Warnings {
     fn exit(&self, _: &Id) {}
 }
 
-/// The text of an event.
+/// The text of a logged event.
 #[derive(Default)]
 struct Message(String);
 

@@ -52,11 +52,11 @@ fn a_page_that_is_missing_fails_the_build() {
     assert!(cause.contains("other.md"), "{cause}");
 }
 
-/// A book of one page, which begins with a heading and an empty line.
+/// A book of one page in a temporary folder; the page begins with a heading and an empty line.
 struct Book(TempDir);
 
 impl Book {
-    /// A book of this page, with files to list.
+    /// Makes a book of this page, with some files to list.
     fn new(page: &str) -> Self {
         let book = Self(TempDir::new().expect("a folder"));
         fs::create_dir(book.0.path().join("notes")).expect("a folder");
@@ -82,10 +82,10 @@ impl Book {
         fs::write(self.0.path().join("notes").join(name), text).expect("a file");
     }
 
-    /// The main part of the page as it is woven.
+    /// Weaves the book; returns the main part of the page as HTML.
     ///
     /// # Errors
-    /// With each complaint, as seen from the folder of the book.
+    /// All complaints, with paths seen from the folder of the book.
     fn page(&self) -> Result<String, String> {
         let folder = self.0.path();
         let here = format!("{}{MAIN_SEPARATOR}", folder.display());
@@ -99,7 +99,7 @@ impl Book {
     }
 }
 
-/// A complaint without the system's own words for it, and with slashes.
+/// Makes a complaint the same in any system: with slashes, and without the system's own words.
 fn in_any_system(cause: &str) -> String {
     let line = |line: &str| match line.split_once(" (os error ") {
         Some((said, _)) => {
