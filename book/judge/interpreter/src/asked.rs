@@ -7,17 +7,17 @@ use crate::program::{Program, u32_value};
 use crate::refusal::Span;
 use crate::types::Ctor;
 
-/// A sphere.
+/// A sphere that is handed to the functions of a chapter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ball {
-    /// Its center.
+    /// The center of the sphere.
     pub center: Point3,
-    /// Its radius.
+    /// The radius of the sphere; chapter 5's `Sphere::new` takes a negative one for 0.
     pub radius: f64,
 }
 
 impl Ball {
-    /// Makes the sphere at (`x`, `y`, `z`).
+    /// Makes a sphere from the coordinates of its center and its radius.
     pub const fn new(x: f64, y: f64, z: f64, radius: f64) -> Self {
         Self {
             center: Point3::new(x, y, z),
@@ -26,21 +26,23 @@ impl Ball {
     }
 }
 
-/// A record of a hit.
+/// A record of a hit, as the `Sphere::hit` of chapter 5 returns it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SphereHit {
     /// The ray parameter, in lengths of the ray's direction.
     pub t: f64,
-    /// The point on the sphere.
+    /// The point on the sphere: the field `point` of the program's record, or `p`.
     pub point: Point3,
-    /// The normal, which should be a unit vector against the ray.
+    /// The normal; a right program returns a unit vector that points against the ray.
     pub normal: Vec3,
-    /// True if the ray came from outside.
+    /// True if the ray met the outer side of the sphere.
     pub front_face: bool,
 }
 
 impl Program {
-    /// Calls the chapter's `ray_color`; NaN where it stops.
+    /// Calls the chapter's `ray_color` with the ray, and with its `world()` if it has one.
+    ///
+    /// Returns NaN in each component if the program has no such function or stops in it.
     pub fn ray_color(&self, ray: &Ray) -> Color {
         let color = || {
             let mut machine = self.machine();
@@ -57,7 +59,10 @@ impl Program {
         color().unwrap_or(Color::NAN)
     }
 
-    /// Calls the `hit_sphere` of chapters 2 to 4; any `t` where it only says yes.
+    /// Calls the `hit_sphere` of chapters 2 to 4 and returns its `t`; 0 for a hit where it returns
+    /// a `bool`.
+    ///
+    /// Returns `None` for a miss, and also if the program has no such function or stops in it.
     pub fn hit_sphere(&self, center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
         let given = [self.vec3(center), radius.into(), Self::ray(self, ray)];
         let answer = self.call(self.role("hit_sphere", 3)?, &given)?;
@@ -68,7 +73,10 @@ impl Program {
         }
     }
 
-    /// Calls the `hit` of a sphere in chapter 5.
+    /// Calls `Sphere::hit` of chapter 5 on a sphere made by `Sphere::new`, and returns its record.
+    ///
+    /// Returns `None` for a miss, if the program stops, or if one of these functions or a
+    /// field of the record is missing.
     pub fn record(&self, ball: Ball, ray: &Ray, t_min: f64, t_max: f64) -> Option<SphereHit> {
         let sphere = [self.vec3(ball.center), ball.radius.into()];
         let sphere = self.called("Sphere::new", &sphere)?;
@@ -83,7 +91,11 @@ impl Program {
         })
     }
 
-    /// Calls the `hit` of a list in chapter 5; returns the ray parameter.
+    /// Calls `HittableList::hit` of chapter 5 on a list with these spheres in this order, and
+    /// returns the `t` of its record.
+    ///
+    /// Returns `None` for a miss (an empty list, too), if the program stops, or if one of these
+    /// functions or the field `t` is missing.
     pub fn nearest(&self, balls: &[Ball], ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
         let mut machine = self.machine();
         let new = self.code.number_of("HittableList::new");
@@ -109,10 +121,12 @@ impl Program {
     }
 }
 
-/// Functions that only a whole program has, with its camera and its vectors in its text.
+/// Calls of functions that only a whole program has, with its camera and its vectors in its text.
 impl Program {
-    /// Returns the ray that its camera casts for the pixel in a column and row of a picture that
-    /// wide.
+    /// Calls `Camera::new(width)` and its `ray(i, j)`: the ray of the pixel in column `i` and row
+    /// `j`, from 0 at the top left, of a picture `width` pixels wide.
+    ///
+    /// Returns `None` if the program stops or has no such functions.
     pub fn camera_ray(&self, width: u32, i: u32, j: u32) -> Option<Ray> {
         let camera = self.called("Camera::new", &[u32_value(width)])?;
         let [i, j] = [i, j].map(u32_value);
@@ -122,18 +136,30 @@ impl Program {
         }
     }
 
-    /// Returns the integers that a function of integers comes to.
+    /// Calls the function of that name with integers, and returns the integers in the list that it
+    /// comes to.
+    ///
+    /// Returns `None` if the program stops or has no such function, or if it comes to anything
+    /// else.
     pub fn call_with_integers(&self, function: &str, given: &[u32]) -> Option<Vec<i32>> {
         let given: Vec<Value> = given.iter().copied().map(u32_value).collect();
         self.called(function, &given)?.integers()
     }
 
-    /// Returns the integers that a function of a color comes to.
+    /// Calls the function of that name with a color, and returns the integers in the list that it
+    /// comes to.
+    ///
+    /// Returns `None` if the program stops or has no such function, or if it comes to anything
+    /// else.
     pub fn call_with_color(&self, function: &str, color: Color) -> Option<Vec<i32>> {
         self.called(function, &[color.into()])?.integers()
     }
 
-    /// Returns the number, or the numbers of the vector, that a function of vectors comes to.
+    /// Calls the function of that name with vectors, and returns the number that it comes to, or
+    /// the three components of a vector.
+    ///
+    /// Returns `None` if the program stops or has no such function, or if it comes to anything
+    /// else.
     pub fn call_with_vectors(&self, function: &str, given: &[Vec3]) -> Option<Vec<f64>> {
         let given: Vec<Value> = given.iter().copied().map(Value::from).collect();
         match self.called(function, &given)?.data {
@@ -147,7 +173,7 @@ impl Program {
         self.call(self.code.number_of(function)?, given)
     }
 
-    /// Returns the number of a chapter's function, if it takes so many arguments.
+    /// Returns the number of the function of that name, if it takes that many parameters.
     pub(crate) fn role(&self, name: &str, parameters: usize) -> Option<usize> {
         let takes = |it: &usize| self.code.names.functions[*it].parameters.len();
         self.code
@@ -155,7 +181,7 @@ impl Program {
             .filter(|it| takes(it) == parameters)
     }
 
-    /// Returns the number of `ray_color`, which may take a world.
+    /// Returns the number of `ray_color`, if it takes a ray, or a ray and a world.
     pub(crate) fn ray_color_role(&self) -> Option<usize> {
         self.role("ray_color", 1)
             .or_else(|| self.role("ray_color", 2))

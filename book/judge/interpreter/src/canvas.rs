@@ -12,7 +12,7 @@ use crate::program::{Program, missing, u32_value};
 use crate::refusal::Fault;
 use crate::types::Int;
 
-/// A picture that a program draws, pixel by pixel.
+/// A picture that a program draws: each pixel is computed when it is asked for.
 #[derive(Clone)]
 pub struct Canvas {
     program: Program,
@@ -28,8 +28,8 @@ impl fmt::Debug for Canvas {
     }
 }
 
-/// A value on the way to a pixel's color: one that a `let` names, or that a function returns
-/// before its end.
+/// A value on the way to a pixel's color: one that a `let` names, or that a function returns before
+/// its end.
 #[derive(Clone, Debug)]
 pub struct TracedValue {
     /// The function in which the value arises: `ray_color`, or `Sphere::hit` for a method.
@@ -41,10 +41,13 @@ pub struct TracedValue {
 }
 
 impl Program {
-    /// Returns the picture that wide, before any of its pixels is traced.
+    /// Calls the program's `picture` for a picture `width` pixels wide, and computes no pixel yet.
+    ///
+    /// A program without `picture` is drawn by its `ray_color` and the book's camera.
     ///
     /// # Errors
-    /// As for the picture.
+    /// If the program stops, as by a panic; if the compiler would refuse a line that runs; or if
+    /// there is neither function, or `picture` comes to no picture.
     pub fn canvas(&self, width: u32) -> Result<Canvas, Fault> {
         let Some(picture) = self.role("picture", 1) else {
             return self.by_ray_color(width);
@@ -67,7 +70,7 @@ impl Program {
         })
     }
 
-    /// Returns the picture of `ray_color` alone, by our camera.
+    /// Returns the picture that `ray_color` draws with the book's camera, `width` pixels wide.
     pub(crate) fn by_ray_color(&self, width: u32) -> Result<Canvas, Fault> {
         let color = self
             .ray_color_role()
@@ -84,19 +87,24 @@ impl Program {
 }
 
 impl Canvas {
-    /// Returns width and height, in pixels.
+    /// Returns the width and the height, in pixels.
     pub fn size(&self) -> (u32, u32) {
         self.size
     }
 
-    /// Returns the color of the pixel in a column and row.
+    /// Computes the color of the pixel in column `i` and row `j`, from 0 at the top left. A picture
+    /// that was printed gives colors that round to its levels.
     ///
     /// # Errors
-    /// If the program stops by itself, or the compiler would refuse it.
+    /// If the program stops on the way, or the compiler would refuse a line that runs.
+    ///
+    /// # Panics
+    /// If the picture was printed and has no such pixel.
     pub fn color(&self, i: u32, j: u32) -> Result<Color, Fault> {
         self.colored_by(&mut self.program.machine(), i, j)
     }
 
+    /// Computes a pixel's color on a given machine, which may keep a trace.
     fn colored_by(&self, machine: &mut Machine<'_>, i: u32, j: u32) -> Result<Color, Fault> {
         let program = &self.program;
         let colored = match &*self.brush {
@@ -124,10 +132,11 @@ impl Canvas {
         program.ran(colored)
     }
 
-    /// Returns the levels, 0 to 255, of the pixel in a column and row.
+    /// Computes the levels of red, green and blue, 0 to 255, of the pixel in column `i` and row
+    /// `j`, from 0 at the top left.
     ///
     /// # Errors
-    /// As for its color.
+    /// If the program stops on the way, or the compiler would refuse a line that runs.
     pub fn levels(&self, i: u32, j: u32) -> Result<[u8; 3], Fault> {
         let mut levels = [0; 3];
         write_color(&mut levels, self.color(i, j)?);
@@ -156,13 +165,15 @@ impl Canvas {
         traced.collect()
     }
 
-    /// Finds whether a function of that name returns before its end on the way to the pixel.
+    /// Returns true if the function of that name returns before its end on the way to the color of
+    /// the pixel in column `i` and row `j`, as `ray_color` does at a hit.
     pub fn returns_early(&self, name: &str, i: u32, j: u32) -> bool {
         let function = self.program.code.number_of(name);
         let mut bindings = self.bindings(i, j);
         bindings.any(|it| it.slot.is_none() && Some(it.function) == function)
     }
 
+    /// Computes a pixel's color, and returns the values that were bound on the way.
     fn bindings(&self, i: u32, j: u32) -> impl Iterator<Item = Binding> {
         let mut machine = self.program.machine();
         machine.trace = Some(Vec::new());
@@ -171,7 +182,8 @@ impl Canvas {
     }
 }
 
-/// Formats a number to a millionth, or with four digits that count if it is smaller than most.
+/// Formats a number with up to six decimals, or in scientific notation with four significant digits
+/// if its size is below 0.001.
 pub fn format_number(it: f64) -> String {
     match it.abs() {
         small if small != 0.0 && small < 1e-3 => format!("{it:.3e}"),
@@ -179,6 +191,7 @@ pub fn format_number(it: f64) -> String {
     }
 }
 
+/// Formats a number, a truth, a vector, or an option of these; `None` for any other value.
 fn said(value: &Value) -> Option<String> {
     Some(match &value.data {
         Data::Float(it) => format_number(*it),

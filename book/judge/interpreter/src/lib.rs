@@ -28,5 +28,6 @@ pub use canvas::{Canvas, TracedValue, format_number};
 pub use program::{ExpectedPixel, Program, SourceFile, UncheckedLines, read};
 pub use refusal::{Fault, FaultKind, SourceSpan};
 
-/// The sentence that an answer adds where it calls a text right: only the compiler sees the rest.
+/// The sentence that ends an answer which calls a typed text right: moves and borrows were not
+/// checked.
 pub const UNCHECKED: &str = "Moves and borrows are not checked here: cargo does that.";

@@ -5,14 +5,17 @@
 
 use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
 
-/// No text of these chapters is half as deep. A level takes up to 60 kB of the stack of what
-/// reads it, if that is not optimized, and up to 3 kB of what runs it, for each call.
+/// The deepest nesting of brackets and operators that is read: more than twice that of any chapter.
+///
+/// A level takes up to 60 kB of stack while it is read, without optimization, and up to 3 kB in
+/// each call while it runs.
 pub const DEEPEST: usize = 200;
 
-/// Parses the text of a file.
+/// Parses the text of a file, unless it is nested so deeply that the parser would overflow its
+/// stack.
 ///
 /// # Errors
-/// If it is no Rust, or nested deeper than [`DEEPEST`].
+/// If the text is no Rust, or is nested deeper than [`DEEPEST`].
 pub fn parse_file(text: &str) -> syn::Result<syn::File> {
     // What is no token is refused there, in the parser's words.
     if let Ok(tokens) = text.trim_start_matches('\u{feff}').parse() {
@@ -22,19 +25,19 @@ pub fn parse_file(text: &str) -> syn::Result<syn::File> {
     syn::parse_file(text)
 }
 
-/// Checks that the tokens are not nested too deep.
+/// Checks that tokens are not nested deeper than [`DEEPEST`].
 ///
 /// # Errors
-/// The first place that is deeper than [`DEEPEST`].
+/// The first place that is.
 pub(crate) fn check(tokens: TokenStream) -> Result<(), Span> {
     depth(tokens, DEEPEST).map(drop)
 }
 
-/// Returns how deep a tree of the tokens is at most, or where it is deeper than `room`.
+/// Returns how deep a parser of the tokens may call itself, or the first place deeper than `room`.
 ///
 /// Each bracket is a level, and so is each sign and each word after a word, until a comma, the
-/// statement or the item ends. A comma between angles, or between the parameters of a closure,
-/// ends nothing.
+/// statement or the item ends. A comma between angles, or between the parameters of a closure, ends
+/// nothing.
 fn depth(tokens: TokenStream, room: usize) -> Result<usize, Span> {
     let (mut deepest, mut level, mut held, mut inside) = (0, 0, 0_usize, 0);
     let mut tokens = tokens.into_iter().peekable();
@@ -69,15 +72,17 @@ fn depth(tokens: TokenStream, room: usize) -> Result<usize, Span> {
     Ok(deepest)
 }
 
+/// Returns true for a token that is one of these signs.
 fn is_sign(token: Option<&TokenTree>, signs: &str) -> bool {
     matches!(token, Some(TokenTree::Punct(sign)) if signs.contains(sign.as_char()))
 }
 
+/// Returns true for a group in `{}`.
 fn is_block(token: &TokenTree) -> bool {
     matches!(token, TokenTree::Group(group) if group.delimiter() == Delimiter::Brace)
 }
 
-/// Finds whether what comes after a block may belong to it.
+/// Returns true if the token after a block may continue the same expression.
 fn goes_on(next: Option<&TokenTree>) -> bool {
     match next {
         Some(TokenTree::Ident(word)) => word == "else" || word == "as",

@@ -8,21 +8,23 @@ use crate::names::collect::ItemBody;
 use crate::program::Program;
 use crate::refusal::{Fault, FaultKind};
 
-/// So many texts of functions are kept: more than there are edits of a chapter.
+/// How many texts of functions are kept: more than there are edits of a chapter.
 const MOST: usize = 10_000;
 
 impl Program {
-    /// Lists the functions by their names, `hit_sphere` or `Sphere::hit`, with their texts.
+    /// Lists all functions with a body, in the order in which they are declared: the name,
+    /// `hit_sphere` or `Sphere::hit`, and the text from `fn` to the closing bracket.
     pub fn functions(&self) -> impl Iterator<Item = (&str, &str)> {
         let written = self.code.functions.iter().flat_map(|it| &it.written);
         written.map(|it| (&*it.name, &*it.text))
     }
 
-    /// Returns the program with another text of one function. Its parameters and its result are
-    /// those that were declared. A text that was read before is not read again.
+    /// Returns the program with another text of the function of that name, whose parameters and
+    /// result stay as declared. A text that was patched in before is not read again.
     ///
     /// # Errors
-    /// If the compiler would refuse it and reading shows that.
+    /// If there is no such function, if the text is no function or takes another number of
+    /// parameters, or if the compiler would refuse it, as far as that shows without running.
     pub fn patched(&self, function: &str, text: &str) -> Result<Self, Fault> {
         let found = self.code.number_of(function);
         let n = found.ok_or_else(|| missing(&format!("function `{function}`")))?;
@@ -31,9 +33,11 @@ impl Program {
         Ok(self.running(code))
     }
 
-    /// Returns the program in which one of the mutants runs that are written into its text:
-    /// `mutants!(7, right, one, other)` has the mutants 7 and 8. All mutants are read at once so
-    /// (mutant schemata: Untch, Offutt and Harrold, 1993).
+    /// Returns the program in which the mutant with that number runs:
+    /// `mutants!(7, right, one, other)` in a text has the mutants 7 and 8. For 0, or a number that
+    /// no mutant has, everything right runs.
+    ///
+    /// All mutants are read at once (mutant schemata: Untch, Offutt and Harrold, 1993).
     pub fn with_mutant(&self, number: u32) -> Self {
         self.running(Code {
             mutant: number,
@@ -41,9 +45,9 @@ impl Program {
         })
     }
 
-    /// Returns the program as floats of single precision have it: with every result of an
-    /// operation, and every number in the text, rounded to 24 bits. What is done by functions of
-    /// the library should be [in the text](Self::instead_of_the_library), too.
+    /// Returns the program with every number in its text and every result of `+ - * / %` rounded to
+    /// an `f32`. Functions of the library still compute in 53 bits: let [functions of the
+    /// text](Self::instead_of_the_library) take their places.
     pub fn in_single_precision(&self) -> Self {
         self.running(Code {
             is_single: true,
@@ -51,8 +55,9 @@ impl Program {
         })
     }
 
-    /// Returns the program with those functions of its text in place of the methods of vectors and
-    /// rays that have their names.
+    /// Returns the program in which those functions of its text run in place of the library's
+    /// methods of vectors and rays that have the same names. A name without a function in the text
+    /// changes nothing.
     pub fn instead_of_the_library(&self, functions: &[&'static str]) -> Self {
         let code = &*self.code;
         let numbered = |&name: &&'static str| Some((name, code.number_of(name)?));
@@ -62,8 +67,8 @@ impl Program {
         })
     }
 
-    /// Returns the program with the other's functions where these are not those of a program from
-    /// which both were made; `None` if both have changed the same one. Nothing is read.
+    /// Returns the program with the changes of both `self` and `other`, which were patched from
+    /// `from`; `None` if both have patched the same function. Nothing is read.
     pub fn merged_with(&self, other: &Self, from: &Self) -> Option<Self> {
         let [own, other, from] = [self, other, from].map(|it| &it.code);
         let mut code = Code::clone(own);
@@ -83,6 +88,7 @@ impl Program {
         Some(self.running(code))
     }
 
+    /// Makes a program of the code, without any refusal yet.
     fn running(&self, code: Code) -> Self {
         Self {
             code: Arc::new(code),
@@ -92,14 +98,14 @@ impl Program {
 }
 
 impl Code {
-    /// Returns the number of the function of that name.
+    /// Returns the number of the function of that name, `hit_sphere` or `Sphere::hit`.
     pub(crate) fn number_of(&self, function: &str) -> Option<usize> {
         let is_it =
             |it: &Arc<CompiledFunction>| it.written.as_ref().is_some_and(|it| it.name == function);
         self.functions.iter().position(is_it)
     }
 
-    /// Reads a function from another text.
+    /// Reads the text of function `n` and lowers it, unless the text is in the cache.
     fn read_anew(&self, n: usize, text: &str) -> Result<Arc<CompiledFunction>, Fault> {
         let mut read = self.read.lock().unwrap_or_else(PoisonError::into_inner);
         let key = (n, text.to_owned());
@@ -125,6 +131,7 @@ impl Code {
     }
 }
 
+/// Makes the fault of a patch for which the program lacks something.
 fn missing(what: &str) -> Fault {
     Fault {
         place: None,

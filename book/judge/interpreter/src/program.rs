@@ -33,7 +33,7 @@ pub struct UncheckedLines {
     pub lines: RangeInclusive<usize>,
 }
 
-/// A text that can be run.
+/// A crate's text that was read without a fault, ready to be drawn and asked.
 #[derive(Clone, Debug)]
 pub struct Program {
     pub(crate) code: Arc<Code>,
@@ -59,11 +59,17 @@ impl SourceFile {
     }
 }
 
-/// Reads the files of a crate. The root is `lib.rs`, or the first.
+/// Reads the files of a crate. Its root is the file whose name ends with `lib.rs`, or else the
+/// first.
+///
+/// Spans of a text that was read earlier on this thread become invalid.
 ///
 /// # Errors
-/// Returns all that the compiler would refuse, as far as reading shows it, and what the
-/// interpreter does not support.
+/// All faults that show without running: those that the compiler would refuse come first, then
+/// texts that end too early, then what this interpreter does not read.
+///
+/// # Panics
+/// If there is no file.
 pub fn read(files: &[SourceFile]) -> Result<Program, Vec<Fault>> {
     // Places of an earlier text are not needed any more.
     proc_macro2::extra::invalidate_current_thread_spans();
@@ -110,11 +116,13 @@ pub fn read(files: &[SourceFile]) -> Result<Program, Vec<Fault>> {
 }
 
 impl Program {
-    /// Draws the picture of the text, so many pixels wide: by `picture`, or by `ray_color` alone.
+    /// Draws the whole picture, `width` pixels wide: by the program's `picture`, or by `ray_color`
+    /// and the book's camera if it has none.
     ///
     /// # Errors
-    /// If the program stops by itself: a panic, an overflow, too many turns of a loop; and
-    /// where the compiler would refuse it, which is seen when it runs.
+    /// If the program stops: a panic, an overflow, too many turns of a loop; if the compiler would
+    /// refuse a line that runs, as with mismatched types; or if the picture is wider or higher than
+    /// 4096 pixels.
     pub fn draw(&self, width: u32) -> Result<Picture, Fault> {
         let canvas = self.canvas(width)?;
         let (width, height) = canvas.size();
@@ -128,10 +136,12 @@ impl Program {
         Picture::from_rgb(width, height, rgb).ok_or_else(|| missing("a picture"))
     }
 
-    /// Counts how many of these pixels are right, up to the first that is not.
+    /// Computes these pixels one after the other, in a picture `width` pixels wide, and counts how
+    /// many have the expected levels before the first that has not. A pixel outside of the picture
+    /// has not.
     ///
     /// # Errors
-    /// As for the picture.
+    /// If the program stops, or the compiler would refuse a line that runs.
     pub fn count_matching(&self, width: u32, pixels: &[ExpectedPixel]) -> Result<usize, Fault> {
         // A reader's own loop over all pixels can't be asked for some.
         let canvas = match self.code.names.own_ray {
@@ -147,7 +157,8 @@ impl Program {
         Ok(pixels.len())
     }
 
-    /// Returns what the compiler refuses and was seen only when functions were asked by themselves.
+    /// Returns the first fault that the compiler would refuse and that showed only in a call, such
+    /// as [`ray_color`](Self::ray_color), which itself returns no fault. `None` if there was none.
     pub fn first_refusal(&self) -> Option<&Fault> {
         self.refused.get()
     }
@@ -173,6 +184,7 @@ impl Program {
     }
 }
 
+/// Makes the fault of a program that has nothing of this kind to draw.
 pub(crate) fn missing(what: &str) -> Fault {
     Fault {
         place: None,
@@ -184,6 +196,8 @@ pub(crate) fn missing(what: &str) -> Fault {
 }
 
 impl Program {
+    /// Makes a machine with the budget of one pixel, or of a picture if the text loops over its
+    /// own.
     pub(crate) fn machine(&self) -> Machine<'_> {
         let turns = match self.code.names.own_ray {
             Some(_) => TURNS_OF_A_PICTURE,
@@ -192,15 +206,17 @@ impl Program {
         Machine::new(&self.code, turns)
     }
 
+    /// Calls the function with that number; `None` if it stops.
     pub(crate) fn call(&self, function: usize, given: &[Value]) -> Option<Value> {
         self.asked(self.machine().call(function, given))
     }
 
+    /// Turns a refusal into a fault with line and columns.
     pub(crate) fn ran<T>(&self, result: Result<T, Refusal>) -> Result<T, Fault> {
         result.map_err(|it| it.fault(&self.code.texts))
     }
 
-    /// Returns the answer of a function, or none if it stops.
+    /// Returns the value; or `None` for a refusal, which is kept if the compiler would refuse it.
     pub(crate) fn asked<T>(&self, result: Result<T, Refusal>) -> Option<T> {
         match self.ran(result) {
             Ok(value) => Some(value),
@@ -213,6 +229,7 @@ impl Program {
         }
     }
 
+    /// Makes a vector of the program's own type, if it has one, or else of ours.
     pub(crate) fn vec3(&self, vector: Vec3) -> Value {
         let parts = vector.to_array().map(Value::from);
         match self.code.names.own_vec3 {
@@ -221,6 +238,7 @@ impl Program {
         }
     }
 
+    /// Makes a ray of the program's own type, if it has one, or else of ours.
     pub(crate) fn ray(&self, ray: &Ray) -> Value {
         let parts = [ray.origin, ray.direction].map(|it| self.vec3(it));
         match self.code.names.own_ray {
@@ -229,8 +247,8 @@ impl Program {
         }
     }
 
-    /// Makes one of the reader's structs, by the names of its fields; what has other names keeps the
-    /// order.
+    /// Makes one of the program's structs from values with field names. A field of another name is
+    /// filled by its position; one without a value is left empty.
     pub(crate) fn own<'n>(
         &self,
         kind: u32,
@@ -247,6 +265,8 @@ impl Program {
         Data::Own(kind, fields.into()).into()
     }
 
+    /// Returns a vector, or a struct of the program's with three numbers, as a vector; `None` for a
+    /// struct with fewer.
     pub(crate) fn vec3_of(&self, value: &Value) -> Option<Vec3> {
         let Data::Own(kind, fields) = &value.data else {
             return Some(value.vec3());
@@ -265,6 +285,7 @@ impl Program {
     }
 }
 
+/// Makes a value of type `u32`.
 pub(crate) fn u32_value(number: u32) -> Value {
     Value::whole(number.into(), Int::U32)
 }

@@ -5,46 +5,47 @@ use std::ops::Range;
 
 use crate::program::UncheckedLines;
 
-/// A reason why a text does not run, with its place and words.
+/// A reason why a text does not run or stops, with its place and its words.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault {
-    /// Its place, if it has one in the text.
+    /// The place in the text; `None` if the fault is that something is missing.
     pub place: Option<SourceSpan>,
-    /// The message, in the words of the compiler where it has some.
+    /// The main sentence, in the compiler's words where rustc has a message for this.
     pub message: String,
-    /// The words below the place, or none.
+    /// The words that stand below the underlined place; empty if there are none.
     pub label: String,
-    /// A sentence that says what to do, or nothing.
+    /// A hint at what to do; empty if there is none.
     pub help: String,
-    /// Who finds it: the compiler, the running program, or this page alone.
+    /// Who finds the fault: the compiler, the running program, or this interpreter alone.
     pub kind: FaultKind,
 }
 
-/// The reason why a text does not run here.
+/// A kind of fault, by who finds it. The order is that in which faults are listed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum FaultKind {
-    /// The compiler refuses it.
+    /// The compiler would refuse the text.
     Refused,
-    /// It ends too early: a bracket is open, or a function has no result so far.
+    /// The text ends too early: a bracket is open, or a function has no result so far.
     Unfinished,
-    /// The compiler may take it, and it is not read here.
+    /// The compiler may accept the text, but this interpreter does not read it.
     Unread,
-    /// It compiles, and stops when it runs.
+    /// The text compiles, and the program stops when it runs: a panic, or a budget that is used up.
     Stopped,
 }
 
-/// A place in a text.
+/// A place in the files that were read, within one line.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct SourceSpan {
-    /// The number of the file, counted from 0.
+    /// The number of the file, in the order in which the files were given, from 0.
     pub file: usize,
-    /// The line, counted from 1.
+    /// The line, from 1.
     pub line: usize,
-    /// The columns, counted in characters from 0. The end may be beyond that of the line.
+    /// The columns, in characters from 0. A place that goes on in the next line ends at
+    /// `usize::MAX`.
     pub columns: Range<usize>,
 }
 
-/// A place in the texts: the file, and the bytes.
+/// A place in the files as bytes: it may go over several lines. An `end` of 0 means no place.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Span {
     pub(crate) file: u32,
@@ -52,7 +53,7 @@ pub(crate) struct Span {
     pub(crate) end: u32,
 }
 
-/// A fault, whose place is in bytes so far.
+/// A fault whose place is in bytes so far.
 #[derive(Clone, Debug)]
 pub(crate) struct Refusal {
     at: Span,
@@ -63,7 +64,7 @@ pub(crate) struct Refusal {
 }
 
 impl Refusal {
-    /// Makes one of what the compiler refuses.
+    /// Makes a refusal of what the compiler would refuse. `label` and `help` may be empty.
     pub(crate) fn new(at: Span, message: impl Into<String>, label: &str, help: &str) -> Self {
         Self {
             at,
@@ -74,7 +75,7 @@ impl Refusal {
         }
     }
 
-    /// Returns the refusal as that of a text that ends too early.
+    /// Turns the refusal into that of a text which ends too early.
     pub(crate) fn unfinished(self) -> Self {
         Self {
             kind: FaultKind::Unfinished,
@@ -82,7 +83,7 @@ impl Refusal {
         }
     }
 
-    /// Makes one of what the compiler may take, and is not read here.
+    /// Makes a refusal of what the compiler may accept and this interpreter does not read.
     pub(crate) fn unread(at: Span, what: &str) -> Self {
         Self {
             kind: FaultKind::Unread,
@@ -95,7 +96,7 @@ impl Refusal {
         }
     }
 
-    /// Says that a call has too many arguments, or too few.
+    /// Makes the refusal of a call with too many or too few arguments, in the compiler's words.
     pub(crate) fn miscounted(is_method: bool, wanted: usize, count: usize, at: Span) -> Self {
         let what = if is_method { "method" } else { "function" };
         let several = |n: usize| if n == 1 { "argument" } else { "arguments" };
@@ -108,12 +109,12 @@ impl Refusal {
         Self::new(at, message, "", "")
     }
 
-    /// Finds whether it is about this place.
+    /// Returns true if the refusal is about exactly this span.
     pub(crate) fn is_at(&self, at: Span) -> bool {
         (self.at.file, self.at.start, self.at.end) == (at.file, at.start, at.end)
     }
 
-    /// Returns the refusal with other help, if there is some.
+    /// Replaces the help, unless the new one is empty.
     pub(crate) fn or_help(mut self, help: &str) -> Self {
         if !help.is_empty() {
             help.clone_into(&mut self.help);
@@ -121,7 +122,7 @@ impl Refusal {
         self
     }
 
-    /// Says that a program that has begun stops.
+    /// Makes the refusal of a program that stops while it runs.
     pub(crate) fn stop(at: Span, message: &str, help: &str) -> Self {
         Self {
             kind: FaultKind::Stopped,
@@ -129,6 +130,7 @@ impl Refusal {
         }
     }
 
+    /// Turns the refusal into a fault, whose line and columns these texts show.
     pub(crate) fn fault(self, texts: &[String]) -> Fault {
         Fault {
             place: place(texts, self.at),
@@ -140,7 +142,7 @@ impl Refusal {
     }
 }
 
-/// Finds the line and the columns of a place, as far as its first line goes.
+/// Finds the line and the columns of a span, as far as its first line goes; `None` for no place.
 pub(crate) fn place(texts: &[String], at: Span) -> Option<SourceSpan> {
     let text = texts.get(at.file as usize).filter(|_| at.end > 0)?;
     let before = text.get(..at.start as usize)?;
@@ -158,7 +160,7 @@ pub(crate) fn place(texts: &[String], at: Span) -> Option<SourceSpan> {
     })
 }
 
-/// Finds from which line of which file to which a part of a text goes.
+/// Finds the lines over which a span goes; `None` for no place.
 pub(crate) fn lines(texts: &[String], at: Span) -> Option<UncheckedLines> {
     let first = place(texts, at)?;
     let said = texts[first.file].get(at.start as usize..at.end as usize)?;
