@@ -106,7 +106,7 @@ pub enum RowKind {
     First,
     /// The numbers that a right program computes for that pixel (`numbers`).
     Numbers,
-    /// The functions for which the laws hold (`the laws`).
+    /// A clause on the laws, such as the functions for which they hold (`the laws`).
     Laws,
     /// The law that a function breaks (`the law`).
     Law,
@@ -120,7 +120,7 @@ pub enum RowKind {
     Read,
     /// A command that asks the reader's program the same question again (`by hand`).
     ByHand,
-    /// The reader's answer to the command before (`it says`).
+    /// The answer of the reader's program to the command in the row before (`it says`).
     Says,
     /// A remark that does not change the verdict (`besides`).
     Besides,
@@ -150,19 +150,19 @@ impl Answer {
         Self::of(grade, "", &verdict.into(), "")
     }
 
-    /// Adds rows after those that are there.
+    /// Appends rows to the answer.
     pub fn with(mut self, rows: impl IntoIterator<Item = Row>) -> Self {
         self.rows.extend(rows);
         self
     }
 
-    /// Replaces what to do next.
+    /// Sets the text on what to do next, in place of an earlier one.
     pub fn then(self, next: impl Into<String>) -> Self {
         let next = next.into();
         Self { next, ..self }
     }
 
-    /// Returns true if the grade is [`Right`](Grade::Right).
+    /// Returns true if the grade of the headline is [`Grade::Right`].
     pub fn is_right(&self) -> bool {
         self.headline.grade == Grade::Right
     }

@@ -52,9 +52,10 @@ pub struct Attempt<'a> {
 
 /// The commands that a reader can type next, or their like on a page.
 pub struct Commands<'a> {
-    /// Makes the command that judges the chapter's own picture, or a probe's.
+    /// Returns the command that judges the chapter's own picture for `None`, or the picture of a
+    /// probe.
     pub judge: Box<dyn Fn(Option<Probe>) -> String + 'a>,
-    /// Makes the command that starts another chapter; `None` where no chapter is typed.
+    /// Returns the command that starts another chapter; `None` where no chapter is typed.
     pub start: Option<Box<dyn Fn(Chapter) -> String + 'a>>,
     /// The command that shows more of a broken law; empty if there is none.
     pub test: &'static str,

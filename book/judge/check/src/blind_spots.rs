@@ -9,13 +9,13 @@ use slips::{Output, PROBES, Slip, Unseen};
 use crate::pixels::spread;
 use crate::task::Task;
 
-/// A picture to draw after a right one.
+/// The picture to draw next, after a right one.
 #[derive(Debug)]
 pub struct NextPicture {
-    /// The task that it fulfills: a probe of the chapter, or the chapter itself if that was drawn
-    /// smaller than in the book.
+    /// The task to draw: a probe of the chapter, or the chapter itself if that was drawn smaller than
+    /// in the book.
     pub task: Task,
-    /// Its width in pixels.
+    /// The width to draw, in pixels.
     pub width: u32,
     /// The mistakes that this picture shows and those before hide, at least one.
     pub slips: Vec<&'static Slip>,

@@ -44,7 +44,7 @@ impl Task {
         })
     }
 
-    /// Returns this task by that edition; pictures of other editions are wrong.
+    /// Returns this task by that edition, so that the pictures of other editions are wrong.
     pub fn only_by(self, edition: Edition) -> Self {
         Self {
             edition,
@@ -148,8 +148,8 @@ impl Task {
     }
 
     /// Returns this task by each edition whose picture counts as right, in a picture of that size,
-    /// the latest edition first. In the shape that came with version 3.1 only later editions and the
-    /// first count: many readers keep the rays and the factor of that one.
+    /// the latest edition first. In the shape of version 4, editions of another shape are left out, but
+    /// for the first: many readers keep the rays and the factor of that one.
     pub(crate) fn by_editions(self, width: u32, height: u32) -> impl Iterator<Item = Self> {
         Edition::ALL
             .into_iter()

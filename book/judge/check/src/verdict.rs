@@ -35,14 +35,14 @@ pub enum Verdict {
     WrongShape {
         /// Names the size that is expected, and the slips that give this one.
         cause: Cause,
-        /// An explanation of its pixels; `None` if there are more than 2²⁰ of them.
+        /// The explanation of its pixels; `None` if there are more than 2²⁰ of them.
         finding: Option<Box<Finding>>,
     },
     /// The file is no picture, or has numbers that are no levels from 0 to 255.
     NotAPicture {
         /// Names the fault of the file, and its fix.
         cause: Cause,
-        /// An explanation of its pixels; `None` if none could be read.
+        /// The explanation of its pixels; `None` if none could be read.
         finding: Option<Box<Finding>>,
     },
 }
@@ -82,9 +82,9 @@ pub struct Finding {
     pub yours: Picture,
     /// The pixels in which the two pictures differ; `None` if no pixel does.
     pub difference: Option<Difference>,
-    /// The few pixels that are wrong, if all others are right.
+    /// The few pixels that are wrong, if all others are right; `None` otherwise.
     pub almost_right: Option<AlmostRight>,
-    /// The known mistakes that draw the picture, if some do.
+    /// The known mistakes that draw the picture; `None` if none does.
     pub mistakes: Option<Mistakes>,
     /// The single edits of the chapter's text that draw the picture; empty if a known mistake
     /// does.
@@ -94,8 +94,8 @@ pub struct Finding {
     /// Two rows about the first pixel that differs: its color, and the numbers of its ray as they
     /// should be. Empty if a known mistake draws the picture.
     pub first: Vec<Row>,
-    /// The change of the reader's own lines that was tried and makes the program right, if one was
-    /// found.
+    /// The change of the reader's own lines that was tried and makes the program right; `None` if none
+    /// was found.
     pub repair: Option<Repair>,
     /// True if the reader's functions give the answers of the program that explains the picture,
     /// or were asked nothing.
@@ -119,7 +119,7 @@ pub struct Mistakes {
     /// The mistakes, at least one; each is one slip, or two that are made together. The first has
     /// been reported most often.
     pub all: Vec<Vec<&'static Slip>>,
-    /// The treatment of numbers that are no levels.
+    /// The treatment of numbers that are no levels, with which the mistakes draw the picture.
     pub conversion: Conversion,
     /// True if the wrong lines stand in the reader's files, or no file is known.
     pub is_in_text: bool,
@@ -131,9 +131,8 @@ pub struct Mistakes {
 }
 
 impl Verdict {
-    /// The exit code: 0 for right, 1 for wrong, 2 for not a picture. Right is what an
-    /// edition of the book draws, to the last bit or within the tolerance, in a shape that
-    /// no slip gives.
+    /// Returns the exit code of a command: 0 for a right picture in a shape that no slip gives, 2 for
+    /// no picture, 1 for everything else.
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Right(right) if right.shape_given_by.is_empty() => 0,
@@ -142,7 +141,7 @@ impl Verdict {
         }
     }
 
-    /// Why it is not the picture that was asked for, where that is no matter of pixels.
+    /// Returns the cause for which the picture was refused; `None` if its pixels were judged.
     pub fn cause(&self) -> Option<&Cause> {
         match self {
             Self::Another { cause, .. }
@@ -152,7 +151,8 @@ impl Verdict {
         }
     }
 
-    /// Returns what is to be seen, if there are pixels to judge and they are not right.
+    /// Returns the explanation of a wrong picture; `None` if the picture is right, is another task's,
+    /// or has no pixels to judge.
     pub fn finding(&self) -> Option<&Finding> {
         match self {
             Self::Right(_) | Self::Another { .. } => None,
@@ -172,7 +172,8 @@ impl RightPicture {
 }
 
 impl Finding {
-    /// Returns true if nothing explains a picture most of which is another.
+    /// Returns true if no program explains the picture, more than half of its pixels differ from the
+    /// right ones, and some of them by more than a level.
     pub(crate) fn is_unlike(&self) -> bool {
         let is_explained = self.almost_right.is_some() || self.mistakes.is_some();
         let difference = self.difference.as_ref();
@@ -185,19 +186,21 @@ impl Finding {
         self.right.rgb().len() / 3
     }
 
-    /// Returns true if the reader's picture shows the sky of the scene and no sphere.
+    /// Returns true if the reader's picture is the sky alone, and the chapter has a sphere.
     pub(crate) fn shows_only_sky(&self) -> bool {
         let (width, height) = (self.yours.width(), self.yours.height());
         self.task.chapter.sphere_count() != SphereCount::None
             && self.yours == self.task.of_sky(width, height)
     }
 
-    /// The farthest that a component is off, in levels.
+    /// Returns the largest difference of a color component from the right picture, in levels; 0 if
+    /// no pixel differs.
     pub fn levels(&self) -> u8 {
         self.difference.as_ref().map_or(0, |it| it.levels)
     }
 
-    /// The slips that draw it together, if no others do.
+    /// Returns the slips of the only known mistake that draws the picture; empty if there is none, or
+    /// more than one.
     pub fn single(&self) -> &[&'static Slip] {
         match &self.mistakes {
             Some(Mistakes { all, .. }) if all.len() == 1 => &all[0],

@@ -53,8 +53,8 @@ pub enum NoAnswer {
 }
 
 impl FunctionKind {
-    /// Writes the question as a line: center, radius, origin, direction, and for a record the range, as
-    /// decimal numbers that read back to the same bits.
+    /// Writes a question as a line for the program: center, radius, origin, direction, and for a
+    /// record the range, as decimal numbers that read back to the same bits.
     pub fn line(self, asked: &IntervalCase) -> String {
         let range = [asked.t_min, asked.t_max].map(|end| end.clamp(-FAR, FAR));
         let range = if self == Self::Record {
@@ -127,8 +127,9 @@ fn is_root(case: &Case, t: f64) -> bool {
     root.is_some_and(|root| (root.rounded() - t).abs() <= bound)
 }
 
-/// Puts a function in a program of any language under the laws of a Rust function. Where it differs from
-/// a right one only by a manner, it is taken for right.
+/// Puts the function of a program in any language, which `ask` calls, under the laws for a Rust
+/// function of that kind. An answer that differs from the right one only by a manner is taken as
+/// right.
 pub fn tried(trial: &Trial, function: FunctionKind, ask: &Ask) -> FunctionVerdict {
     let manners = Manner::of(function, ask);
     let (used, last) = (RefCell::new(Vec::new()), RefCell::new(Vec::new()));

@@ -1,6 +1,7 @@
-//! The judge: which program draws a picture, asked in a fixed order; the first answer counts.
+//! The explanation of a picture by programs: candidates are tried in a fixed order, and the first
+//! that draws the picture counts.
 //!
-//! Only what draws the very picture, but for few pixels, is an answer. A right program comes
+//! A candidate counts only if it draws exactly the picture, but for few pixels. A right program comes
 //! before one with a mistake, and one mistake before two.
 
 use std::cmp::Reverse;
@@ -11,45 +12,50 @@ use crate::context::Evidence;
 use crate::pixels::spread;
 use crate::task::Task;
 
-/// What explains a picture.
+/// The explanation of a picture.
 pub(crate) enum Explanation {
-    /// It is the right one of other scenes, all of which look the same.
+    /// The picture is the right one of these other tasks, which all draw the same.
     Another(Vec<Task>),
-    /// It is the right one, but for what is left.
+    /// The right program draws the picture but for a few pixels, or none.
     AlmostRight(Fit),
-    /// It is drawn by programs with mistakes.
+    /// Programs with mistakes draw the picture.
     Mistakes(Fit),
-    /// Nothing does. This is the right program that comes nearest.
+    /// No candidate draws the picture; it is described beside that of this right program.
     Nothing(Candidate),
 }
 
-/// Programs that draw the same of a picture.
+/// Programs that explain the same pixels of a picture.
 #[derive(Clone)]
 pub(crate) struct Fit {
-    /// The first is the likeliest.
+    /// The programs, at least one, the likeliest first.
     pub(crate) candidates: Vec<Candidate>,
-    /// What they leave.
+    /// The pixels that none of the programs explains.
     pub(crate) unexplained: Unexplained,
-    /// True if the wrong lines of all of them stand in the reader's files, or no file is known.
+    /// True if the wrong lines of all programs stand in the reader's files, or no file is known.
     pub(crate) is_in_text: bool,
 }
 
-/// A mistake may leave one pixel in so many, a right program more: a picture of which a
-/// twentieth was changed is another one.
+/// A program with a mistake may leave one pixel in so many unexplained.
 const FEW: usize = 200;
+/// A right program may leave one pixel in so many unexplained: with more, the picture is another.
 const MANY: usize = 20;
-/// Where all is within a level, one in so many pixels may be off: single precision is.
+/// A program with a mistake may leave one pixel in so many if all are one level off, as in single
+/// precision.
 const ROUNDED: usize = 4;
-/// How many pixels tell which of the right programs comes nearest, and by how many more of
-/// them another one may be off that is compared as well.
+/// The size of the sample of pixels in which candidates are compared first.
 const LOOK: u32 = 2000;
+/// How many more pixels of the sample than the best candidate another one may have wrong, to be
+/// compared as a whole.
 const NEARLY: usize = 3;
-/// A part of a picture is one pixel in so many.
+/// A picture is like a right one if that draws one in so many of its pixels.
 const PART: usize = 8;
-/// More pairs than this that draw the same say nothing of any of them.
+/// How many pairs of mistakes may draw the picture, to be an explanation.
 const PAIRS: usize = 4;
 
-/// Returns what explains the picture.
+/// Explains the picture by the first of these that draws it: the right program; another task whose
+/// change was forgotten; a mistake whose line stands in the reader's files, or beside which a repair
+/// was found; any other mistake; another task; the right program but for a few pixels; two mistakes.
+/// A repair without such a mistake ends the search.
 pub(crate) fn explain(evidence: &Evidence) -> Explanation {
     let reading = evidence.reading;
     let (right, unexplained) = nearest(evidence);
@@ -95,9 +101,9 @@ pub(crate) fn explain(evidence: &Evidence) -> Explanation {
     Explanation::Nothing(beside)
 }
 
-/// The right program beside which a picture is described that nothing draws: the nearest, if a
-/// part of the picture is its own and another edition leaves much more, or else the edition's
-/// that was asked for.
+/// Chooses the right program beside which a picture is described that no candidate draws: the
+/// nearest one, if it draws one in [`PART`] pixels of a sample and has less than half as many wrong
+/// ones as the latest edition; or else the latest edition's.
 fn described_beside(evidence: &Evidence, nearest: Candidate) -> Candidate {
     let reading = evidence.reading;
     let looked = spread(LOOK, reading.pixels.len() as u32).count();
@@ -110,6 +116,7 @@ fn described_beside(evidence: &Evidence, nearest: Candidate) -> Candidate {
 }
 
 impl Fit {
+    /// Makes a fit of one candidate.
     fn of(candidate: Candidate, unexplained: Unexplained) -> Self {
         Self {
             candidates: vec![candidate],
@@ -119,8 +126,8 @@ impl Fit {
     }
 }
 
-/// The right program that leaves least: what is off by more than a level counts first. More
-/// than a twentieth counts as all.
+/// Finds the right program that leaves fewest pixels unexplained, and these. Pixels that are off by
+/// more than a level count first; more than one in [`MANY`] count as all.
 fn nearest(evidence: &Evidence) -> (Candidate, Unexplained) {
     let reading = evidence.reading;
     let rights = rights(evidence).into_iter();
@@ -153,8 +160,8 @@ fn nearest(evidence: &Evidence) -> (Candidate, Unexplained) {
     (it, unexplained)
 }
 
-/// Returns true if a change of scene was forgotten, or is still there: a picture as wide as a
-/// probe's is hardly another one.
+/// Returns true if a probe's change was forgotten, or is still in the program: the picture is the
+/// chapter's own in place of a probe's, or has the width of the probe that it shows.
 fn is_forgotten(evidence: &Evidence, tasks: &[Task]) -> bool {
     let is_it = |task: &Task| match (evidence.task.probe, task.probe) {
         (Some(_), other) => other.is_none(),
@@ -163,7 +170,8 @@ fn is_forgotten(evidence: &Evidence, tasks: &[Task]) -> bool {
     tasks[0].chapter == evidence.task.chapter && tasks.iter().any(is_it)
 }
 
-/// The other scenes of which it is the very picture.
+/// Finds the other tasks, of one chapter, whose right picture this is, to the last bit; `None` if
+/// there is none, or if the picture has one color and the reader's files are known.
 fn right_elsewhere(evidence: &Evidence) -> Option<Vec<Task>> {
     let reading = evidence.reading;
     // One color everywhere is the picture of many things.
@@ -190,8 +198,8 @@ fn right_elsewhere(evidence: &Evidence) -> Option<Vec<Task>> {
     Some(tasks).filter(|tasks| !tasks.is_empty())
 }
 
-/// Where the reader's files are known, the programs whose wrong lines stand in them; or all, if
-/// none of these is found.
+/// Keeps the programs whose wrong lines stand in the reader's files; keeps all if no file is known,
+/// or no wrong line is found.
 fn in_the_text(evidence: &Evidence, mut found: Fit) -> Fit {
     if evidence.context.sources.is_empty() {
         return found;
@@ -203,7 +211,8 @@ fn in_the_text(evidence: &Evidence, mut found: Fit) -> Fit {
     found
 }
 
-/// Two mistakes, if few pairs draw the very picture.
+/// Finds two mistakes that draw the picture together; `None` if no pair does, or more than
+/// [`PAIRS`] do.
 fn two_mistakes(evidence: &Evidence, nearest: &Candidate, all: &Unexplained) -> Option<Fit> {
     // Many pairs draw one color everywhere.
     if evidence.reading.is_plain() {
@@ -213,8 +222,9 @@ fn two_mistakes(evidence: &Evidence, nearest: &Candidate, all: &Unexplained) -> 
     Some(in_the_text(evidence, found)).filter(|it| it.candidates.len() <= PAIRS)
 }
 
-/// The programs of the first group in which some draw the picture, but for odd pixels; or
-/// else those that leave least of all that the right program leaves, if that is little.
+/// Returns the programs of the first group in which some explain nearly all of what the right
+/// program leaves unexplained, or else those of all groups that explain most of it; `None` if none
+/// explains most.
 fn first(
     evidence: &Evidence,
     all: &Unexplained,
@@ -237,8 +247,9 @@ fn first(
     best
 }
 
-/// Those of a group that leave least, if that is little. Programs that agree in all pixels that
-/// are looked at are one: only the first of them is compared whole.
+/// Returns the programs of a group that leave fewest pixels unexplained; `None` if each leaves more
+/// than one in [`FEW`]. Of programs that draw the same sample of pixels only the first is compared
+/// as a whole.
 fn least(evidence: &Evidence, group: Vec<Candidate>) -> Option<Fit> {
     let reading = evidence.reading;
     let total = reading.pixels.len();
@@ -276,8 +287,9 @@ fn least(evidence: &Evidence, group: Vec<Candidate>) -> Option<Fit> {
     best.map(|(fit, _)| fit)
 }
 
-/// Those that may leave no more than `most` pixels, with what some of their pixels are: the
-/// least first, and of equals what more people have reported.
+/// Returns the programs of a group that may leave at most `most` pixels unexplained and that no
+/// evidence refutes, with the comparison of a sample: the fewest wrong pixels first, and of equals
+/// the mistake that was reported more often.
 fn likeliest(evidence: &Evidence, group: Vec<Candidate>, most: usize) -> Vec<(Look, Candidate)> {
     let reading = evidence.reading;
     let may_be = |it: &Candidate| it.may_leave(reading, most) && !evidence.is_refuted(it);

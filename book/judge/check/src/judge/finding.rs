@@ -14,10 +14,10 @@ use crate::verdict::{AlmostRight, Finding, Mistakes};
 use crate::{candidates, seen, telling};
 
 impl Finding {
-    /// Finds what explains the picture.
+    /// Explains the picture: by a repair of the reader's lines, by programs, or by what is seen.
     ///
     /// # Errors
-    /// The other tasks whose right picture this is, if it is one.
+    /// The other tasks whose right picture this is, if it shows one.
     pub(super) fn of(
         task: &Task,
         reading: &Reading,
@@ -53,8 +53,8 @@ impl Finding {
         Ok(Box::new(finding.repaired(&evidence)))
     }
 
-    /// Adds what makes the reader's program right, and keeps of the mistakes that draw its picture
-    /// only the one that goes with it.
+    /// Adds the repair of the reader's lines, if one was found, and keeps of the mistakes only the one
+    /// whose line the repair puts right.
     fn repaired(mut self, evidence: &Evidence) -> Self {
         let (sources, context) = (&evidence.context.sources, evidence.context);
         let is_exact = |it: &Self| it.almost_right.as_ref().is_some_and(AlmostRight::is_exact);
@@ -90,7 +90,7 @@ impl Finding {
         self
     }
 
-    /// Returns a finding with what every explanation shares.
+    /// Makes a finding beside the right picture of a candidate's task, as yet without explanation.
     fn beside(evidence: &Evidence, by: &Candidate) -> Self {
         let (reading, task) = (evidence.reading, by.task);
         let right = task.right(reading.width, reading.height);
@@ -116,7 +116,8 @@ impl Finding {
         }
     }
 
-    /// Returns what can be seen, where no program that is known draws it.
+    /// Makes a finding of what is seen, and of the single edits that draw the picture, where no known
+    /// program does.
     fn unknown(evidence: &Evidence, right: &Candidate) -> Self {
         let finding = Self::beside(evidence, right);
         let (sights, first) = seen::seen(&finding.task, evidence.reading, &finding.right);
@@ -133,7 +134,8 @@ impl Finding {
 }
 
 impl Fit {
-    /// The editions in which the same leaves the same.
+    /// Returns all editions whose version of the first program leaves exactly the same pixels
+    /// unexplained, its own first. By version 4, no other is asked.
     fn editions(&self, reading: &Reading) -> Vec<Edition> {
         let it = &self.candidates[0];
         let own = it.task.edition;
@@ -155,6 +157,7 @@ impl Fit {
 }
 
 impl Mistakes {
+    /// Makes the mistakes of a fit, with the probe that tells them apart.
     fn of(fit: &Fit) -> Self {
         let first = &fit.candidates[0];
         let all: Vec<Vec<&'static Slip>> =

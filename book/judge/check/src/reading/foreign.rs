@@ -56,10 +56,10 @@ const FORMATS: [(&[u8], &str); 14] = [
 
 /// A test of the bytes behind the white space at the beginning of a file, and the name, the problem
 /// and the fix of a fault.
-type Fault = (fn(&[u8]) -> bool, &'static str, &'static str, &'static str);
+type FileFault = (fn(&[u8]) -> bool, &'static str, &'static str, &'static str);
 
 /// Usual beginnings of files that are no pictures.
-const FAULTS: [Fault; 4] = [
+const FAULTS: [FileFault; 4] = [
     (
         |text| text.is_empty(),
         "empty",

@@ -161,10 +161,10 @@ impl PpmToken<'_> {
 }
 
 /// A test of a word that is no number, and the name, the problem and the fix of its fault.
-type Fault = (fn(&str) -> bool, &'static str, &'static str, &'static str);
+type WordFault = (fn(&str) -> bool, &'static str, &'static str, &'static str);
 
 /// The faults of words that are no numbers; the first whose test a word passes is its fault.
-const FAULTS: [Fault; 10] = [
+const FAULTS: [WordFault; 10] = [
     (
         |word| word.contains('\u{1b}'),
         "text-in-body",

@@ -43,8 +43,8 @@ fn step_of(chapter: Chapter, step: usize) -> String {
     format!("Step {} of {}", step + 1, steps::of_chapter(chapter).len())
 }
 
-/// Names the latest of some editions, ` by version 3`; nothing if version 4 is among them, which
-/// the chapters follow.
+/// Names the first of some editions: ` by version 3`. Returns an empty text if version 4, which the
+/// chapters follow, is among them.
 fn by(editions: &[Edition]) -> String {
     match editions.contains(&Edition::V4) {
         true => String::new(),
