@@ -1,4 +1,5 @@
-/* The one function that Rust's library takes from bcryptprimitives.dll, which Wine 8 lacks. */
+/* Fills memory with random bytes: the one function that Rust's standard library calls in
+ * bcryptprimitives.dll, which Wine 8 lacks. */
 #include <windows.h>
 #include <ntsecapi.h>
 

@@ -1,6 +1,6 @@
-/* A cargo for programs under Wine: the cargo of the system below, which compiles for
- * Windows. The paths before "--" are those of a Windows program, and are told in the other
- * way; what follows is for the program that cargo runs. */
+/* A cargo for programs under Wine: calls the Linux system's cargo, which compiles for Windows.
+ * Arguments before "--" may be paths of Windows, which are rewritten for Linux; arguments after it
+ * belong to the program that cargo runs. */
 #include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,7 +10,7 @@
 #include <windows.h>
 #include <shellapi.h>
 
-/* The words in UTF-8, whatever Windows takes for its letters. */
+/* Returns the arguments in UTF-8, whatever code page Windows has, and stores their count. */
 static char **words_of(int *count)
 {
     WCHAR **wide = CommandLineToArgvW(GetCommandLineW(), count);
@@ -23,8 +23,8 @@ static char **words_of(int *count)
     return words;
 }
 
-/* Z: is the root of the system below. */
-static char *told_below(char *word)
+/* Rewrites a path on drive Z:, which is the root of the Linux system, for that; in place. */
+static char *linux_path(char *word)
 {
     if (word[0] != 'Z' || word[1] != ':') return word;
     for (char *letter = word; *letter; letter++)
@@ -32,7 +32,8 @@ static char *told_below(char *word)
     return word + 2;
 }
 
-/* What is written below does not reach a handle of Windows by itself. */
+/* Copies a piece of output of the Linux process to a handle of Windows, which it does not reach
+ * by itself. Forgets the source at its end. */
 static void hand_on(struct pollfd *from, DWORD to)
 {
     char piece[65536];
@@ -47,7 +48,7 @@ int main(void)
     int output[2], errors[2], status, count;
     char **words = words_of(&count);
     words[0] = getenv("CARGO_BELOW");
-    for (int i = 1; i < count && strcmp(words[i], "--"); i++) words[i] = told_below(words[i]);
+    for (int i = 1; i < count && strcmp(words[i], "--"); i++) words[i] = linux_path(words[i]);
     if (!words[0] || pipe(output) || pipe(errors)) return 2;
     pid_t child = fork();
     if (child == 0) {
