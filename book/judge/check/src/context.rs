@@ -77,18 +77,18 @@ impl Context<'_> {
     /// repaired.
     pub(crate) fn is_mended(&self, slip: &Slip, task: &Task, repair: &Repair) -> bool {
         let repaired = Sources::new(repair.files.clone(), Vec::new());
-        self.sources.say(slip, task).0 == LineStatus::Wrong
-            && repaired.say(slip, task).0 == LineStatus::Right
+        self.sources.slip_line(slip, task).status == LineStatus::Wrong
+            && repaired.slip_line(slip, task).status == LineStatus::Right
     }
 
     /// Finds out whether the slip's line is wrong or right in the reader's files.
     pub(crate) fn said(&self, slip: &Slip, task: &Task) -> LineStatus {
-        self.sources.say(slip, task).0
+        self.sources.slip_line(slip, task).status
     }
 
     /// Finds the reader's line that makes the slip; `None` if the files are not known or have none.
     pub(crate) fn line_of(&self, slip: &Slip, task: &Task) -> Option<CorrectedLine> {
-        self.sources.say(slip, task).1
+        self.sources.slip_line(slip, task).corrected
     }
 
     /// Returns true if the reader's functions give all answers of the program, or were not asked.

@@ -1,34 +1,45 @@
-//! Unification modulo commutativity: an expression found in another one, under other names.
+//! Unification modulo commutativity: finds an expression inside of another, under other names.
 
 use std::rc::Rc;
 
 use crate::normal::normal;
 use crate::tree::{Op, Tree};
 
-/// An expression that is looked for.
+/// An expression to find in others, where its variables may have other names.
 #[derive(Clone, Debug)]
 pub struct Pattern {
-    /// Its normal form.
+    /// The normal form of the expression.
     tree: Tree,
-    /// The names that mean what they mean in the program that it comes from: another program may
-    /// have other ones for them, but not one of these for another.
+    /// The names of the program that the expression is from. A variable may have a new name in
+    /// another program, but not one of these, which mean other things.
     known: Rc<[String]>,
 }
 
-/// Where an expression was found.
+/// A place where a [`Pattern`] was found.
 #[derive(Clone, Debug)]
 pub struct Match<'t> {
-    /// The part that it is.
+    /// The part of the searched expression that is equal to the pattern.
     pub tree: &'t Tree,
-    /// Names of the pattern, each with the one that stands for it there.
-    pub names: Vec<(String, String)>,
+    /// The names of the pattern's variables, each once, and those they have there.
+    pub renames: Vec<Rename>,
 }
 
-/// So many leaves and calls may stand anywhere; fewer have to be all of a statement.
+/// A name, and the name of the same variable in another program. Both are
+/// [canonical](crate::canonical).
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Rename {
+    /// The name in the first program.
+    pub from: String,
+    /// The name in the other program; often the same one.
+    pub to: String,
+}
+
+/// A pattern of fewer leaves and calls is found only as a whole statement or condition.
 const SMALL: usize = 3;
 
 impl Pattern {
-    /// Makes a pattern of an expression; `known` are canonical names.
+    /// Makes a pattern of an expression. `known` are the canonical names of the program it is from,
+    /// none of which may stand for another variable.
     pub fn new(tree: &Tree, known: Rc<[String]>) -> Self {
         Self {
             tree: normal(tree),
@@ -36,17 +47,17 @@ impl Pattern {
         }
     }
 
-    /// Returns its normal form.
+    /// Returns the normal form of the expression.
     pub fn tree(&self) -> &Tree {
         &self.tree
     }
 
-    /// Returns true if the name means something in the program that it comes from.
+    /// Returns true if the program that the expression is from has this canonical name.
     pub fn knows(&self, name: &str) -> bool {
         self.known.iter().any(|it| it == name)
     }
 
-    /// Returns true if it says too little to be recognized within another expression.
+    /// Returns true if the expression is too short to be recognized inside of another.
     pub fn is_small(&self) -> bool {
         let nodes = self.tree.nodes();
         let counts = |it: &&&Tree| {
@@ -58,7 +69,8 @@ impl Pattern {
         nodes.iter().filter(counts).count() < SMALL
     }
 
-    /// Finds it in an expression in its normal form: the whole, or a part of it.
+    /// Finds the first part of an expression in normal form, the whole included, that is equal to
+    /// the pattern; of a [small](Self::is_small) one only whole conditions are compared.
     pub fn find<'t>(&self, tree: &'t Tree) -> Option<Match<'t>> {
         let nodes = match self.is_small() {
             true => parts_of_a_condition(tree),
@@ -67,24 +79,24 @@ impl Pattern {
         nodes.into_iter().find_map(|tree| self.matched(tree))
     }
 
-    /// Matches it with a whole expression in its normal form.
+    /// Matches the pattern with a whole expression in normal form. There is no match if more names
+    /// differ than other things agree, since then any sum would match any other.
     pub fn matched<'t>(&self, tree: &'t Tree) -> Option<Match<'t>> {
-        let mut names = Vec::new();
-        if !self.unify(&self.tree, tree, &mut names) {
+        let mut renames = Vec::new();
+        if !self.unify(&self.tree, tree, &mut renames) {
             return None;
         }
-        let is_other = |(one, other): &&(String, String)| one != other;
-        let others = names.iter().filter(is_other).count();
+        let others = renames.iter().filter(|it| it.from != it.to).count();
         let nodes = self.tree.nodes();
         let is_said = |it: &&&Tree| matches!(it.op, Op::Number(..) | Op::Call(_) | Op::Text(_));
-        let said = nodes.iter().filter(is_said).count() + names.len() - others;
-        // Else any sum looks like any other.
-        (others <= said).then_some(Match { tree, names })
+        let said = nodes.iter().filter(is_said).count() + renames.len() - others;
+        (others <= said).then_some(Match { tree, renames })
     }
 
-    fn unify(&self, one: &Tree, other: &Tree, names: &mut Vec<(String, String)>) -> bool {
+    /// Compares two trees and adds the renames that make them equal.
+    fn unify(&self, one: &Tree, other: &Tree, renames: &mut Vec<Rename>) -> bool {
         match (&one.op, &other.op) {
-            (Op::Name(name), Op::Name(own)) => return self.rename(name, own, names),
+            (Op::Name(name), Op::Name(own)) => return self.rename(name, own, renames),
             (Op::Number(value, _), Op::Number(own, _)) => return is_near(*value, *own),
             (a, b) if a != b || one.parts.len() != other.parts.len() => return false,
             _ => {}
@@ -98,58 +110,59 @@ impl Pattern {
             return self.unify_in_any_order(
                 &one.parts,
                 &other.parts.iter().collect::<Vec<_>>(),
-                names,
+                renames,
             );
         }
         let mut pairs = one.parts.iter().zip(&other.parts);
-        pairs.all(|(one, other)| self.unify(one, other, names))
+        pairs.all(|(one, other)| self.unify(one, other, renames))
     }
 
+    /// Compares the operands of a commutative operator, trying each order.
     fn unify_in_any_order(
         &self,
         parts: &[Tree],
         others: &[&Tree],
-        names: &mut Vec<(String, String)>,
+        renames: &mut Vec<Rename>,
     ) -> bool {
         let Some((first, rest)) = parts.split_first() else {
             return true;
         };
         (0..others.len()).any(|n| {
-            let mut tried = names.clone();
+            let mut tried = renames.clone();
             let mut left = others.to_vec();
             let other = left.remove(n);
             let fits = self.unify(first, other, &mut tried)
                 && self.unify_in_any_order(rest, &left, &mut tried);
             if fits {
-                *names = tried;
+                *renames = tried;
             }
             fits
         })
     }
 
-    /// Takes one name for another, if that is consistent.
-    fn rename(&self, name: &str, own: &str, names: &mut Vec<(String, String)>) -> bool {
-        if let Some((one, other)) = names
-            .iter()
-            .find(|(one, other)| one == name || other == own)
-        {
-            return one == name && other == own;
+    /// Adds a rename, if no other one contradicts it.
+    fn rename(&self, name: &str, own: &str, renames: &mut Vec<Rename>) -> bool {
+        if let Some(it) = renames.iter().find(|it| it.from == name || it.to == own) {
+            return it.from == name && it.to == own;
         }
         let is_fixed = |it: &str| matches!(it, "infinity" | "none" | "true" | "false");
         let may = name == own || !self.knows(own) && !is_fixed(name) && !is_fixed(own);
         if may {
-            names.push((name.to_owned(), own.to_owned()));
+            renames.push(Rename {
+                from: name.to_owned(),
+                to: own.to_owned(),
+            });
         }
         may
     }
 }
 
-/// Numbers are the same whichever of two spellings divides.
+/// Returns true if two numbers are equal but for a few ulps, as `/ 2` and `* 0.5` may make them.
 fn is_near(one: f64, other: f64) -> bool {
     one == other || (one - other).abs() <= 4.0 * f64::EPSILON * one.abs()
 }
 
-/// Lists the whole, and the parts of which it is made as a condition.
+/// Lists an expression, and the conditions and branches of which it is made.
 fn parts_of_a_condition(tree: &Tree) -> Vec<&Tree> {
     let mut all = vec![tree];
     if matches!(tree.op, Op::Sign("&&" | "||") | Op::Not | Op::Choice) {

@@ -1,12 +1,13 @@
-//! Pretty-printing: an expression in the spelling of a language, and a line of our Rust in it.
+//! Pretty-printing: a tree, or a line of Rust, in the spelling of a language.
 
 use crate::Language;
 use crate::normal::{REAL, function, is_in};
 use crate::parse::Parser;
 use crate::tree::{Op, Tree};
 
-/// How functions are spelled in Rust and in the book: `.name` is a field, `.name()` a method,
-/// `name()` a function. The book's C++ has functions for its fields, which others have not.
+/// The spellings of functions in the chapters' Rust and in the book's C++: `.name` is a field,
+/// `.name()` a method, `name()` a function. Where only C++ has a method for a field, other
+/// languages get the field.
 const SPELLINGS: [(&str, [&str; 2]); 22] = [
     ("unit", [".normalize()", "unit_vector()"]),
     ("dot", [".dot()", "dot()"]),
@@ -34,7 +35,7 @@ const SPELLINGS: [(&str, [&str; 2]); 22] = [
     ("point", [".point", ".p"]),
     ("frontface", [".front_face", ".front_face"]),
 ];
-/// Names of our Rust that the book has otherwise.
+/// Variables and constants that have another name in the book than in the chapters' Rust.
 const NAMES: [(&str, &str); 4] = [
     ("ray", "r"),
     ("record", "rec"),
@@ -43,7 +44,9 @@ const NAMES: [(&str, &str); 4] = [
 ];
 
 impl Language {
-    /// Prints a line of our Rust as it is typed in this language; as it is, where it has no like.
+    /// Prints a line of Rust, one or more statements, as it is typed in this language.
+    ///
+    /// Returns the line unchanged if a statement of it is not read or has no like there.
     pub fn spelled(self, line: &str) -> String {
         if self == Self::Rust {
             return line.to_owned();
@@ -53,7 +56,7 @@ impl Language {
         printed.map_or(line.to_owned(), |parts| parts.join(" "))
     }
 
-    /// Prints a statement: what is returned, asked, or given to a name.
+    /// Translates a statement: `return`, the head of an `if`, an assignment or an expression.
     fn statement(self, text: &str) -> Option<String> {
         let (text, end) = match text.strip_suffix(';') {
             Some(text) => (text, if self.ends_at_lines() { "" } else { ";" }),
@@ -62,13 +65,13 @@ impl Language {
         let text = text.strip_prefix("let ").unwrap_or(text);
         let text = text.strip_prefix("mut ").unwrap_or(text);
         if let Some(value) = text.strip_prefix("return ") {
-            return Some(format!("return {}{end}", self.printed(value)?));
+            return Some(format!("return {}{end}", self.translated(value)?));
         }
         if let Some(condition) = text
             .strip_prefix("if ")
             .and_then(|it| it.strip_suffix(" {"))
         {
-            let condition = self.printed(condition)?;
+            let condition = self.translated(condition)?;
             return Some(match self {
                 Self::Python => format!("if {condition}:"),
                 Self::Go | Self::Swift => format!("if {condition} {{"),
@@ -82,14 +85,15 @@ impl Language {
         match text.split_once(" = ").filter(|(name, _)| is_name(name)) {
             Some((name, value)) => Some(format!(
                 "{} = {}{end}",
-                self.printed(name)?,
-                self.printed(value)?
+                self.translated(name)?,
+                self.translated(value)?
             )),
-            None => Some(self.printed(text)? + end),
+            None => Some(self.translated(text)? + end),
         }
     }
 
-    fn printed(self, rust: &str) -> Option<String> {
+    /// Translates an expression of Rust, without the `Some(…)` around it.
+    fn translated(self, rust: &str) -> Option<String> {
         let mut parser = Parser::new(rust, Self::Rust);
         let tree = parser.expression()?;
         let is_whole = parser.next == parser.tokens.len() && parser.fields.is_empty();
@@ -100,14 +104,14 @@ impl Language {
         is_whole.then(|| self.print(tree)).flatten()
     }
 
-    /// Prints an expression, if the language has its like.
+    /// Prints an expression; `None` if the language has nothing like it, as a closure in C.
     pub fn print(self, tree: &Tree) -> Option<String> {
         self.within(tree, 0)
     }
 
-    /// Prints an expression, in brackets where its place wants a firmer one.
+    /// Prints an expression, in brackets if it binds less firmly than `least`.
     fn within(self, tree: &Tree, least: u8) -> Option<String> {
-        // These languages turn one number into another without a word.
+        // These languages convert whole numbers to real ones by themselves.
         if let (Op::Call(name), [value]) = (&tree.op, &tree.parts[..])
             && matches!(self, Self::Python | Self::JavaScript)
             && is_in(REAL, name)
@@ -123,6 +127,7 @@ impl Language {
         })
     }
 
+    /// Prints an expression without brackets around it; `level` is the [`level`] of its root.
     fn text(self, tree: &Tree, level: u8) -> Option<String> {
         let part = |n: usize, least: u8| self.within(&tree.parts[n], least);
         Some(match &tree.op {
@@ -152,18 +157,20 @@ impl Language {
                     _ => format!("{asked} ? {then} : {other}"),
                 }
             }
-            Op::List => format!("[{}]", self.all(&tree.parts)?),
+            Op::List => format!("[{}]", self.list(&tree.parts)?),
             Op::Index => format!("{}[{}]", part(0, ATOM)?, part(1, 0)?),
             Op::Call(name) => return self.call(name, &tree.parts),
             Op::Over => return None,
         })
     }
 
-    fn all(self, parts: &[Tree]) -> Option<String> {
+    /// Prints expressions with commas between them.
+    fn list(self, parts: &[Tree]) -> Option<String> {
         let parts = parts.iter().map(|it| self.within(it, 0));
         Some(parts.collect::<Option<Vec<_>>>()?.join(", "))
     }
 
+    /// Prints a variable or a constant.
     fn name(self, name: &str) -> String {
         match (name, self) {
             (it, Self::Rust) if it.eq_ignore_ascii_case("infinity") => "f64::INFINITY".to_owned(),
@@ -180,6 +187,7 @@ impl Language {
         }
     }
 
+    /// Prints a call, a field, an operator that is spelled as a function, or a cast.
     fn call(self, name: &str, parts: &[Tree]) -> Option<String> {
         let id = function(name, parts.len());
         if let ("+" | "-" | "*" | "/", [one, other]) = (&*id, parts) {
@@ -194,50 +202,46 @@ impl Language {
         if id == "lambda" {
             return None;
         }
-        let rust = self == Self::Rust;
+        let spelling = self.spelling(&id, name, parts.len());
+        let Some(method) = spelling.strip_prefix('.') else {
+            return Some(format!(
+                "{}({})",
+                spelling.trim_end_matches("()"),
+                self.list(parts)?
+            ));
+        };
+        let (of, given) = parts.split_first()?;
+        let of = self.within(of, ATOM)?;
+        match method.strip_suffix("()") {
+            Some(method) => Some(format!("{of}.{method}({})", self.list(given)?)),
+            None => Some(format!("{of}.{method}")),
+        }
+    }
+
+    /// Returns the spelling of a function in this language, as in [`SPELLINGS`]. One that is not
+    /// listed there keeps its name.
+    fn spelling(self, id: &str, name: &str, arguments: usize) -> String {
         let row = SPELLINGS.iter().find(|(it, _)| *it == id);
         let spelling = match row {
-            Some((_, [_, book])) if self != Self::Cpp && rust_field(&id) => {
+            None if arguments == 1 && is_field(name) => return format!(".{name}"),
+            None => return format!("{name}()"),
+            Some((_, [rust, _])) if self == Self::Rust => rust,
+            Some((_, [rust, book])) if self != Self::Cpp && !rust.ends_with(')') => {
                 book.trim_end_matches("()")
             }
-            Some((_, both)) => both[usize::from(!rust)],
-            None => "",
+            Some((_, [_, book])) => book,
         };
-        let spelling = if rust_field(&id) && rust {
-            row?.1[0]
-        } else {
-            spelling
-        };
-        let spelling = if spelling.is_empty() && parts.len() == 1 && is_field(name) {
-            format!(".{name}")
-        } else if spelling.is_empty() {
-            format!("{name}()")
-        } else {
-            spelling.to_owned()
-        };
-        let spelling = match (&*spelling, self) {
+        let spelling = match (spelling, self) {
             ("sqrt()", Self::Python) => "math.sqrt()",
             ("sqrt()", Self::JavaScript | Self::Java) => "Math.sqrt()",
             ("sqrt()", Self::CSharp) => "Math.Sqrt()",
             ("sqrt()", Self::Go) => "math.Sqrt()",
             (it, _) => it,
         };
-        let Some(method) = spelling.strip_prefix('.') else {
-            return Some(format!(
-                "{}({})",
-                spelling.trim_end_matches("()"),
-                self.all(parts)?
-            ));
-        };
-        let (of, given) = parts.split_first()?;
-        let of = self.within(of, ATOM)?;
-        match method.strip_suffix("()") {
-            Some(method) => Some(format!("{of}.{method}({})", self.all(given)?)),
-            None => Some(format!("{of}.{method}")),
-        }
+        spelling.to_owned()
     }
 
-    /// Prints a number that is made a real one.
+    /// Prints a cast to a real number.
     fn cast(self, value: &Tree) -> Option<String> {
         let text = self.within(value, 0)?;
         Some(match self {
@@ -249,6 +253,7 @@ impl Language {
         })
     }
 
+    /// Prints the vector whose components are this number.
     fn vector(self, number: &str) -> String {
         let name = if self == Self::Rust {
             "Vec3::new"
@@ -259,14 +264,7 @@ impl Language {
     }
 }
 
-/// Returns true if our Rust has a field for it.
-fn rust_field(id: &str) -> bool {
-    SPELLINGS
-        .iter()
-        .any(|(it, [rust, _])| *it == id && !rust.ends_with(')'))
-}
-
-/// Returns true if it is a field of our records or cameras.
+/// Returns true if the chapters' records, spheres, cameras or intervals have this field.
 fn is_field(name: &str) -> bool {
     matches!(
         name,
@@ -274,9 +272,10 @@ fn is_field(name: &str) -> bool {
     )
 }
 
+/// The [`level`] of what never needs brackets.
 const ATOM: u8 = 12;
 
-/// How firmly a node holds together.
+/// Returns how firmly an operation binds its operands, from 1 to [`ATOM`].
 fn level(op: &Op) -> u8 {
     match op {
         Op::Choice => 1,

@@ -1,40 +1,41 @@
-//! Recursive descent with recovery: the statements of a file, as far as they are read.
+//! Recursive descent with panic-mode recovery: the statements of a file, as far as they are read.
 //!
-//! What is not understood is left out up to the next place where a statement can begin.
+//! A statement that is not understood is skipped up to the next place where one can begin.
 
 use std::ops::Range;
 
 use crate::Language;
 use crate::parse::{Parser, is_keyword};
+use crate::tokens::{Token, TokenKind};
 use crate::tree::{Op, Tree};
 
-/// What a statement is there for.
+/// The purpose of a statement's expression.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Role {
-    /// Its value is given to this name.
+    /// The expression is the value of this variable, field or named argument.
     Given(String),
-    /// It is a condition.
+    /// The expression is the condition of an `if` or a loop.
     Condition,
-    /// It is what a function returns.
+    /// The expression is what a function returns.
     Result,
-    /// This name stands for each of its parts.
+    /// The expression is a list or a range, and this variable of a loop each of its elements.
     Each(String),
-    /// It is done.
+    /// The expression is evaluated for its effect, as a call.
     Done,
 }
 
-/// A statement, or one of several parts of a line.
+/// A statement with one expression. A line that holds several makes one for each.
 #[derive(Clone, Debug)]
 pub struct Statement {
-    /// What it is there for.
+    /// The purpose of the expression.
     pub role: Role,
-    /// Its expression.
+    /// The expression.
     pub value: Tree,
-    /// Where it stands in its text, from its first word on.
+    /// The bytes of the statement in its text, from its first word to its expression's end.
     pub at: Range<usize>,
 }
 
-/// Reads the statements of a text.
+/// Reads the statements of a text, in their order. What is not understood is left out.
 pub fn statements(text: &str, language: Language) -> Vec<Statement> {
     let mut all = Vec::new();
     let mut parser = Parser::new(text, language);
@@ -60,10 +61,10 @@ pub fn statements(text: &str, language: Language) -> Vec<Statement> {
     all
 }
 
-/// Signs behind which a statement may begin, and the words that begin one.
+/// Tokens behind which a statement may begin.
 const BEGINNINGS: [&str; 7] = [";", "{", "}", ":", "=>", "else", "then"];
 
-/// Goes on to where the next statement may begin.
+/// Moves on to the next token where a statement may begin, `first` being where the last one began.
 fn skip(parser: &mut Parser, first: usize) {
     let is_behind = |parser: &Parser| {
         let last = parser.next.checked_sub(1).map(|n| parser.tokens[n].text);
@@ -80,7 +81,7 @@ fn skip(parser: &mut Parser, first: usize) {
     }
 }
 
-/// Returns true if a new line, a brace or a word begins a statement here.
+/// Returns true if the next token can only be the first of a statement.
 fn begins(parser: &Parser) -> bool {
     let is_word = matches!(
         parser.ahead(0),
@@ -90,10 +91,11 @@ fn begins(parser: &Parser) -> bool {
     parser.is_on_a_new_line() || is_word || parser.is("}") || follows_bracket && parser.is_word(0)
 }
 
-type Read = Vec<(Role, Tree)>;
+/// The expressions of a statement, each with its purpose.
+type Expressions = Vec<(Role, Tree)>;
 
-/// Reads what begins here.
-fn statement(parser: &mut Parser) -> Option<Read> {
+/// Reads the statement that begins with the next token.
+fn statement(parser: &mut Parser) -> Option<Expressions> {
     let is_result = parser.next > 0 && parser.tokens[parser.next - 1].text == "=>";
     match parser.ahead(0) {
         "return" => {
@@ -129,8 +131,8 @@ fn statement(parser: &mut Parser) -> Option<Read> {
     }
 }
 
-/// Reads `if`, `elif`, `else if` or `while`, with what it asks. A declaration may stand before.
-fn conditions(parser: &mut Parser) -> Option<Read> {
+/// Reads the head of an `if`, `elif`, `else if` or `while`, also with a declaration first.
+fn conditions(parser: &mut Parser) -> Option<Expressions> {
     let is_else = parser.eat("else");
     if is_else && !parser.is("if") {
         return None;
@@ -151,8 +153,8 @@ fn conditions(parser: &mut Parser) -> Option<Read> {
     Some(all)
 }
 
-/// Reads the head of `for`.
-fn repeated(parser: &mut Parser) -> Option<Read> {
+/// Reads the head of a `for`, over a list or with a counter.
+fn repeated(parser: &mut Parser) -> Option<Expressions> {
     parser.next += 1;
     parser.eat("(");
     while matches!(
@@ -176,9 +178,9 @@ fn repeated(parser: &mut Parser) -> Option<Read> {
     Some(all)
 }
 
-/// Reads what is given to a name: `let t: f64 = …`, `auto t = …`, `t := …`, `sum += …`, and
+/// Reads an assignment or a declaration: `let t: f64 = …`, `auto t = …`, `t := …`, `sum += …`, or
 /// C++'s `ray r(…)`.
-fn given(parser: &mut Parser) -> Option<Read> {
+fn given(parser: &mut Parser) -> Option<Expressions> {
     let first = parser.next;
     let end = target(parser)?;
     let names = names(parser, first, end);
@@ -202,7 +204,7 @@ fn given(parser: &mut Parser) -> Option<Read> {
     let compound = ["+=", "-=", "*=", "/="].iter().position(|it| *it == sign);
     if let Some(n) = compound {
         let value = values.swap_remove(0);
-        let name = Tree::new(Op::Name(names[0].clone()), Vec::new());
+        let name = Tree::name_of(&names[0]);
         let sum = Op::Sign(["+", "-", "*", "/"][n]);
         values = vec![Tree::new(sum, vec![name, value.clone()]).at(value.at)];
     }
@@ -214,7 +216,7 @@ fn given(parser: &mut Parser) -> Option<Read> {
     )
 }
 
-/// Finds the sign that gives a value, if the statement that begins here is no call.
+/// Finds the token `=`, or the bracket of C++'s `ray r(…)`, in the statement that begins here.
 fn target(parser: &Parser) -> Option<usize> {
     let mut depth = 0;
     for (n, token) in parser.tokens.iter().enumerate().skip(parser.next) {
@@ -233,26 +235,24 @@ fn target(parser: &Parser) -> Option<usize> {
     None
 }
 
-/// Returns true if a type and a new name stand before the bracket: C++'s `ray r(…)`.
+/// Returns true if a type and a new name stand before this bracket, as in C++'s `ray r(…)`.
 fn is_made(parser: &Parser, bracket: usize) -> bool {
     let words = &parser.tokens[parser.next..bracket];
-    let is_named = |it: &crate::tokens::Token| {
-        it.kind == crate::tokens::TokenKind::Word && !is_keyword(it.text)
-    };
+    let is_named = |it: &Token| it.kind == TokenKind::Word && !is_keyword(it.text);
     parser.language == Language::Cpp
         && words.len() > 1
         && words[words.len() - 2..].iter().all(is_named)
 }
 
-/// Finds the names that are given values before the sign at `end`.
+/// Finds the names that are assigned to, between the tokens `first` and `end`.
 fn names(parser: &Parser, first: usize, end: usize) -> Vec<String> {
     let target = &parser.tokens[first..end];
     // What stands behind a colon is a type.
     let colon = target.iter().position(|it| it.text == ":");
     let target = &target[..colon.unwrap_or(target.len())];
     let parts = target.split(|it| it.text == ",");
-    let is_word = |it: &&crate::tokens::Token| it.kind == crate::tokens::TokenKind::Word;
-    let name = |part: &[crate::tokens::Token]| {
+    let is_word = |it: &&Token| it.kind == TokenKind::Word;
+    let name = |part: &[Token]| {
         let indexed = part
             .iter()
             .position(|it| it.text == "[")

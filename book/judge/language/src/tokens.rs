@@ -1,34 +1,41 @@
-//! Lexical analysis: the words, numbers, texts and signs of a program, without its comments.
+//! Lexical analysis: splits a program into words, numbers, strings and signs, without its comments.
 
 use crate::Language;
 
-/// A word, a number, a text or a sign.
+/// A word, a number, a string literal or a sign of a program.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Token<'a> {
+    /// The token as it is written.
     pub(crate) text: &'a str,
+    /// The kind of the token.
     pub(crate) kind: TokenKind,
-    /// Where it begins.
+    /// The byte of the program at which the token begins.
     pub(crate) at: usize,
-    /// True if it is the first of its line.
+    /// True if the token is the first of its line.
     pub(crate) is_first: bool,
 }
 
+/// The kinds of tokens.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum TokenKind {
+    /// A name or a keyword.
     Word,
+    /// A number with its point, exponent and suffix.
     Number,
+    /// A string or character literal with its quotes.
     Text,
+    /// An operator or a bracket.
     Sign,
 }
 
-/// Signs of several letters, the longer ones first.
+/// The signs of more than one character, longer ones first.
 const SIGNS: [&str; 34] = [
     "...", "..=", "..<", "===", "!==", "<<=", ">>=", "->", "=>", "::", ":=", "**", "//", "&&",
     "||", "<=", ">=", "==", "!=", "<<", ">>", "+=", "-=", "*=", "/=", "++", "--", "..", "?:", "?.",
     "!!", "??", "|=", "&=",
 ];
 
-/// Reads the tokens of a text.
+/// Splits a text into tokens.
 pub(crate) fn tokens(text: &str, language: Language) -> Vec<Token<'_>> {
     let mut all = Vec::new();
     let (mut at, mut is_first) = (0, true);
@@ -52,7 +59,7 @@ pub(crate) fn tokens(text: &str, language: Language) -> Vec<Token<'_>> {
     all
 }
 
-/// Measures white space, or a comment, or a line that is for a preprocessor.
+/// Returns the bytes of the blank, comment or preprocessor line at the start of a text, or 0.
 fn skipped(rest: &str, language: Language, is_first: bool) -> usize {
     let line = || rest.find('\n').unwrap_or(rest.len());
     let is_python = language == Language::Python;
@@ -71,6 +78,7 @@ fn skipped(rest: &str, language: Language, is_first: bool) -> usize {
     }
 }
 
+/// Returns the kind and the bytes of the token at the start of a text.
 fn token(rest: &str, first: char, language: Language) -> (TokenKind, usize) {
     let is_word = |c: char| c.is_alphanumeric() || c == '_';
     let end = |is: &dyn Fn(char) -> bool| rest.find(|c| !is(c)).unwrap_or(rest.len());
@@ -92,7 +100,7 @@ fn token(rest: &str, first: char, language: Language) -> (TokenKind, usize) {
     }
 }
 
-/// Measures a number with its point, its exponent and the letters of its type.
+/// Returns the bytes of a number with its point, its exponent and the suffix of its type.
 fn number(rest: &str) -> usize {
     let letters = rest.as_bytes();
     let is = |at: usize, is: fn(&u8) -> bool| letters.get(at).is_some_and(is);
@@ -120,7 +128,7 @@ fn number(rest: &str) -> usize {
     at
 }
 
-/// Measures a text with its quotes: one of them, or three.
+/// Returns the bytes of a string literal with its quotes, one or three at each end.
 fn quoted(rest: &str, quote: char) -> usize {
     let three = quote.to_string().repeat(3);
     if let Some(inner) = rest.strip_prefix(&three) {

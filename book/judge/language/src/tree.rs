@@ -1,48 +1,49 @@
-//! The tree: what an expression does, and its parts.
+//! Abstract syntax trees of expressions, one kind for all languages.
 
 use std::ops::Range;
 
-/// What a node does with its parts.
+/// The operation of a tree's root on its parts.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Op {
-    /// A variable or a constant.
+    /// The value of a variable or a constant; no parts.
     Name(String),
-    /// A number, and whether it is typed as a whole one.
+    /// A number; true if it is written without a point, as a whole one. No parts.
     Number(f64, bool),
-    /// A text in its quotes.
+    /// A string literal with its quotes; no parts.
     Text(String),
-    /// A function of its parts: one that is called, a method of the first part, its field, or a
-    /// type that is made of them.
+    /// A call by this name: of a function with the parts as arguments, of a method or a field of
+    /// the first part, or of a type that is made of the parts.
     Call(String),
-    /// A sign between two parts; `//` divides whole numbers, `=` gives a name to what follows.
+    /// An operator between two parts; `//` divides whole numbers, `=` assigns.
     Sign(&'static str),
-    /// The negative of its part.
+    /// The negative of the only part.
     Minus,
-    /// The contrary of its part.
+    /// The contrary of the only part, a condition.
     Not,
-    /// A condition, what comes of it, and what else.
+    /// A choice: the first part is the condition, the second the value if it holds, the third
+    /// the value if not.
     Choice,
-    /// A list or tuple.
+    /// A list or a tuple of its parts.
     List,
-    /// A list, and the number of its part.
+    /// An element: the first part is a list, the second the index.
     Index,
-    /// In the normal form: one divided by its part.
+    /// One divided by the only part; only in the [normal form](crate::normal).
     Over,
 }
 
-/// An expression.
+/// The syntax tree of an expression.
 #[derive(Clone, Debug)]
 pub struct Tree {
-    /// What it does.
+    /// The operation of the root.
     pub op: Op,
-    /// With what.
+    /// The operands, in the order of the text.
     pub parts: Vec<Tree>,
-    /// Where it stands in its text.
+    /// The bytes of the expression in its text; empty if it was made, not read.
     pub at: Range<usize>,
 }
 
 impl Tree {
-    /// Makes a node that stands nowhere.
+    /// Makes a tree that has no place in a text.
     pub fn new(op: Op, parts: Vec<Self>) -> Self {
         Self {
             op,
@@ -51,27 +52,27 @@ impl Tree {
         }
     }
 
-    /// Makes a call that stands nowhere.
+    /// Makes a call that has no place in a text.
     pub(crate) fn call(name: &str, parts: Vec<Self>) -> Self {
         Self::new(Op::Call(name.to_owned()), parts)
     }
 
-    /// Makes a variable or a constant at no place.
+    /// Makes a variable or a constant that has no place in a text.
     pub fn name_of(name: &str) -> Self {
         Self::new(Op::Name(name.to_owned()), Vec::new())
     }
 
-    /// Makes a real number at no place.
+    /// Makes a real number that has no place in a text.
     pub(crate) fn number(value: f64) -> Self {
         Self::new(Op::Number(value, false), Vec::new())
     }
 
-    /// Puts it at a place.
+    /// Returns the tree with another place in the text; that of its parts stays.
     pub fn at(self, at: Range<usize>) -> Self {
         Self { at, ..self }
     }
 
-    /// Returns its name, if it is one.
+    /// Returns the name of a variable or a constant; `None` for other trees.
     pub fn name(&self) -> Option<&str> {
         match &self.op {
             Op::Name(name) => Some(name),
@@ -79,7 +80,7 @@ impl Tree {
         }
     }
 
-    /// Returns its value, if it is a number.
+    /// Returns the value of a number; `None` for other trees.
     pub(crate) fn value(&self) -> Option<f64> {
         match self.op {
             Op::Number(value, _) => Some(value),
@@ -87,18 +88,19 @@ impl Tree {
         }
     }
 
-    /// Returns true if it is a call of that function.
+    /// Returns true if the root is a call by this name.
     pub fn is_call(&self, name: &str) -> bool {
         matches!(&self.op, Op::Call(it) if it == name)
     }
 
-    /// Lists all nodes, each before its parts.
+    /// Lists the tree and all trees inside of it, each before its parts.
     pub fn nodes(&self) -> Vec<&Self> {
         let parts = self.parts.iter().flat_map(Self::nodes);
         [self].into_iter().chain(parts).collect()
     }
 
-    /// Replaces each node for which there is something else, from the root on.
+    /// Returns the tree with other trees in the place of those for which `other` returns one. The
+    /// parts of such a tree are not asked for.
     pub fn mapped(&self, other: &dyn Fn(&Self) -> Option<Self>) -> Self {
         other(self).unwrap_or_else(|| Self {
             op: self.op.clone(),
@@ -107,7 +109,7 @@ impl Tree {
         })
     }
 
-    /// Returns true if both are the same, wherever they stand.
+    /// Returns true if two trees are equal but for their places in the text.
     pub fn is_same(&self, other: &Self) -> bool {
         let mut parts = self.parts.iter().zip(&other.parts);
         self.op == other.op

@@ -1,6 +1,6 @@
 //! Spellings: what means the same is the same, and what does not is not.
 
-use language::{Language, Pattern, Role, normal, statements};
+use language::{FunctionSize, Language, Pattern, Role, normal, statements};
 
 fn value(text: &str, language: Language) -> language::Tree {
     let all = statements(text, language);
@@ -218,5 +218,11 @@ function hit(center, radius, r) {
 #[test]
 fn a_function_in_a_comment_is_none() {
     let text = "// pub fn hit() -> bool { true }\nfn sky() {} // fn none() {}";
-    assert_eq!(language::functions(text), [("sky", 5)]);
+    assert_eq!(
+        language::function_sizes(text),
+        [FunctionSize {
+            name: "sky",
+            tokens: 5
+        }]
+    );
 }

@@ -117,11 +117,11 @@ impl<'a> PictureSearch<'a> {
             }
             let change =
                 StatementDiff::of([(&*function.name, &*function.text, &*text)].into_iter());
-            let said = self.lines.say(&change);
+            let said = self.lines.status(&change);
             if said == LineStatus::Right {
                 continue;
             }
-            let yours = (said == LineStatus::Wrong).then(|| self.lines.found(&change));
+            let yours = (said == LineStatus::Wrong).then(|| self.lines.corrected(&change));
             let Some(program) = self.right.with_function(&function.name, &text) else {
                 continue;
             };

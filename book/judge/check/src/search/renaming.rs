@@ -6,7 +6,8 @@
 use std::collections::{HashMap, HashSet};
 
 use super::functions::ParsedFunction;
-use super::tree::{RustOp, RustTree, likeness};
+use super::tree::{RustOp, RustTree};
+use crate::sources::likeness;
 
 /// A name that a function gives to something.
 #[derive(Clone, Copy)]

@@ -5,6 +5,8 @@
 
 use std::ops::Range;
 
+use crate::sources::likeness;
+
 /// What a node does with its parts.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum RustOp {
@@ -264,17 +266,6 @@ impl BoundName {
 
 /// What needs no brackets anywhere.
 pub(super) const ATOM: u8 = 9;
-
-/// How many of two lists' members are the same, from 0 to 1 (Dice, 1945).
-pub(super) fn likeness<T: PartialEq + Clone>(one: &[T], other: &[T]) -> f64 {
-    let mut left = other.to_vec();
-    let is_taken = |it: &&T| {
-        let at = left.iter().position(|other| other == *it);
-        at.map(|at| left.swap_remove(at)).is_some()
-    };
-    let same = one.iter().filter(is_taken).count();
-    2.0 * same as f64 / (one.len() + other.len()).max(1) as f64
-}
 
 /// On one line, without comments, and with blanks where rustfmt has them.
 pub(super) fn squeezed(text: &str) -> String {

@@ -1,72 +1,96 @@
-//! What a reader wrote: files in ten languages, and the statements in them.
+//! Static analysis of a reader's files, in any of ten languages: which statements of a chapter, or
+//! of a slip, they have.
 
+mod chapter_statement;
+mod likeness;
 mod lines;
+mod transplant;
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::fmt;
 
-use language::{Language, Role, Statement, Tree, canonical, functions, normal, statements};
+use language::{
+    FunctionSize, Language, Op, Role, Statement, Tree, canonical, function_sizes, normal,
+    statements,
+};
 use slips::{Chapter, Edition, Slip};
 
 pub use interpreter::SourceFile;
 
 use crate::task::Task;
 
-pub(crate) use lines::{CorrectedLine, LineComparison, StatementDiff, Transplant};
+pub(crate) use likeness::likeness;
+pub(crate) use lines::{CorrectedLine, LineComparison, StatementDiff};
+pub(crate) use transplant::Transplant;
 
-/// What a reader wrote, and the chapter as it should be.
+/// A reader's files, and those of the chapter that the reader follows.
 #[derive(Clone, Debug, Default)]
 pub struct Sources {
     yours: Vec<SourceFile>,
+    /// Empty if the reader's program need not have the functions of a chapter.
     chapter: Vec<SourceFile>,
     typed: Vec<TypedStatement>,
-    /// What was said of slips in scenes, which is asked again and again.
-    said: RefCell<BTreeMap<Key, (LineStatus, Option<CorrectedLine>)>>,
+    /// The lines of slips that were looked for before.
+    slip_lines: RefCell<BTreeMap<Key, SlipLine>>,
 }
 
-/// A slip by its name and its place in memory, in a chapter of an edition.
+/// A slip by its name and, as some have none, its address, and a task by its chapter, edition and
+/// step.
 type Key = (&'static str, usize, Chapter, Edition, Option<usize>);
 
-/// A line that somebody typed.
+/// A line of a reader's file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SourceLine {
     /// The file, as seen from the folder of the program.
     pub file: String,
-    /// Its number, from 1.
+    /// The number of the line, from 1.
     pub number: usize,
-    /// What it says.
+    /// The text of the line, or of the statement that begins there, with single blanks.
     pub text: String,
 }
 
-/// What a reader's files say of a slip.
+/// The line of a slip in a reader's files.
+#[derive(Clone, Debug)]
+pub(crate) struct SlipLine {
+    /// Whether the line has the slip.
+    pub(crate) status: LineStatus,
+    /// The line with the slip and its correction, if the status is [`LineStatus::Wrong`] and the
+    /// line is known.
+    pub(crate) corrected: Option<CorrectedLine>,
+}
+
+/// Whether a reader's files have the line of a slip, right or wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum LineStatus {
-    /// The wrong line is there.
+    /// The files have the line with the slip in it.
     Wrong,
-    /// The line is right.
+    /// The files have the line as it should be.
     Right,
-    /// Neither is found.
+    /// The files are unknown, or have neither line in a form that is recognized.
     NotFound,
 }
 
-/// A statement that somebody typed.
+/// A statement of a reader's file.
 #[derive(Clone, Debug)]
 pub(crate) struct TypedStatement {
+    /// The line at which the statement begins.
     pub(crate) line: SourceLine,
     language: Language,
+    /// The purpose of the expression.
     role: Role,
-    /// The expression as it stands there, and its normal form.
+    /// The expression as it stands in the file.
     value: Tree,
+    /// The normal form of the expression.
     normal: Tree,
 }
 
-/// So many tokens are less than a statement: `return t * color;` has six.
+/// The fewest tokens of a statement: `return t * color;` has six.
 const STATEMENT: usize = 6;
 
 impl Sources {
-    /// The files by their names and texts: the reader's, and those of the chapter if the
-    /// reader types just these.
+    /// Takes a reader's files, in any languages, and those of the chapter if the reader types just
+    /// these, or none.
     pub fn new(yours: Vec<SourceFile>, chapter: Vec<SourceFile>) -> Self {
         // Some editors begin a file with a byte order mark.
         let without_mark = |file: SourceFile| SourceFile {
@@ -78,15 +102,12 @@ impl Sources {
             typed: yours.iter().flat_map(typed).collect(),
             yours,
             chapter,
-            said: RefCell::default(),
+            slip_lines: RefCell::default(),
         }
     }
 
-    /// Returns what they say of a slip in a scene, and the line that makes it, if that is found.
-    pub(crate) fn say(&self, slip: &Slip, task: &Task) -> (LineStatus, Option<CorrectedLine>) {
-        if self.typed.is_empty() {
-            return (LineStatus::NotFound, None);
-        }
+    /// Finds the line that has a slip in a task, or has it right.
+    pub(crate) fn slip_line(&self, slip: &Slip, task: &Task) -> SlipLine {
         let task = task.unchanged();
         let key = (
             slip.name,
@@ -95,45 +116,52 @@ impl Sources {
             task.edition,
             task.step(),
         );
-        if let Some(said) = self.said.borrow().get(&key) {
-            return said.clone();
-        }
-        let said = self.says(slip, &task);
-        self.said.borrow_mut().insert(key, said.clone());
-        said
+        let mut known = self.slip_lines.borrow_mut();
+        let line = known.entry(key).or_insert_with(|| self.find(slip, &task));
+        line.clone()
     }
 
-    fn says(&self, slip: &Slip, task: &Task) -> (LineStatus, Option<CorrectedLine>) {
+    /// Finds the line of a slip, without looking whether it was found before.
+    fn find(&self, slip: &Slip, task: &Task) -> SlipLine {
+        let none = |status| SlipLine {
+            status,
+            corrected: None,
+        };
+        if self.typed.is_empty() {
+            return none(LineStatus::NotFound);
+        }
         let (right, wrong) = (task.program(&[]), task.program(&[slip]));
         let pairs = right.functions().zip(wrong.functions());
         let changed = pairs.filter(|((_, right), (_, wrong))| right != wrong);
         let change =
             StatementDiff::of(changed.map(|((name, right), (_, wrong))| (name, right, wrong)));
         let lines = LineComparison::new(right.functions(), &self.typed);
-        match lines.say(&change) {
-            // What an older edition has is wrong in a mixture only, which no single line tells.
-            LineStatus::Wrong
-                if change.is_in(Edition::V3.program(task.chapter).functions())
-                    && self.in_rust().is_empty() =>
-            {
-                (LineStatus::NotFound, None)
-            }
-            LineStatus::Wrong => (LineStatus::Wrong, lines.found(&change)),
-            said => (said, None),
+        // A line of an older edition is wrong only beside lines of this one.
+        let is_older = || {
+            let older = Edition::V3.program(task.chapter);
+            change.is_made_in(older.functions()) && self.in_rust().is_empty()
+        };
+        match lines.status(&change) {
+            LineStatus::Wrong if is_older() => none(LineStatus::NotFound),
+            LineStatus::Wrong => SlipLine {
+                status: LineStatus::Wrong,
+                corrected: lines.corrected(&change),
+            },
+            status => none(status),
         }
     }
 
-    /// The files of a reader who types the chapter, beside its own.
+    /// Takes the files of a reader who types a chapter, and the files of this chapter.
     pub fn of_chapter(yours: Vec<SourceFile>, chapter: Chapter) -> Self {
         Self::new(yours, slips::typed_files(chapter))
     }
 
-    /// Returns true if they are those of the chapter and no other program.
+    /// Returns true if the reader types the files of a chapter, and no program of another form.
     pub(crate) fn are_of_the_chapter(&self) -> bool {
         !self.chapter.is_empty()
     }
 
-    /// Returns those in Rust but for the program's own, the root first.
+    /// Returns the reader's files in Rust, `lib.rs` first, but for `main.rs`.
     pub(crate) fn in_rust(&self) -> Vec<SourceFile> {
         let is_read = |it: &&SourceFile| it.name.ends_with(".rs") && !it.name.ends_with("main.rs");
         let mut files: Vec<_> = self.yours.iter().filter(is_read).cloned().collect();
@@ -141,42 +169,43 @@ impl Sources {
         files
     }
 
-    /// Returns all of them, by their names and texts.
+    /// Returns all files of the reader.
     pub(crate) fn files(&self) -> &[SourceFile] {
         &self.yours
     }
 
-    /// Returns true if nothing is known of them.
+    /// Returns true if no file of the reader is known.
     pub(crate) fn is_empty(&self) -> bool {
         self.yours.is_empty()
     }
 
-    /// Lists what was typed, statement by statement.
+    /// Returns the statements of all files whose language is known.
     pub(crate) fn typed(&self) -> &[TypedStatement] {
         &self.typed
     }
 
-    /// Returns true if the chapter's functions are as long as there, right or wrong, but for less
-    /// than a statement. What stands in functions of the reader's own counts with them.
+    /// Returns true if the reader has typed the whole chapter, right or wrong: the files with
+    /// functions of the chapter have as many tokens in all functions as the chapter, less than a
+    /// statement fewer at most. False if no chapter is typed.
     pub(crate) fn is_written(&self) -> bool {
         let [chapter, yours] = [&self.chapter, &self.yours].map(|files| {
             let files = files.iter();
-            files.map(|it| functions(&it.text)).collect::<Vec<_>>()
+            files.map(|it| function_sizes(&it.text)).collect::<Vec<_>>()
         });
-        let is_of_chapter = |name: &str| chapter.iter().flatten().any(|(it, _)| *it == name);
+        let is_of_chapter = |name: &str| chapter.iter().flatten().any(|it| it.name == name);
         // A prelude has none of the chapter's functions, and `start` gives a sky.
-        let counts = |functions: &&Vec<(&str, usize)>| {
+        let counts = |functions: &&Vec<FunctionSize>| {
             let mut functions = functions.iter();
-            functions.any(|(name, _)| *name != "new" && is_of_chapter(name))
+            functions.any(|it| it.name != "new" && is_of_chapter(it.name))
         };
         let own = yours.iter().filter(counts).flatten();
-        let own = own.filter(|(name, _)| *name != "sky").map(|(_, size)| size);
-        let theirs = chapter.iter().flatten().map(|(_, size)| size);
+        let own = own.filter(|it| it.name != "sky").map(|it| it.tokens);
+        let theirs = chapter.iter().flatten().map(|it| it.tokens);
         self.are_of_the_chapter() && own.sum::<usize>() + STATEMENT > theirs.sum()
     }
 }
 
-/// Reads the statements of a file, if its language is known.
+/// Reads the statements of a file; none if its language is unknown.
 fn typed(file: &SourceFile) -> Vec<TypedStatement> {
     let SourceFile { name, text } = file;
     let Some(language) = Language::of_file(name) else {
@@ -207,8 +236,8 @@ fn typed(file: &SourceFile) -> Vec<TypedStatement> {
     typed.collect()
 }
 
-/// Reads the statements of a text. What is added to a world is one of its own, however that is
-/// done.
+/// Reads the statements of a text. Each sphere that is made in a statement becomes one of its own,
+/// however it is added to the world.
 fn read(text: &str, language: Language) -> Vec<Statement> {
     let all = statements(text, language).into_iter();
     let parts = all.flat_map(|it| {
@@ -226,7 +255,8 @@ fn read(text: &str, language: Language) -> Vec<Statement> {
     parts.collect()
 }
 
-/// Puts what has a name of its own only to be shorter, `d = r.direction`, in the place of it.
+/// Writes `r.direction` or `r.origin` for each variable that only stands for it, as `d` does after
+/// `d = r.direction`.
 fn with_values(all: Vec<Statement>) -> Vec<Statement> {
     let given = |name: &str| {
         let is_it = |it: &&Statement| matches!(&it.role, Role::Given(own) if own == name);
@@ -236,7 +266,7 @@ fn with_values(all: Vec<Statement>) -> Vec<Statement> {
     let short = |tree: &Tree| {
         let value = &given(tree.name()?)?.value;
         let is_field = matches!(&value.parts[..], [of] if of.name().is_some());
-        let is_of_ray = |it: &Tree| matches!(&normal(it).op, language::Op::Call(name) if name == "direction" || name == "origin");
+        let is_of_ray = |it: &Tree| matches!(&normal(it).op, Op::Call(name) if name == "direction" || name == "origin");
         (is_field && is_of_ray(value)).then(|| value.clone().at(tree.at.clone()))
     };
     let with = all.iter().map(|it| Statement {
@@ -246,7 +276,7 @@ fn with_values(all: Vec<Statement>) -> Vec<Statement> {
     with.collect()
 }
 
-/// Returns true if two names are the same but for capitals and `_`.
+/// Returns true if two names differ in capitals and `_` at most.
 fn is_same_name(one: &str, other: &str) -> bool {
     canonical(one) == canonical(other)
 }
