@@ -126,7 +126,7 @@ fn every_slip_makes_another_program() {
 #[test]
 fn a_slip_of_an_older_edition_is_said_in_its_words() {
     let task = Task::new(Chapter::Gradient, None).expect("it has the book's scene");
-    let task = task.only_by(Edition::V3);
+    let task = task.only_by_edition(Edition::V3);
     for language in [
         None,
         Some(ReaderLanguage::Python(Edition::V4)),
@@ -140,7 +140,7 @@ fn a_slip_of_an_older_edition_is_said_in_its_words() {
             ("deltas-from-last-pixel", "u = (i + 0.5) / …"),
             ("viewport-mirrored", "horizontal = (-viewport_width, 0, 0)"),
         ] {
-            let words = context.words(suite::slip(slip), &task);
+            let words = context.slip_text(suite::slip(slip), &task);
             assert!(
                 words.wrong.starts_with(line),
                 "{slip} in {language:?} is said as {}",

@@ -174,7 +174,7 @@ impl Pictures {
     pub(crate) fn of(verdict: Verdict) -> Option<Self> {
         let finding = match verdict {
             Verdict::Right(right) => {
-                let picture = || right.task.right(right.width, right.height);
+                let picture = || right.task.right_picture(right.width, right.height);
                 return (right.levels == 0).then(|| Self {
                     yours: picture(),
                     right: picture(),

@@ -7,7 +7,7 @@ use slips::{Chapter, Probe};
 use crate::answer::{Answer, Pictures, Row, RowKind};
 use crate::context::Context;
 use crate::reading::Cause;
-use crate::sentences::{law, refused};
+use crate::sentences::{law_rows, refused};
 use crate::task::Task;
 use crate::verdict::{Finding, Verdict};
 
@@ -66,7 +66,7 @@ impl Commands<'_> {
     /// chapter of the task.
     pub fn of_pictures(task: Task) -> Self {
         let judge = move |probe: Option<Probe>| match probe {
-            Some(probe) => task.probed_command(probe),
+            Some(probe) => task.command_with_probe(probe),
             None => task.without_probe().command(),
         };
         Self {
@@ -86,7 +86,7 @@ impl Attempt<'_> {
         let mut answer = match (self.unrecognized(&verdict), self.laws) {
             (Some(answer), _) => answer,
             (None, Some(LawsStatus::BrokenPrelude(report))) => Answer {
-                rows: law(report),
+                rows: law_rows(report),
                 ..self.judged(&verdict)
             }
             .then("put this right first: what else is wrong may stand on it"),

@@ -26,7 +26,7 @@ pub struct NextPicture {
 ///
 /// Slips that change no picture and break no law are left out: a program with one of them is
 /// right.
-pub fn hidden(task: &Task, width: u32) -> Vec<&'static Slip> {
+pub fn hidden_slips(task: &Task, width: u32) -> Vec<&'static Slip> {
     let own = task.without_probe();
     let can_be_wrong =
         |slip: &&Slip| !matches!(slip.why_unseen_in(own.chapter), Some(Unseen::Equivalent(_)));
@@ -42,10 +42,14 @@ pub fn hidden(task: &Task, width: u32) -> Vec<&'static Slip> {
 /// Chooses the picture to draw after the right one of the task, `width` pixels wide: one that shows
 /// mistakes for which `may_be` holds and that are still hidden. The pictures follow each other in
 /// one order, so that no probe is asked for twice; `None` after the last.
-pub fn next(task: &Task, width: u32, may_be: impl Fn(&Slip) -> bool) -> Option<NextPicture> {
+pub fn next_picture(
+    task: &Task,
+    width: u32,
+    may_be: impl Fn(&Slip) -> bool,
+) -> Option<NextPicture> {
     let (own, book) = (task.without_probe(), task.chapter.book_width());
     let drawn = if task.probe.is_some() { book } else { width };
-    let mut left = hidden(&own, drawn);
+    let mut left = hidden_slips(&own, drawn);
     left.retain(|slip| may_be(slip));
     let mut order = Vec::new();
     while let Some(next) = most_telling(&own, drawn, &left) {

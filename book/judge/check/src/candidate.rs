@@ -45,7 +45,7 @@ pub struct Unexplained {
 
 /// A comparison of a sample of pixels of a program with the reader's.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Look {
+pub(crate) struct SampleComparison {
     /// Number of pixels of the sample that differ at all.
     pub(crate) off: usize,
     /// Number of pixels of the sample that differ by more than one level in a component.
@@ -95,19 +95,19 @@ impl Candidate {
     }
 
     /// Compares a sample of `count` pixels with the reader's; `None` if the sizes differ.
-    pub(crate) fn look(&self, reading: &Reading, count: u32) -> Option<Look> {
+    pub(crate) fn compare_sample(&self, reading: &Reading, count: u32) -> Option<SampleComparison> {
         let output = self.output(reading)?;
-        let mut look = Look::default();
+        let mut sample = SampleComparison::default();
         let mut hasher = DefaultHasher::new();
         for n in spread(count, reading.pixels.len() as u32) {
             let pixel = self.pixel(&output, n);
             let off = distance(pixel, reading.pixels[n as usize]);
-            look.off += usize::from(off > 0);
-            look.far += usize::from(off > 1);
+            sample.off += usize::from(off > 0);
+            sample.far += usize::from(off > 1);
             pixel.hash(&mut hasher);
         }
-        look.mark = hasher.finish();
-        Some(look)
+        sample.mark = hasher.finish();
+        Some(sample)
     }
 
     /// Compares all pixels with the reader's. `None` if the sizes differ, or if more than `most`
@@ -133,7 +133,7 @@ impl Candidate {
         // The right picture is drawn sooner by what is compiled.
         let is_compiled = self.slips.is_empty() && self.task.is_as_compiled();
         if is_compiled && self.conversion != Conversion::Wrapped {
-            let right = self.task.right(reading.width, reading.height);
+            let right = self.task.right_picture(reading.width, reading.height);
             let pixels = (0..reading.pixels.len()).map(move |n| {
                 let level = |channel: usize| right.rgb()[3 * n + channel].into();
                 [level(0), level(1), level(2)]

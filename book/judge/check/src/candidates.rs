@@ -26,7 +26,7 @@ pub(crate) fn elsewhere(evidence: &Evidence) -> Vec<Candidate> {
     }
     let (width, height) = (evidence.reading.width, evidence.reading.height);
     let is_sky = own.chapter.sphere_count() != SphereCount::None
-        && evidence.reading.picture() == own.of_sky(width, height);
+        && evidence.reading.picture() == own.sky_picture(width, height);
     // Only sky is the picture of many things: of a probe only in its own width.
     let may_be = |probe: &Probe| probe.spheres.is_some() && (!is_sky || probe.width == width);
     let probes = PROBES.into_iter().filter(may_be);

@@ -158,7 +158,9 @@ fn another_scene(wanted: &Task, others: &[Task], language: Option<ReaderLanguage
             ),
             format!(
                 "change your program: {}; then {}",
-                wanted.change(probe.width, language).replace('\n', "; "),
+                wanted
+                    .change_lines(probe.width, language)
+                    .replace('\n', "; "),
                 wanted.command()
             ),
         ),

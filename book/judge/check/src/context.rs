@@ -52,7 +52,7 @@ impl Context<'_> {
 
     /// Returns the wrong line, the right line and the reason of a slip in the chapter of the task, in
     /// the reader's language.
-    pub fn words(&self, slip: &Slip, task: &Task) -> SlipText {
+    pub fn slip_text(&self, slip: &Slip, task: &Task) -> SlipText {
         let is_older = task.edition != Edition::V4;
         let language = match self.language {
             Some(ReaderLanguage::Python(_)) => ReaderLanguage::Python(task.edition),
@@ -70,7 +70,7 @@ impl Context<'_> {
     /// stand in the files.
     pub fn can_be_made(&self, slip: &Slip, task: &Task) -> bool {
         self.can_be_made.is_none_or(|can_be| can_be(slip))
-            && self.said(slip, task) != LineStatus::Right
+            && self.line_status(slip, task) != LineStatus::Right
     }
 
     /// Returns true if the slip's line is wrong in the reader's files and right once they are
@@ -82,12 +82,12 @@ impl Context<'_> {
     }
 
     /// Finds out whether the slip's line is wrong or right in the reader's files.
-    pub(crate) fn said(&self, slip: &Slip, task: &Task) -> LineStatus {
+    pub(crate) fn line_status(&self, slip: &Slip, task: &Task) -> LineStatus {
         self.sources.slip_line(slip, task).status
     }
 
     /// Finds the reader's line that makes the slip; `None` if the files are not known or have none.
-    pub(crate) fn line_of(&self, slip: &Slip, task: &Task) -> Option<CorrectedLine> {
+    pub(crate) fn wrong_line(&self, slip: &Slip, task: &Task) -> Option<CorrectedLine> {
         self.sources.slip_line(slip, task).corrected
     }
 
@@ -167,7 +167,7 @@ impl<'a> Evidence<'a> {
         if self.task.probe.is_none() || slip.name.is_empty() {
             return true;
         }
-        let hidden = || blind_spots::hidden(&self.task, self.task.chapter.book_width());
+        let hidden = || blind_spots::hidden_slips(&self.task, self.task.chapter.book_width());
         let passed = self.passed.get_or_init(hidden);
         passed.iter().any(|it| it.name == slip.name)
     }
@@ -176,7 +176,8 @@ impl<'a> Evidence<'a> {
     /// line of one of its slips stands in the files, or more than one in [`REFUTING`] answers differ.
     pub(crate) fn is_refuted(&self, it: &Candidate) -> bool {
         let context = self.context;
-        let is_right = |slip: &&'static Slip| context.said(slip, &it.task) == LineStatus::Right;
+        let is_right =
+            |slip: &&'static Slip| context.line_status(slip, &it.task) == LineStatus::Right;
         if it.slips.iter().any(is_right) {
             return true;
         }
@@ -202,7 +203,7 @@ impl<'a> Evidence<'a> {
 
     /// Returns true if the wrong line of each slip of the candidate stands in the reader's files.
     pub(crate) fn is_found(&self, it: &Candidate) -> bool {
-        let is_found = |slip: &&Slip| self.context.said(slip, &it.task) == LineStatus::Wrong;
+        let is_found = |slip: &&Slip| self.context.line_status(slip, &it.task) == LineStatus::Wrong;
         it.slips.iter().all(is_found)
     }
 }

@@ -47,7 +47,7 @@ fn right_ones(evidence: &Evidence) -> Vec<(Task, Candidate)> {
     let probes = PROBES.iter().filter(|probe| probe.spheres.is_some());
     let probes = probes.filter_map(|&probe| Task::new(task.chapter, Some(probe)));
     let probes = probes.map(|task| {
-        task.only_by(Edition::V4)
+        task.only_by_edition(Edition::V4)
             .fitting(reading.width, reading.height)
     });
     let own = rights(evidence);

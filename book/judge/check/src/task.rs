@@ -45,7 +45,7 @@ impl Task {
     }
 
     /// Returns this task by that edition, so that the pictures of other editions are wrong.
-    pub fn only_by(self, edition: Edition) -> Self {
+    pub fn only_by_edition(self, edition: Edition) -> Self {
         Self {
             edition,
             insists: true,
@@ -125,7 +125,7 @@ impl Task {
 
     /// Lists what a reader changes in the chapter's program to draw the task `width` pixels wide, a
     /// line each.
-    pub fn change(&self, width: u32, language: Option<ReaderLanguage>) -> String {
+    pub fn change_lines(&self, width: u32, language: Option<ReaderLanguage>) -> String {
         match self.probe {
             Some(probe) => probe.lines(self.chapter, language),
             None => width_line(width, language),
@@ -136,13 +136,13 @@ impl Task {
     pub fn command(&self) -> String {
         let (companion, chapter) = (companion_command(), self.chapter.name());
         match self.probe {
-            Some(probe) => self.probed_command(probe),
+            Some(probe) => self.command_with_probe(probe),
             None => format!("{companion} check {chapter} PICTURE"),
         }
     }
 
     /// Returns the command that checks a picture of this chapter with that probe.
-    pub fn probed_command(&self, probe: Probe) -> String {
+    pub fn command_with_probe(&self, probe: Probe) -> String {
         let (companion, chapter) = (companion_command(), self.chapter.name());
         format!("{companion} check {chapter} --probe {} PICTURE", probe.name)
     }
@@ -270,13 +270,14 @@ impl Task {
     }
 
     /// Draws the sky of the same edition without spheres, `width` × `height` pixels.
-    pub(crate) fn of_sky(&self, width: u32, height: u32) -> Picture {
-        self.of_chapter(Chapter::Gradient).right(width, height)
+    pub(crate) fn sky_picture(&self, width: u32, height: u32) -> Picture {
+        self.of_chapter(Chapter::Gradient)
+            .right_picture(width, height)
     }
 
     /// Draws the right picture in `width` × `height` pixels, in that shape if it is not the
     /// chapter's.
-    pub fn right(&self, width: u32, height: u32) -> Picture {
+    pub fn right_picture(&self, width: u32, height: u32) -> Picture {
         let fitting = self.fitting(width, height);
         if fitting.is_as_compiled() {
             return self.chapter.picture(width);

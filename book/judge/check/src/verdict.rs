@@ -90,10 +90,10 @@ pub struct Finding {
     /// does.
     pub drawn: DrawingMutants,
     /// Observations about the picture, a sentence each; empty if a known mistake draws it.
-    pub sights: Vec<String>,
+    pub observations: Vec<String>,
     /// Two rows about the first pixel that differs: its color, and the numbers of its ray as they
     /// should be. Empty if a known mistake draws the picture.
-    pub first: Vec<Row>,
+    pub first_pixel: Vec<Row>,
     /// The change of the reader's own lines that was tried and makes the program right; `None` if none
     /// was found.
     pub repair: Option<Repair>,
@@ -190,7 +190,7 @@ impl Finding {
     pub(crate) fn shows_only_sky(&self) -> bool {
         let (width, height) = (self.yours.width(), self.yours.height());
         self.task.chapter.sphere_count() != SphereCount::None
-            && self.yours == self.task.of_sky(width, height)
+            && self.yours == self.task.sky_picture(width, height)
     }
 
     /// Returns the largest difference of a color component from the right picture, in levels; 0 if
@@ -201,7 +201,7 @@ impl Finding {
 
     /// Returns the slips of the only known mistake that draws the picture; empty if there is none, or
     /// more than one.
-    pub fn single(&self) -> &[&'static Slip] {
+    pub fn only_mistake(&self) -> &[&'static Slip] {
         match &self.mistakes {
             Some(Mistakes { all, .. }) if all.len() == 1 => &all[0],
             _ => &[],

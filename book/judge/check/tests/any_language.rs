@@ -1,6 +1,6 @@
 //! A function in any language: how its lines are read, and what is a manner and no mistake.
 
-use check::any_language::{FunctionKind, FunctionVerdict, Manner, NoAnswer, tried};
+use check::any_language::{FunctionKind, FunctionVerdict, Manner, NoAnswer, try_laws};
 use common::rtweekend::*;
 use laws::{Case, Complaint, IntervalCase, Trial};
 
@@ -12,8 +12,8 @@ fn verdict(function: FunctionKind, solve: Solve) -> FunctionVerdict {
         (Some(_), FunctionKind::Decision) => "hit".to_owned(),
         (Some(t), _) => format!("{t:?}"),
     };
-    tried(&Trial::default(), function, &|asked| {
-        let hit = function.read(asked, &answer(asked), false);
+    try_laws(&Trial::default(), function, &|asked| {
+        let hit = function.parse_answer(asked, &answer(asked), false);
         hit.expect("it is an answer")
     })
 }
@@ -123,7 +123,7 @@ fn the_books_word_for_a_miss_is_one_unless_it_is_the_root() {
     let said = |z, function: FunctionKind| {
         let ray = Ray::new(Vec3::ZERO, Vec3::NEG_Z);
         let case = Case::new(Vec3::new(0.0, 0.0, z), 1.0, ray);
-        let hit = function.read(&IntervalCase::on_the_line(case), "-1", true);
+        let hit = function.parse_answer(&IntervalCase::on_the_line(case), "-1", true);
         hit.map(|hit| hit.map(|hit| hit.t))
     };
     assert_eq!(said(0.0, FunctionKind::Root), Ok(Some(-1.0)));
@@ -135,7 +135,7 @@ fn the_books_word_for_a_miss_is_one_unless_it_is_the_root() {
 fn a_decimal_comma_is_told_from_other_nonsense() {
     let ray = Ray::new(Vec3::ZERO, Vec3::NEG_Z);
     let asked = IntervalCase::on_the_line(Case::new(Vec3::ZERO, 1.0, ray));
-    let why = |line| FunctionKind::Root.read(&asked, line, false).err();
+    let why = |line| FunctionKind::Root.parse_answer(&asked, line, false).err();
     assert_eq!(why("0,5"), Some(NoAnswer::DecimalComma));
     assert_eq!(why("None"), Some(NoAnswer::Other));
     assert_eq!(why("0.5"), None);

@@ -25,7 +25,7 @@ fn those_slips_are_hidden_that_draw_the_right_picture() {
             !equivalent && is_as_large && wrong.rgb().flatten().eq(right.rgb().iter().copied())
         });
         let expected: Vec<&str> = hidden.map(|slip| slip.name).collect();
-        let hidden = blind_spots::hidden(&own, WIDTH).into_iter();
+        let hidden = blind_spots::hidden_slips(&own, WIDTH).into_iter();
         let hidden: Vec<&str> = hidden.map(|slip| slip.name).collect();
         assert_eq!(hidden, expected, "{chapter:?}");
     }
@@ -36,8 +36,8 @@ fn those_slips_are_hidden_that_draw_the_right_picture() {
 fn the_next_picture_shows_what_it_is_said_to_show() {
     for chapter in [Chapter::Gradient, Chapter::Normals] {
         let own = task(chapter, None);
-        let mut hidden = blind_spots::hidden(&own, 400);
-        let mut next = blind_spots::next(&own, 400, |_| true);
+        let mut hidden = blind_spots::hidden_slips(&own, 400);
+        let mut next = blind_spots::next_picture(&own, 400, |_| true);
         let mut drawn = 0;
         while let Some(it) = next {
             let draw = |slips: &[&Slip]| it.task.program(slips).run(it.width).picture();
@@ -47,7 +47,7 @@ fn the_next_picture_shows_what_it_is_said_to_show() {
             hidden.retain(|slip| it.slips.iter().all(|shown| shown.name != slip.name));
             drawn += 1;
             assert!(drawn <= PROBES.len(), "{chapter:?} goes round in a circle");
-            next = blind_spots::next(&it.task, it.width, |_| true);
+            next = blind_spots::next_picture(&it.task, it.width, |_| true);
         }
         let is_unseen = |slip: &&Slip| slip.why_unseen_in(chapter).is_some();
         assert!(hidden.iter().all(is_unseen), "{chapter:?}: {hidden:?}");
@@ -57,7 +57,7 @@ fn the_next_picture_shows_what_it_is_said_to_show() {
 #[test]
 fn a_picture_that_is_too_small_is_to_be_drawn_as_large_as_in_the_book() {
     let own = task(Chapter::Gradient, None);
-    let next = blind_spots::next(&own, 60, |_| true).expect("a picture");
+    let next = blind_spots::next_picture(&own, 60, |_| true).expect("a picture");
     assert_eq!((next.task.probe, next.width), (None, 400));
 }
 
@@ -65,7 +65,7 @@ fn a_picture_that_is_too_small_is_to_be_drawn_as_large_as_in_the_book() {
 #[test]
 fn chapter_5_begins_with_the_probe_that_shows_the_first_hit_returned() {
     let own = task(Chapter::HittableList, None);
-    let next = blind_spots::next(&own, 400, |_| true).expect("a picture");
+    let next = blind_spots::next_picture(&own, 400, |_| true).expect("a picture");
     assert_eq!(next.task.probe, slips::find_probe("reversed"));
     assert!(next.slips.iter().any(|slip| slip.name == "first-hit-wins"));
 }
@@ -76,7 +76,7 @@ fn a_forgotten_change_is_recognized() {
     for (chapter, probe) in probes() {
         let wanted = task(chapter, Some(probe));
         let own = chapter.picture(WIDTH);
-        if probe.spheres.is_some() && own == wanted.right(WIDTH, own.height()) {
+        if probe.spheres.is_some() && own == wanted.right_picture(WIDTH, own.height()) {
             continue;
         }
         let verdict = judge_file(&wanted, &png::encode(&own), 0, &Context::default());

@@ -215,7 +215,7 @@ fn an_egg_is_not_right() {
     for edition in [Edition::V4, Edition::V3] {
         for (width, height) in [(160, 120), (160, 90)] {
             let task = task(Chapter::RedSphere)
-                .only_by(edition)
+                .only_by_edition(edition)
                 .fitting(width, height);
             let egg = task.program(&[slip("viewport-width-four")]);
             let picture = egg.run(width).picture();
@@ -338,7 +338,7 @@ fn said(verdict: &Verdict) -> String {
         return format!("right but for {}", almost_right.unexplained.off);
     }
     let Some(mistakes) = &finding.mistakes else {
-        return format!("unknown: {}", finding.sights.join(" "));
+        return format!("unknown: {}", finding.observations.join(" "));
     };
     let names: Vec<String> = mistakes.all.iter().map(|it| mistake_name(it)).collect();
     let left = match mistakes.unexplained.off {

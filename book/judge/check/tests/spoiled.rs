@@ -44,7 +44,8 @@ fn tasks() -> impl Strategy<Value = Task> {
 fn pictures(task: Task) -> impl Strategy<Value = Vec<u8>> {
     const SHAPES: [(u32, u32); 6] = [(1, 1), (1, 200), (200, 1), (2, 97), (97, 2), (16, 16)];
     let shapes = select(&SHAPES[..]);
-    let shaped = shapes.prop_map(move |(width, height)| png::encode(&task.right(width, height)));
+    let shaped =
+        shapes.prop_map(move |(width, height)| png::encode(&task.right_picture(width, height)));
     let slips = option::weighted(0.7, select(task.slips().collect::<Vec<_>>()));
     let drawn = (slips, 1..21_u32, any::<bool>()).prop_map(move |(slip, width, is_text)| {
         let output = task.program(slip.as_slice()).run(width);
@@ -123,7 +124,7 @@ fn assert_sane(task: Task, bytes: &[u8], answer: Verdict) {
             Err(why),
         ) => assert_eq!(*cause, why),
         (Verdict::Right(right), Ok(reading)) => {
-            assert!(reading.picture() == right.task.right(right.width, right.height));
+            assert!(reading.picture() == right.task.right_picture(right.width, right.height));
         }
         (_, Ok(reading)) => {
             let size = u64::from(reading.width) * u64::from(reading.height);

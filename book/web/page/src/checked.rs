@@ -79,7 +79,8 @@ impl CheckRequest {
         };
         let probed = self.probe.and_then(|probe| plain.with_probe(probe));
         let task = probed.unwrap_or(plain);
-        self.edition.map_or(task, |edition| task.only_by(edition))
+        self.edition
+            .map_or(task, |edition| task.only_by_edition(edition))
     }
 }
 

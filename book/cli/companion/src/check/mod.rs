@@ -203,7 +203,7 @@ impl Arguments {
             )
         })?;
         Ok(match self.edition {
-            Some(edition) => task.only_by(edition),
+            Some(edition) => task.only_by_edition(edition),
             None => task,
         })
     }

@@ -119,7 +119,7 @@ impl<'a> Interview<'a> {
             ..Trial::default()
         };
         let line = self.greet();
-        let verdict = any_language::tried(&trial, self.function, &|asked| self.answer(asked));
+        let verdict = any_language::try_laws(&trial, self.function, &|asked| self.answer(asked));
         let ended = || Some((self.dialogue.borrow_mut().close_input().err()?, line));
         let failed = self.failure.take().or_else(ended);
         match (failed, &verdict.outcome) {
@@ -171,7 +171,9 @@ impl<'a> Interview<'a> {
             return None;
         }
         let said = self.dialogue.borrow_mut().ask(&line).and_then(|said| {
-            let read = self.function.read(asked, &said, self.says_minus_one());
+            let read = self
+                .function
+                .parse_answer(asked, &said, self.says_minus_one());
             match read {
                 Ok(hit) => Ok(LineAnswer { said, hit }),
                 Err(why) => Err(DialogueFailure::NoAnswer(said, why)),
@@ -191,7 +193,7 @@ impl<'a> Interview<'a> {
     }
 
     fn question_line(&self, asked: &IntervalCase) -> String {
-        self.function.line(asked)
+        self.function.question_line(asked)
     }
 
     /// Returns true if -1 may stand for a miss, as in the book: until the program says `miss`.
@@ -203,7 +205,7 @@ impl<'a> Interview<'a> {
     fn obeyed(&self, verdict: &FunctionVerdict) -> String {
         let (program, all) = (self.program(), self.answers.borrow().len());
         let manners = verdict.manners.iter().map(|manner| {
-            let says = manner.says();
+            let says = manner.description();
             format!("besides:  {says}; no picture of these chapters shows that\n")
         });
         format!(

@@ -20,7 +20,7 @@ use check::context::Context;
 use check::judge_file;
 use check::names::{companion_command, name_from_here};
 use check::reading::{Cause, read};
-use check::sentences::{self, printed, step_done_line};
+use check::sentences::{self, printed_rows, step_done_line};
 use check::task::Task;
 use clap::Args;
 use common::engine::output;
@@ -354,7 +354,7 @@ fn stopped(cause: &Cause, errors: &str) -> Answer {
         &cause.fix
     };
     let refused = sentences::refused("", "not a picture", cause);
-    refused.with(printed(errors)).then(next)
+    refused.with(printed_rows(errors)).then(next)
 }
 
 /// The program stopped at `place`, where nothing has been written yet. The laws judge what is

@@ -1,7 +1,7 @@
 //! Manners: differences from version 4 of the book that other editions and derivations have, and
 //! that no picture of these chapters shows.
 
-use super::{Ask, FunctionKind};
+use super::{AskProgram, FunctionKind};
 use laws::nearer_root::{BAND, root_bound};
 use laws::oracle::ExactCase;
 use laws::question::telling_cases;
@@ -22,7 +22,7 @@ pub enum Manner {
 
 impl Manner {
     /// Returns the clause that describes the manner and names its origin.
-    pub fn says(self) -> &'static str {
+    pub fn description(self) -> &'static str {
         match self {
             Self::EndsCount => "a root at an end of the range counts, as in version 3 of the book",
             Self::TangentsMiss => "a tangent is a miss, as in version 1 of the book",
@@ -31,7 +31,7 @@ impl Manner {
     }
 
     /// Finds the manners that a function keeps in each telling question in which they would show.
-    pub(super) fn of(function: FunctionKind, ask: &Ask) -> Vec<Self> {
+    pub(super) fn of(function: FunctionKind, ask: &AskProgram) -> Vec<Self> {
         let asked = match function {
             FunctionKind::Record => telling_cases(&ordinary_with_interval()),
             _ => {

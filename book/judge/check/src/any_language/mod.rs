@@ -31,7 +31,7 @@ pub enum FunctionKind {
 
 /// A function that asks a program for the nearest hit; only a [`FunctionKind::Record`] heeds the
 /// range of the question.
-pub type Ask<'a> = dyn Fn(&IntervalCase) -> Option<RecordedHit> + 'a;
+pub type AskProgram<'a> = dyn Fn(&IntervalCase) -> Option<RecordedHit> + 'a;
 
 /// The verdict of the laws on a function in any language.
 pub struct FunctionVerdict {
@@ -55,7 +55,7 @@ pub enum NoAnswer {
 impl FunctionKind {
     /// Writes a question as a line for the program: center, radius, origin, direction, and for a
     /// record the range, as decimal numbers that read back to the same bits.
-    pub fn line(self, asked: &IntervalCase) -> String {
+    pub fn question_line(self, asked: &IntervalCase) -> String {
         let range = [asked.t_min, asked.t_max].map(|end| end.clamp(-FAR, FAR));
         let range = if self == Self::Record {
             &range[..]
@@ -79,7 +79,7 @@ impl FunctionKind {
     ///
     /// # Errors
     /// If the line is no answer, with the reason.
-    pub fn read(
+    pub fn parse_answer(
         self,
         asked: &IntervalCase,
         line: &str,
@@ -130,7 +130,7 @@ fn is_root(case: &Case, t: f64) -> bool {
 /// Puts the function of a program in any language, which `ask` calls, under the laws for a Rust
 /// function of that kind. An answer that differs from the right one only by a manner is taken as
 /// right.
-pub fn tried(trial: &Trial, function: FunctionKind, ask: &Ask) -> FunctionVerdict {
+pub fn try_laws(trial: &Trial, function: FunctionKind, ask: &AskProgram) -> FunctionVerdict {
     let manners = Manner::of(function, ask);
     let (used, last) = (RefCell::new(Vec::new()), RefCell::new(Vec::new()));
     let meant = |asked: &IntervalCase| {

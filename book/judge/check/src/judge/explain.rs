@@ -6,7 +6,7 @@
 
 use std::cmp::Reverse;
 
-use crate::candidate::{Candidate, Look, Unexplained};
+use crate::candidate::{Candidate, SampleComparison, Unexplained};
 use crate::candidates::{elsewhere, pairs, rights, singles};
 use crate::context::Evidence;
 use crate::pixels::spread;
@@ -43,7 +43,7 @@ const MANY: usize = 20;
 /// precision.
 const ROUNDED: usize = 4;
 /// The size of the sample of pixels in which candidates are compared first.
-const LOOK: u32 = 2000;
+const SAMPLE: u32 = 2000;
 /// How many more pixels of the sample than the best candidate another one may have wrong, to be
 /// compared as a whole.
 const NEARLY: usize = 3;
@@ -106,10 +106,13 @@ pub(crate) fn explain(evidence: &Evidence) -> Explanation {
 /// ones as the latest edition; or else the latest edition's.
 fn described_beside(evidence: &Evidence, nearest: Candidate) -> Candidate {
     let reading = evidence.reading;
-    let looked = spread(LOOK, reading.pixels.len() as u32).count();
-    let off = |it: &Candidate| it.look(reading, LOOK).map_or(looked, |it| it.off);
+    let sampled = spread(SAMPLE, reading.pixels.len() as u32).count();
+    let off = |it: &Candidate| {
+        it.compare_sample(reading, SAMPLE)
+            .map_or(sampled, |it| it.off)
+    };
     let asked = rights(evidence).swap_remove(0);
-    let is_like = PART * (looked - off(&nearest)) > looked;
+    let is_like = PART * (sampled - off(&nearest)) > sampled;
     // Half a pixel, which sets editions apart, says nothing where much else is off.
     let is_nearer = nearest.task.step().is_some() || 2 * off(&nearest) < off(&asked);
     if is_like && is_nearer { nearest } else { asked }
@@ -131,14 +134,18 @@ impl Fit {
 fn nearest(evidence: &Evidence) -> (Candidate, Unexplained) {
     let reading = evidence.reading;
     let rights = rights(evidence).into_iter();
-    let looked = rights.filter_map(|it| Some((it.look(reading, LOOK)?.far, it)));
-    let looked: Vec<_> = looked.collect();
-    let least = looked.iter().map(|(far, _)| *far).min().unwrap_or_default();
+    let sampled = rights.filter_map(|it| Some((it.compare_sample(reading, SAMPLE)?.far, it)));
+    let sampled: Vec<_> = sampled.collect();
+    let least = sampled
+        .iter()
+        .map(|(far, _)| *far)
+        .min()
+        .unwrap_or_default();
     let give = NEARLY.max(least / 4);
-    let likely = looked.into_iter().filter(|(far, _)| *far <= least + give);
+    let likely = sampled.into_iter().filter(|(far, _)| *far <= least + give);
     let most = reading.pixels.len() / MANY;
     // Where a tenth of some is far off, more than a twentieth of all is.
-    let many = spread(LOOK, reading.pixels.len() as u32).count() / (MANY / 2);
+    let many = spread(SAMPLE, reading.pixels.len() as u32).count() / (MANY / 2);
     let unexplained = |far: usize, it: &Candidate| {
         let unexplained = (far <= many)
             .then(|| it.unexplained(reading, most))
@@ -254,10 +261,10 @@ fn least(evidence: &Evidence, group: Vec<Candidate>) -> Option<Fit> {
     let reading = evidence.reading;
     let total = reading.pixels.len();
     let mut most = total / FEW;
-    let mut best: Option<(Fit, Look)> = None;
-    for (look, it) in likeliest(evidence, group, most) {
+    let mut best: Option<(Fit, SampleComparison)> = None;
+    for (sample, it) in likeliest(evidence, group, most) {
         if let Some((best, first)) = &mut best {
-            if look.mark == first.mark {
+            if sample.mark == first.mark {
                 best.candidates.push(it);
                 continue;
             }
@@ -267,7 +274,7 @@ fn least(evidence: &Evidence, group: Vec<Candidate>) -> Option<Fit> {
             } else {
                 NEARLY
             };
-            if look.off > first.off + give {
+            if sample.off > first.off + give {
                 break;
             }
         }
@@ -281,7 +288,7 @@ fn least(evidence: &Evidence, group: Vec<Candidate>) -> Option<Fit> {
         match &mut best {
             Some((best, _)) if best.unexplained == unexplained => best.candidates.push(it),
             Some((best, _)) if best.unexplained.off <= unexplained.off => {}
-            _ => best = Some((Fit::of(it, unexplained), look)),
+            _ => best = Some((Fit::of(it, unexplained), sample)),
         }
     }
     best.map(|(fit, _)| fit)
@@ -290,13 +297,17 @@ fn least(evidence: &Evidence, group: Vec<Candidate>) -> Option<Fit> {
 /// Returns the programs of a group that may leave at most `most` pixels unexplained and that no
 /// evidence refutes, with the comparison of a sample: the fewest wrong pixels first, and of equals
 /// the mistake that was reported more often.
-fn likeliest(evidence: &Evidence, group: Vec<Candidate>, most: usize) -> Vec<(Look, Candidate)> {
+fn likeliest(
+    evidence: &Evidence,
+    group: Vec<Candidate>,
+    most: usize,
+) -> Vec<(SampleComparison, Candidate)> {
     let reading = evidence.reading;
     let may_be = |it: &Candidate| it.may_leave(reading, most) && !evidence.is_refuted(it);
     let group = group.into_iter().filter(may_be);
-    let group = group.filter_map(|it| Some((it.look(reading, LOOK)?, it)));
-    let mut likeliest: Vec<(Look, Candidate)> = group.collect();
+    let group = group.filter_map(|it| Some((it.compare_sample(reading, SAMPLE)?, it)));
+    let mut likeliest: Vec<(SampleComparison, Candidate)> = group.collect();
     let reports = |it: &Candidate| it.slips.iter().map(|slip| slip.reports()).sum::<usize>();
-    likeliest.sort_by_key(|(look, it)| (look.off, Reverse(reports(it))));
+    likeliest.sort_by_key(|(sample, it)| (sample.off, Reverse(reports(it))));
     likeliest
 }

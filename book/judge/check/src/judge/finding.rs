@@ -72,8 +72,8 @@ impl Finding {
             return self;
         }
         // A slip's line in another language is said in that.
-        let is_found = |slip: &&Slip| context.line_of(slip, &self.task).is_some();
-        if sources.in_rust().is_empty() && self.single().iter().any(is_found) {
+        let is_found = |slip: &&Slip| context.wrong_line(slip, &self.task).is_some();
+        if sources.in_rust().is_empty() && self.only_mistake().iter().any(is_found) {
             return self;
         }
         let Some(repair) = evidence.repair().cloned() else {
@@ -93,7 +93,7 @@ impl Finding {
     /// Makes a finding beside the right picture of a candidate's task, as yet without explanation.
     fn beside(evidence: &Evidence, by: &Candidate) -> Self {
         let (reading, task) = (evidence.reading, by.task);
-        let right = task.right(reading.width, reading.height);
+        let right = task.right_picture(reading.width, reading.height);
         let yours = reading.picture();
         let difference = match Comparison::of(&right, &yours) {
             Comparison::Pixels(difference) => Some(difference),
@@ -109,8 +109,8 @@ impl Finding {
             almost_right: None,
             mistakes: None,
             drawn: DrawingMutants::default(),
-            sights: Vec::new(),
-            first: Vec::new(),
+            observations: Vec::new(),
+            first_pixel: Vec::new(),
             repair: None,
             is_answered: evidence.context.is_answered_by(&program),
         }
@@ -120,10 +120,11 @@ impl Finding {
     /// program does.
     fn unknown(evidence: &Evidence, right: &Candidate) -> Self {
         let finding = Self::beside(evidence, right);
-        let (sights, first) = seen::seen(&finding.task, evidence.reading, &finding.right);
+        let (observations, first_pixel) =
+            seen::seen(&finding.task, evidence.reading, &finding.right);
         Self {
-            sights,
-            first,
+            observations,
+            first_pixel,
             drawn: match evidence.repair() {
                 Some(_) => DrawingMutants::default(),
                 None => evidence.drawn(&right.task).clone(),

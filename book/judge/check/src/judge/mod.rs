@@ -31,7 +31,7 @@ pub fn judge_file(task: &Task, bytes: &[u8], tolerance: u8, context: &Context) -
 /// It is right if an edition of the book draws it with every color component at most `tolerance`
 /// levels off. Files that follow version 4, as `context` tells, are judged by that edition alone.
 pub fn judge(task: &Task, reading: &Reading, tolerance: u8, context: &Context) -> Verdict {
-    let newest = task.only_by(Edition::V4);
+    let newest = task.only_by_edition(Edition::V4);
     let task = match context.follows_version_4() {
         true => &newest,
         false => task,
@@ -129,7 +129,7 @@ impl RightPicture {
             let tasks = task.by_editions(width, height);
             let off = |task: Task| {
                 let is_near = task.may_be_shown_by(reading, tolerance);
-                let right = is_near.then(|| task.right(width, height))?;
+                let right = is_near.then(|| task.right_picture(width, height))?;
                 let (off, levels) = match Comparison::of(&right, &reading.picture()) {
                     Comparison::Pixels(difference) => (difference.count, difference.levels),
                     _ => (0, 0),

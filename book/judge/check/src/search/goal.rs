@@ -83,7 +83,7 @@ impl Goal {
 
     /// Adds what a reader's own loop over all pixels is to draw.
     pub(super) fn looping(self, task: &Task) -> Self {
-        let small = task.right(SMALL, task.height(SMALL));
+        let small = task.right_picture(SMALL, task.height(SMALL));
         Self {
             small: Some(small),
             ..self

@@ -89,7 +89,7 @@ impl Repair {
         let chapter = slips::ChapterProgram::right(task.chapter);
         let chapter = chapter.code();
         let (own, theirs) = (functions(&yours), functions(chapter));
-        let right = |task: &Task| task.right(reading.width, task.height(reading.width));
+        let right = |task: &Task| task.right_picture(reading.width, task.height(reading.width));
         let goal_of = |task: &Task| {
             let goal = Goal::new(task.chapter, &right(task), reading);
             if loops { goal.looping(task) } else { goal }

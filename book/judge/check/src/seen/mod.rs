@@ -81,7 +81,7 @@ impl SideBySide<'_> {
             return None;
         }
         let (width, height) = (self.reading.width, self.reading.height);
-        let sky = self.task.of_sky(width, height);
+        let sky = self.task.sky_picture(width, height);
         let (sky, _) = sky.rgb().as_chunks::<3>();
         let is_sky = |n: &u32| distance(sky[*n as usize].map(i16::from), self.found(*n)) <= 1;
         let is_all = self.places.iter().all(is_sky);

@@ -43,7 +43,9 @@ impl SideBySide<'_> {
         if self.task.chapter.sphere_count() != SphereCount::One || is_sphere_right {
             return None;
         }
-        let sky = self.task.of_sky(self.reading.width, self.reading.height);
+        let sky = self
+            .task
+            .sky_picture(self.reading.width, self.reading.height);
         let (sky, _) = sky.rgb().as_chunks::<3>();
         let is_disc = |pixel: &dyn Fn(u32) -> [i16; 3], n: u32| {
             distance(sky[n as usize].map(i16::from), pixel(n)) > SKY

@@ -2,7 +2,7 @@
 
 use slips::{Slip, steps};
 
-use super::{law, named};
+use super::{law_rows, named};
 use crate::answer::{Row, RowKind};
 use crate::attempt::{Attempt, LawsStatus};
 use crate::blind_spots::{self, NextPicture};
@@ -17,7 +17,9 @@ impl Attempt<'_> {
         let hold = "hold: look at what calls the function, and at what becomes of its answer";
         match self.laws {
             _ if finding.repair.is_some() => Vec::new(),
-            Some(LawsStatus::Broken(report)) if !finding.is_answered || is_unknown => law(report),
+            Some(LawsStatus::Broken(report)) if !finding.is_answered || is_unknown => {
+                law_rows(report)
+            }
             Some(LawsStatus::Obeyed) if is_unknown => vec![Row::new(RowKind::Laws, hold)],
             _ => Vec::new(),
         }
@@ -47,12 +49,13 @@ impl Attempt<'_> {
                 && (self.context.answers)
                     .is_none_or(|compare| compare(&slip.program(chapter)).differing == 0)
         };
-        let NextPicture { task, width, .. } = &blind_spots::next(&right.task, right.width, may_be)?;
+        let NextPicture { task, width, .. } =
+            &blind_spots::next_picture(&right.task, right.width, may_be)?;
         // A program may have its height as a number.
         let line = format!("image_width = {width}");
         let both = format!("{line}, so that image_height is {}", task.height(*width));
         let change = task
-            .change(*width, self.context.language)
+            .change_lines(*width, self.context.language)
             .replace('\n', "; ");
         let change = change.replacen(&line, &both, 1);
         let (name, what) = match task.probe {
@@ -80,8 +83,13 @@ impl Attempt<'_> {
 
     /// Advises on a shape that is not the book's: it may be a choice, or the work of these slips.
     pub(super) fn shape_is(&self, task: &Task, slips: &[&Slip]) -> String {
-        let said =
-            |slip: &&Slip| format!("{} ({})", slip.name, self.context.words(slip, task).wrong);
+        let said = |slip: &&Slip| {
+            format!(
+                "{} ({})",
+                slip.name,
+                self.context.slip_text(slip, task).wrong
+            )
+        };
         let look = match slips {
             [] => String::new(),
             slips => {

@@ -29,8 +29,8 @@ impl Finding {
     /// right but for a few pixels.
     pub fn rows(&self, context: &Context) -> Vec<Row> {
         if let Some(repair) = &self.repair {
-            let slip = self.single().first();
-            let why = slip.map_or("", |slip| context.words(slip, &self.task).why);
+            let slip = self.only_mistake().first();
+            let why = slip.map_or("", |slip| context.slip_text(slip, &self.task).why);
             return repair.rows().chain(row(RowKind::Why, why)).collect();
         }
         if self.almost_right.is_some() {
@@ -55,11 +55,14 @@ impl Finding {
             None if self.drawn.is_told() => return self.drawn.rows(context, &self.task),
             None => {}
         }
-        let seen = self.sights.iter().map(|it| Row::new(RowKind::Seen, it));
-        let seen = seen.chain(self.first.iter().cloned());
+        let seen = self
+            .observations
+            .iter()
+            .map(|it| Row::new(RowKind::Seen, it));
+        let seen = seen.chain(self.first_pixel.iter().cloned());
         let drawn = self.drawn.rows(context, &self.task);
         let unknown =
-            (drawn.is_empty() && self.sights.len() != 1).then(|| self.nothing_known(context));
+            (drawn.is_empty() && self.observations.len() != 1).then(|| self.nothing_known(context));
         seen.chain(drawn).chain(unknown).collect()
     }
 
@@ -92,12 +95,12 @@ impl Mistakes {
     /// Lists the wrong line, the right line and the reason of each slip of a mistake.
     fn in_full(&self, mistake: &[&'static Slip], context: &Context) -> Vec<Row> {
         let rows = mistake.iter().flat_map(|slip| {
-            let words = context.words(slip, &self.task);
+            let words = context.slip_text(slip, &self.task);
             let kind = match self.is_in_text {
                 true => RowKind::Probably,
                 false => RowKind::Perhaps,
             };
-            let lines = match context.line_of(slip, &self.task) {
+            let lines = match context.wrong_line(slip, &self.task) {
                 Some(found) => found.rows(),
                 None => line_and_right(kind, &words.wrong, &words.right),
             };
@@ -110,7 +113,9 @@ impl Mistakes {
     /// Lists the wrong lines of the first few mistakes, in the reader's language.
     fn perhaps(&self, context: &Context) -> impl Iterator<Item = Row> {
         let wrong = |mistake: &Vec<&'static Slip>| {
-            let words = mistake.iter().map(|slip| context.words(slip, &self.task));
+            let words = mistake
+                .iter()
+                .map(|slip| context.slip_text(slip, &self.task));
             let wrong: Vec<String> = words.map(|words| words.wrong.into_owned()).collect();
             format!("{}  ({})", wrong.join("; "), mistake_name(mistake))
         };
@@ -241,7 +246,7 @@ impl CorrectedLine {
 
 /// Lists the parts of a report on a broken law: the law, what was found and what is allowed, known
 /// mistakes with the same answers, and where the law is explained.
-pub fn law(report: &Report) -> Vec<Row> {
+pub fn law_rows(report: &Report) -> Vec<Row> {
     let broken = &report.broken;
     let kinds = iter::once(RowKind::SameAs).chain(iter::repeat(RowKind::More));
     let same_as = kinds
@@ -260,7 +265,7 @@ pub fn law(report: &Report) -> Vec<Row> {
 
 /// Makes a row of each line that a compiler or a program has printed. Control characters, which a
 /// terminal would obey, are escaped.
-pub fn printed(text: &str) -> Vec<Row> {
+pub fn printed_rows(text: &str) -> Vec<Row> {
     let lines = text.lines();
     lines
         .map(|line| Row::new(RowKind::Printed, names::escape_for_terminal(line)))

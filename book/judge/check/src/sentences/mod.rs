@@ -14,7 +14,7 @@ use crate::candidate::Unexplained;
 use crate::task::Task;
 
 pub(crate) use explanations::ONLY_SKY;
-pub use explanations::{law, printed};
+pub use explanations::{law_rows, printed_rows};
 pub use verdicts::{broken_so_far, not_compiled, not_written, refused};
 
 /// Returns the line of the reader's list of done things for a step of a chapter, counted from 1.

@@ -5,7 +5,9 @@ use laws::Report;
 use slips::{Chapter, steps};
 
 use super::advice::step_says;
-use super::{by, differ, law, named, picture_done_line, printed, step_done_line, step_of};
+use super::{
+    by, differ, law_rows, named, picture_done_line, printed_rows, step_done_line, step_of,
+};
 use crate::answer::{Answer, Grade, Row, RowKind};
 use crate::attempt::{Attempt, LawsStatus};
 use crate::candidate::Unexplained;
@@ -74,7 +76,7 @@ impl Attempt<'_> {
             && !finding.is_answered
         {
             let rest = format!("{but}; and a law is broken.");
-            return Answer::of(Grade::Wrong, &self.name, "right", rest).with(law(report));
+            return Answer::of(Grade::Wrong, &self.name, "right", rest).with(law_rows(report));
         }
         let next = if finding.task.has_another_shape() {
             let (width, height) = (finding.yours.width(), finding.yours.height());
@@ -131,7 +133,10 @@ impl Attempt<'_> {
 
     /// Adds the rows that explain a picture to the answer, and the pages on its slips.
     pub(crate) fn explained(&self, answer: Answer, finding: &Finding) -> Answer {
-        let read = finding.single().iter().filter(|slip| !slip.page.is_empty());
+        let read = finding
+            .only_mistake()
+            .iter()
+            .filter(|slip| !slip.page.is_empty());
         Answer {
             read: read.copied().collect(),
             ..answer
@@ -169,7 +174,9 @@ fn right_but(laws: &LawsStatus, subject: &str, test: &str) -> Answer {
     let is = |grade, rest: &str| Answer::of(grade, subject, "right", rest);
     match laws {
         LawsStatus::Broken(report) | LawsStatus::BrokenPrelude(report) => {
-            is(Grade::Wrong, BUT_A_LAW).with(law(report)).then(test)
+            is(Grade::Wrong, BUT_A_LAW)
+                .with(law_rows(report))
+                .then(test)
         }
         LawsStatus::NotWritten(place) | LawsStatus::UnwrittenPrelude(place) => {
             let rest = format!(", but not all is written: there is a todo!() at {place}.");
@@ -177,7 +184,7 @@ fn right_but(laws: &LawsStatus, subject: &str, test: &str) -> Answer {
             is(Grade::OnTheWay, &rest).then(next)
         }
         LawsStatus::Unknown(errors) => {
-            is(Grade::OnTheWay, ", but the laws can't be tried.").with(printed(errors))
+            is(Grade::OnTheWay, ", but the laws can't be tried.").with(printed_rows(errors))
         }
         LawsStatus::Coming | LawsStatus::Obeyed => {
             is(Grade::OnTheWay, ". The laws are still being built.")
@@ -226,7 +233,7 @@ pub fn not_written(chapter: Chapter, place: &str, obeyed: &[String]) -> Answer {
 /// Answers that a program that stopped at the `todo!()` in `place` breaks a law before that.
 pub fn broken_so_far(report: &Report, place: &str) -> Answer {
     Answer::sentence(Grade::Wrong, "A law is broken in what is written so far.")
-        .with(law(report))
+        .with(law_rows(report))
         .then(format!("put this right, and then go on at {place}"))
 }
 
