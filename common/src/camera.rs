@@ -10,34 +10,34 @@ use crate::vec3::{Point3, Vec3};
 /// Pixel (0, 0) is at the upper left, rows run downwards.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
-    /// Pixels in a row.
+    /// The number of pixels in a row.
     pub image_width: u32,
-    /// Rows in the picture.
+    /// The number of rows in the picture.
     pub image_height: u32,
     /// The eye, where every ray starts.
     pub center: Point3,
-    /// The center of the upper left pixel.
+    /// The center of the upper left pixel, a point of the viewport.
     pub pixel00: Point3,
-    /// The way from the center of a pixel to that of its neighbor on the right.
+    /// The vector from the center of a pixel to that of its neighbor on the right.
     pub pixel_delta_u: Vec3,
-    /// The way from the center of a pixel to that of its neighbor below.
+    /// The vector from the center of a pixel to that of its neighbor below.
     pub pixel_delta_v: Vec3,
 }
 
 impl Camera {
-    /// Returns the camera of the chapters: 16:9, the height rounded down and at
-    /// least 1. The width must not be 0.
+    /// Returns the camera of the chapters: 16:9, the height in pixels rounded down and at least 1.
+    /// The width, in pixels, must not be 0.
     pub fn new(image_width: u32) -> Self {
         let aspect_ratio = 16.0 / 9.0;
         let image_height = ((f64::from(image_width) / aspect_ratio) as u32).max(1);
         Self::with_size(image_width, image_height)
     }
 
-    /// Returns the camera with that eye and a picture of another shape, in
-    /// pixels: at least one in each direction.
+    /// Returns a camera with the eye of the chapters for a picture of any shape, in pixels: at
+    /// least one in each direction.
     ///
-    /// The viewport is 2 units high. Its width follows from the real ratio of
-    /// width to height, which only comes near 16:9, because both are integers.
+    /// The viewport is 2 units high. Its width follows from the real ratio of width to height,
+    /// which only comes near 16:9, because both are integers.
     pub fn with_size(image_width: u32, image_height: u32) -> Self {
         debug_assert!(
             image_width > 0 && image_height > 0,
@@ -67,9 +67,9 @@ impl Camera {
         }
     }
 
-    /// Returns the ray from the eye through the center of the pixel in column `i`
-    /// and row `j`, counted from 0. Its direction is as long as the way to that
-    /// point: `t` = 1 there.
+    /// Returns the ray from the eye through the center of the pixel in column `i` and row `j`,
+    /// counted from 0 at the upper left. Its `direction` ends at that center, where `t` = 1. A
+    /// pixel beyond the picture has its ray, too.
     #[inline]
     pub fn ray(&self, i: u32, j: u32) -> Ray {
         let pixel_center =

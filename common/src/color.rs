@@ -3,14 +3,14 @@
 use crate::ray::Ray;
 use crate::vec3::Vec3;
 
-/// Red, green and blue, each from 0 to 1.
+/// A color: red, green and blue as `x`, `y` and `z`, each from 0 to 1.
 pub type Color = Vec3;
 
-/// Returns the background: the steeper `ray` climbs, the bluer. Straight down it
-/// would be white, straight up blue; the picture shows what lies between.
+/// Returns the color of the sky: the steeper `ray` climbs, the bluer. Straight down it would be
+/// white, straight up blue; the picture shows what lies between.
 ///
-/// Chapter 1 is about this function and writes it out; the later chapters take
-/// it from here. A direction of length zero has no color: the result is NaN.
+/// Chapter 1 is about this function and writes it out; the later chapters take it from here. A
+/// direction of length zero has no color: the result is NaN.
 #[inline]
 pub fn sky(ray: &Ray) -> Color {
     let unit_direction = ray.direction.normalize();

@@ -8,12 +8,12 @@ use crate::vec3::{Point3, Vec3};
 pub struct Ray {
     /// The point at `t` = 0, where the ray starts.
     pub origin: Point3,
-    /// The way for each unit of `t`; it need not be a unit vector.
+    /// The vector from `origin` to the point at `t` = 1; it need not have unit length.
     pub direction: Vec3,
 }
 
 impl Ray {
-    /// Makes the ray from `origin` along `direction`.
+    /// Makes the ray from `origin` along `direction`, which may have any length.
     #[inline]
     pub const fn new(origin: Point3, direction: Vec3) -> Self {
         Self { origin, direction }

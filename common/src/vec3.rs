@@ -11,5 +11,5 @@
 /// divides a vector, write `v * (1.0 / s)`.
 pub type Vec3 = glam::DVec3;
 
-/// A place in space: the same three numbers as a [`Vec3`], by another name.
+/// A place in space: the three coordinates of a [`Vec3`] under another name.
 pub type Point3 = Vec3;

@@ -4,7 +4,7 @@
 
 use common::rtweekend::*;
 
-/// Returns the picture at `width` pixels wide.
+/// Returns the gradient as a picture, `width` pixels wide.
 pub fn picture(width: u32) -> Picture {
     render(width, ray_color)
 }

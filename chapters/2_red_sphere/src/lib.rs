@@ -5,7 +5,7 @@
 
 use common::rtweekend::*;
 
-/// Returns the picture at `width` pixels wide.
+/// Returns the picture of a red sphere, `width` pixels wide.
 pub fn picture(width: u32) -> Picture {
     render(width, ray_color)
 }

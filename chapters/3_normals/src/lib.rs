@@ -5,7 +5,7 @@
 
 use common::rtweekend::*;
 
-/// Returns the picture at `width` pixels wide.
+/// Returns the picture of the sphere's normals, `width` pixels wide.
 pub fn picture(width: u32) -> Picture {
     render(width, ray_color)
 }

@@ -12,12 +12,12 @@ pub trait Hittable {
     fn hit(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<HitRecord>;
 }
 
-/// Where and from which side a ray hits a surface.
+/// The place where a ray hits a surface, and the side from which it comes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct HitRecord {
     /// The ray parameter, in lengths of the ray's direction.
     pub t: f64,
-    /// The point on the surface.
+    /// The point of the surface that is hit.
     pub point: Point3,
     /// The unit normal at that point, always against the ray.
     pub normal: Vec3,

@@ -15,7 +15,7 @@ pub struct HittableList {
 }
 
 impl HittableList {
-    /// Puts `object` into the list.
+    /// Appends `object` to the list.
     pub fn add(&mut self, object: impl Hittable + Send + Sync + 'static) {
         self.objects.push(Box::new(object));
     }

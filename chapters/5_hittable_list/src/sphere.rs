@@ -4,7 +4,7 @@ use common::rtweekend::*;
 
 use crate::hittable::{HitRecord, Hittable};
 
-/// All points at distance `radius` from `center`.
+/// A sphere: all points at distance `radius` from `center`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere {
     center: Point3,

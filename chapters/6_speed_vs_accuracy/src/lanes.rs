@@ -12,14 +12,14 @@ use multiversion::multiversion;
 use crate::certified::{FilteredRoot, Rounded, later_stages};
 use crate::workload::Case;
 
-/// Questions in a block: so few that they stay near the processor, and a multiple of the
-/// lanes that it has.
+/// The number of questions in a block: so few that they stay in the processor's cache, and a
+/// multiple of its lanes.
 pub const BLOCK: usize = 64;
 
-/// Fills in the answers to the questions 0, 1 and so on, one in each lane.
+/// Computes all answers of a block, `answer(0)`, `answer(1)` and so on, in SIMD lanes.
 ///
-/// The compiler makes three versions, for any processor, for AVX2 and for AVX-512, and the
-/// program chooses when it runs. An operation rounds alike in all of them.
+/// The compiler makes three versions, for any processor, for AVX2 and for AVX-512, and the program
+/// chooses when it runs. An operation rounds alike in all of them.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512bw+avx512vl+fma", "x86_64+avx2+fma"))]
 pub fn in_lanes<T, F: Fn(usize) -> T>(answers: &mut [T; BLOCK], answer: F) {
     for (k, place) in answers.iter_mut().enumerate() {
@@ -27,12 +27,12 @@ pub fn in_lanes<T, F: Fn(usize) -> T>(answers: &mut [T; BLOCK], answer: F) {
     }
 }
 
-/// Answers each case as [`certified_hit`](crate::certified_hit) does, or if `ULP` as
-/// [`certified_t`](crate::certified_t), to the bit; infinity for a miss.
+/// Answers each case of a block as [`certified_hit`](crate::certified_hit) does, or with `ULP` as
+/// [`certified_t`](crate::certified_t), to the bit; infinity stands for a miss.
 ///
-/// The filter decides in lanes, for the whole block in the way that its range allows: alone, a
-/// question is decided in the same way. It is nearly always certain of all; what it leaves open
-/// is asked one by one, in integers.
+/// The filter decides the whole block in lanes, by signs or by gaps as the range allows; a single
+/// question is decided in the same way. Nearly always it is certain of all; a case that it leaves
+/// open is then decided by itself, in integers.
 #[inline]
 pub fn certified_in_lanes<const ULP: bool>(
     answers: &mut [f64; BLOCK],
@@ -65,7 +65,7 @@ pub fn certified_in_lanes<const ULP: bool>(
     }
 }
 
-/// Makes a filter that chooses in this way.
+/// Makes a filter that chooses the root of a case by `root`.
 #[inline(always)]
 fn by<const ULP: bool>(
     case: impl Fn(usize) -> Case,
@@ -79,7 +79,7 @@ fn by<const ULP: bool>(
     }
 }
 
-/// Fills in the answers as [`in_lanes`] does, and returns true if some are NaN.
+/// Computes all answers as [`in_lanes`] does, and returns true if some are NaN.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512bw+avx512vl+fma", "x86_64+avx2+fma"))]
 fn filtered<F: Fn(usize) -> f64>(answers: &mut [f64; BLOCK], answer: F) -> bool {
     let mut some_are_nan = false;

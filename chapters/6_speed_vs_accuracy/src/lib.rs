@@ -27,14 +27,14 @@ pub use workload::{
 
 use common::rtweekend::Picture;
 
-/// Returns the picture at `width` pixels wide: a star in a telescope, on the left
-/// as chapter 5 sees it, on the right as it is.
+/// Returns the picture of a star in a telescope, `width` pixels wide: its left half as chapter 5
+/// sees it, its right half as it is.
 pub fn picture(width: u32) -> Picture {
     let halves = [Method::HALF_B, Method::CERTIFIED_T].map(Arithmetic::Method);
     Scene::telescope().seen_by(halves, width)
 }
 
-/// All methods, those in `f64` first.
+/// All methods, those that compute in `f64` first.
 pub const METHODS: &[Method] = &[
     Method::HALF_B,
     Method::HALF_B_Q,
@@ -49,7 +49,7 @@ pub const METHODS: &[Method] = &[
     Method::CERTIFIED_F32,
 ];
 
-/// Returns the method of that name, such as `half_b`.
+/// Returns the method of that name, such as `half_b`, or `None` if there is none.
 pub fn find(name: &str) -> Option<Method> {
     METHODS.iter().copied().find(|method| method.name == name)
 }

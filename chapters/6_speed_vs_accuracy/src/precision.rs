@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-/// A kind of number, named as in IEEE 754.
+/// A floating-point format, named as in IEEE 754.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Precision {
     /// `f64`: 53 digits of base two, exponents to ±1000.
@@ -12,10 +12,10 @@ pub enum Precision {
 }
 
 impl Precision {
-    /// Both, the finer one first.
+    /// Both formats, the finer one first.
     pub const ALL: [Self; 2] = [Self::Double, Self::Single];
 
-    /// Returns its name in Rust, `f64` or `f32`.
+    /// Returns the name of the format in Rust, `f64` or `f32`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Double => "f64",
@@ -23,7 +23,7 @@ impl Precision {
         }
     }
 
-    /// Returns how far numbers from 1 to 2 are apart.
+    /// Returns the distance between neighboring numbers from 1 to 2.
     pub fn epsilon(self) -> f64 {
         match self {
             Self::Double => f64::EPSILON,
@@ -32,12 +32,12 @@ impl Precision {
     }
 }
 
-/// A ray in `f32`.
+/// A ray whose numbers are stored in `f32`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SingleRay {
-    /// The point at t = 0.
+    /// The point at t = 0, where the ray starts.
     pub origin: Vec3,
-    /// The way for each unit of t; it need not be a unit vector.
+    /// The vector from `origin` to the point at t = 1; it need not have unit length.
     pub direction: Vec3,
 }
 

@@ -16,12 +16,11 @@ use multiversion::multiversion;
 
 use crate::color::{Color, write_color};
 
-/// Pixels in a block: a multiple of the 8 lanes that any processor here has, and
-/// a divisor of most widths: 400, 1280, 1920, 3840.
+/// The number of pixels in a block: a multiple of the 8 lanes that any processor here has, and a
+/// divisor of most widths: 400, 1280, 1920, 3840.
 pub(super) const BLOCK: usize = 80;
 
-/// Pixels side by side in a row, as a structure of arrays: the bytes that a
-/// picture stores.
+/// Pixels side by side in a row, as a structure of arrays: the levels 0–255 that a picture stores.
 #[derive(Clone, Debug)]
 pub(super) struct Block {
     pub(super) red: [u8; BLOCK],
@@ -37,7 +36,7 @@ impl Block {
     };
 
     /// Paints `count` pixels, at most [`BLOCK`], in the colors `color_at(0)`, `color_at(1)` and so
-    /// on.
+    /// on; the rest stay black.
     #[inline]
     pub(super) fn paint(count: usize, color_at: impl Fn(usize) -> Color) -> Self {
         let mut block = Self::BLACK;
@@ -45,8 +44,8 @@ impl Block {
         block
     }
 
-    /// Makes a block of pixels from their bytes, three each, for at most
-    /// [`BLOCK`] of them.
+    /// Makes a block of at most [`BLOCK`] pixels from their bytes: red, green and blue of each. The
+    /// rest stay black.
     pub(super) fn from_rgb(rgb: &[u8]) -> Self {
         let mut block = Self::BLACK;
         let (pixels, _) = rgb.as_chunks();

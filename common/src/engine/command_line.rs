@@ -11,17 +11,15 @@ use lexopt::{Arg, ValueExt};
 use super::output;
 use super::picture::Picture;
 
-/// The widths that a program agrees to, in pixels. At the largest one, as a PNG
-/// file, the square picture takes 805 MB of memory and the others 453 MB; as text
-/// they take next to nothing.
+/// The widths, in pixels, that a command line may ask for. At the largest one, as a PNG file, the
+/// square picture takes 805 MB of memory and the others 453 MB; as text they take next to nothing.
 pub const WIDTHS: RangeInclusive<u32> = 1..=16_384;
 
-/// Draws `picture` at `book_width`, or at the width that the command line asks
-/// for, and prints it as P3 text, or writes it to the file that is named there.
+/// Runs the program of a chapter: draws `picture` at `book_width` pixels, or at the width that the
+/// command line asks for, and prints it as P3 text, or writes that to the file named there.
 ///
-/// The exit code is 0 when all went well, 1 if the picture could not be
-/// written, and 2 if the command line asks for something else; the message on
-/// standard error names the fix.
+/// The exit code is 0 if all went well, 1 if the picture could not be written, and 2 if the command
+/// line is wrong; a message on standard error then names the fix.
 pub fn main(book_width: u32, picture: fn(u32) -> Picture) -> ExitCode {
     let wish = match Wish::read(book_width, io::stdout().is_terminal()) {
         Ok(wish) => wish,
@@ -44,10 +42,10 @@ pub fn main(book_width: u32, picture: fn(u32) -> Picture) -> ExitCode {
     }
 }
 
-/// Reads the number of pixels that `text` says, if a picture can be so wide.
+/// Reads a width in pixels from a command line.
 ///
 /// # Errors
-/// If it is no whole number, or not one of [`WIDTHS`].
+/// If `text` is no whole number, or not in [`WIDTHS`]; the message says which numbers are.
 pub fn parse_width(text: &str) -> Result<u32, String> {
     let width = text.parse().ok().filter(|width| WIDTHS.contains(width));
     width.ok_or_else(|| {
@@ -56,7 +54,8 @@ pub fn parse_width(text: &str) -> Result<u32, String> {
     })
 }
 
-/// The wish of a command line.
+/// The request of a command line: help, or a picture of this width in pixels to standard output or
+/// to a file.
 enum Wish {
     Help,
     Stdout(u32),
@@ -96,8 +95,8 @@ impl Wish {
     }
 }
 
-/// Makes the error about an unknown option. As `Debug` has it, a terminal can
-/// only show the option, not obey it.
+/// Returns the error about an unknown option. `Debug` escapes it, so that a terminal shows the
+/// option and does not obey it.
 fn no_option(typed: &str) -> lexopt::Error {
     format!("there is no option {typed:?}").into()
 }

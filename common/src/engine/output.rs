@@ -8,13 +8,12 @@ use std::hash::{BuildHasher, Hasher, RandomState};
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-/// Writes to standard output.
+/// Writes to standard output by calling `write`.
 ///
-/// A reader that has seen enough and closes the pipe, as `head` does, is no
-/// error.
+/// A reader that has seen enough and closes the pipe, as `head` does, is no error.
 ///
 /// # Errors
-/// Any other failure to write, such as a full disk behind `>`.
+/// Any other failure to write, such as a full disk behind `>`, with the fix.
 pub fn to_stdout(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
     let mut stdout = BufWriter::new(io::stdout().lock());
     match write(&mut stdout).and_then(|()| stdout.flush()) {
@@ -23,12 +22,13 @@ pub fn to_stdout(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Re
     }
 }
 
-/// Writes the file at `path`, which is afterwards whole, or as it was.
+/// Writes the file at `path` by calling `write`. Afterwards the file is complete, or, after an
+/// error, as it was.
 ///
 /// A file that is replaced hands on its permissions; a link to it stays a link.
 ///
 /// # Errors
-/// Any failure to create, write or rename the file, with its name.
+/// Any failure to create, write or rename the file, with its name and the fix.
 pub fn to_file(
     path: &Path,
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
@@ -49,11 +49,11 @@ pub fn to_file(
     written.map_err(|cause| named(&format!("{path:?}"), &cause))
 }
 
-/// Returns the path at which the file `target` is made before it is renamed: beside it, by a name
-/// that nothing else has.
+/// Returns a path beside `target` for a file to be written and then renamed to `target`. Its name
+/// has a random number, so nothing else has it.
 ///
 /// # Errors
-/// If the target has no name.
+/// If `target` ends in `..` or is a root, and so has no name.
 pub fn partial(target: &Path) -> io::Result<PathBuf> {
     let name = target.file_name().ok_or(ErrorKind::InvalidInput)?;
     // The standard library asks the system for a random number to seed its hash tables.
@@ -61,7 +61,8 @@ pub fn partial(target: &Path) -> io::Result<PathBuf> {
     Ok(target.with_file_name(format!(".{}.{random:016x}.partial", name.display())))
 }
 
-/// Removes what an interrupted program has left beside `target`.
+/// Deletes the partial files and folders that interrupted programs have left beside `target`; one
+/// that cannot be deleted stays.
 pub fn forget_partials(target: &Path) {
     let is_partial = |path: &PathBuf| {
         let [name, own] =
@@ -105,7 +106,7 @@ fn fill(file: &File, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io
     out.flush()
 }
 
-/// Returns the error with the name of what could not be written, and what helps.
+/// Returns an error that names the place that could not be written, and says what helps.
 fn named(place: &str, cause: &io::Error) -> io::Error {
     let advice = match cause.kind() {
         ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {

@@ -9,7 +9,7 @@ use std::sync::LazyLock;
 
 use super::block::{BLOCK, Block};
 
-/// Appends a line for each of the first `count` pixels of `block`.
+/// Appends the first `count` pixels of `block` to `text`, each as a line `red green blue`.
 pub(super) fn push_pixels(text: &mut Vec<u8>, block: &Block, count: usize) {
     let mut lines = [0; BLOCK * LONGEST_LINE + 4];
     let mut end = 0;
@@ -31,13 +31,13 @@ pub(super) fn push_pixels(text: &mut Vec<u8>, block: &Block, count: usize) {
 
 const LONGEST_LINE: usize = "255 255 255\n".len();
 
-/// The numbers 0 to 255, each with the space that follows it.
+/// The numbers 0 to 255, each with a space behind it.
 static SPACED: LazyLock<[NumberText; 256]> = LazyLock::new(|| numbers(' '));
 
-/// The numbers 0 to 255, each with the end of the line.
+/// The numbers 0 to 255, each with an end of line behind it.
 static LAST: LazyLock<[NumberText; 256]> = LazyLock::new(|| numbers('\n'));
 
-/// A number as text with a separator: `length` bytes, filled up to four.
+/// A number as text with its separator: `length` bytes, filled up with zeros to four.
 #[derive(Clone, Copy)]
 struct NumberText {
     text: [u8; 4],

@@ -11,38 +11,38 @@ use super::p3::push_pixels;
 use super::ring::in_order;
 use crate::color::Color;
 
-/// Rows of pixels from top to bottom, each pixel three bytes: red, green, blue.
+/// A picture: rows of pixels from the top, each pixel three bytes (red, green, blue) from left to
+/// right.
 ///
-/// A picture knows its size and how to paint any part of itself. It is painted
-/// when someone asks for its bytes, which it then keeps, or for its text. To be
-/// printed it is never held as a whole, so even a very large one takes little
-/// memory.
+/// A picture knows its size and how to paint any part of itself. It is painted when its bytes are
+/// asked for, which it then keeps, or its text. To be printed, it is never held as a whole, so even
+/// a very large one takes little memory.
 pub struct Picture {
     width: u32,
     height: u32,
     source: PictureBytes,
 }
 
-/// The source of the bytes of a picture.
+/// The bytes of a picture, or how to paint them.
 enum PictureBytes {
-    /// They are painted when they are asked for, and kept.
+    /// Bytes that are painted when they are first asked for, and then kept.
     Recipe {
         paint: Box<Paint>,
         painted: OnceLock<Vec<u8>>,
     },
-    /// They are known.
+    /// Bytes that were given.
     Bytes(Vec<u8>),
 }
 
-/// Paints a block of pixels: from a column and row on, so many of them.
+/// A function that paints the pixels of a block: column, row and number of pixels.
 type Paint = dyn Fn(u32, u32, usize) -> Block + Send + Sync;
 
 impl Picture {
-    /// Makes a picture whose pixel in column `i` and row `j`, counted from the
-    /// top left, has the color `color_at(i, j)`.
+    /// Makes a picture whose pixel in column `i` and row `j`, counted from 0 at the top left, has
+    /// the color `color_at(i, j)`. Both sizes are in pixels and must not be 0.
     ///
-    /// A pixel depends on nothing but its place, so the picture is the same
-    /// whoever paints which part of it.
+    /// A pixel depends on nothing but its place, so the picture is the same whichever thread paints
+    /// which part.
     pub fn paint(
         width: u32,
         height: u32,
@@ -65,8 +65,8 @@ impl Picture {
         }
     }
 
-    /// Makes a picture from its bytes, pixel `j * width + i` from the top, or
-    /// returns `None` if their number is not 3·width·height.
+    /// Makes a picture from its bytes: red, green and blue of pixel `j * width + i`, row by row
+    /// from the top. Returns `None` if their number is not 3·width·height.
     pub fn from_rgb(width: u32, height: u32, rgb: Vec<u8>) -> Option<Self> {
         (rgb.len() == 3 * width as usize * height as usize).then(|| Self {
             width,
@@ -85,8 +85,8 @@ impl Picture {
         self.height
     }
 
-    /// Returns all bytes, painted at the first call: red, green and blue of pixel
-    /// `j * width + i`, from the top.
+    /// Returns all bytes: red, green and blue of pixel `j * width + i`, row by row from the top.
+    /// The first call paints them.
     pub fn rgb(&self) -> &[u8] {
         match &self.source {
             PictureBytes::Recipe { painted, .. } => {
@@ -96,8 +96,7 @@ impl Picture {
         }
     }
 
-    /// Paints the bytes of [`Picture::rgb`] anew, by that many threads, at least
-    /// one.
+    /// Paints the bytes of [`Picture::rgb`] anew, with this number of threads, at least one.
     pub fn rgb_with_threads(&self, threads: usize) -> Vec<u8> {
         let mut rgb = Vec::with_capacity(3 * self.width as usize * self.height as usize);
         let paint = |strip, bytes: &mut Vec<u8>| self.push_strip(strip, bytes);
@@ -108,14 +107,15 @@ impl Picture {
         rgb
     }
 
-    /// Counts the strips: some 2500 pixels each, in reading order.
+    /// Returns the number of strips, the pieces that a picture is painted in: some 2500 pixels
+    /// each, in reading order.
     pub fn strips(&self) -> usize {
         (self.blocks_in_row() * self.height as usize).div_ceil(STRIP)
     }
 
-    /// Appends the bytes of one strip to `rgb`, so that a picture can be shown while it is
-    /// painted. The strips from 0 up to [`Picture::strips`] make all of [`Picture::rgb`]; one
-    /// beyond has no bytes.
+    /// Appends the bytes of one strip, counted from 0, to `rgb`, so that a picture can be shown
+    /// while it is painted. All strips in order make up [`Picture::rgb`]; one beyond the last has
+    /// no bytes.
     pub fn push_strip(&self, strip: usize, rgb: &mut Vec<u8>) {
         for (block, columns) in self.blocks(strip) {
             for k in 0..columns {
@@ -124,19 +124,19 @@ impl Picture {
         }
     }
 
-    /// Writes the picture as the book does: a P3 (plain PPM) text with a pixel
-    /// a line.
+    /// Writes the picture as the book's programs do: as P3 (plain PPM) text, with a pixel a line.
     ///
     /// # Errors
-    /// Fails if `out` fails, and stops there.
+    /// The first error of `out`, after which nothing is written.
     pub fn write_p3(&self, out: &mut dyn Write) -> io::Result<()> {
         self.write_p3_with_threads(self.threads(), out)
     }
 
-    /// Writes the same text, painted and put into words by that many threads.
+    /// Writes the text of [`Picture::write_p3`], painted and formatted with this number of threads,
+    /// at least one.
     ///
     /// # Errors
-    /// Fails if `out` fails, and stops there.
+    /// The first error of `out`, after which nothing is written.
     pub fn write_p3_with_threads(&self, threads: usize, out: &mut dyn Write) -> io::Result<()> {
         write!(out, "P3\n{} {}\n255\n", self.width, self.height)?;
         let describe = |strip, text: &mut Vec<u8>| {
@@ -147,8 +147,8 @@ impl Picture {
         in_order(self.strips(), threads, describe, |text| out.write_all(text))
     }
 
-    /// Returns how many threads the picture is worth: one for a small picture, at
-    /// most as many as there are processors.
+    /// Returns the number of threads to paint with: one for a small picture, at most eight and as
+    /// many as there are processors.
     fn threads(&self) -> usize {
         match (self.strips() / STRIPS_WORTH_A_THREAD).min(MOST_THREADS) {
             // To ask the system how many there are takes as long as a strip.
@@ -157,8 +157,8 @@ impl Picture {
         }
     }
 
-    /// Paints a strip: its blocks in reading order, each with the number of its
-    /// columns that lie in the picture.
+    /// Paints a strip: returns its blocks in reading order, each with the number of its pixels that
+    /// lie inside the picture.
     fn blocks(&self, strip: usize) -> impl Iterator<Item = (Block, usize)> {
         let in_row = self.blocks_in_row();
         let end = (in_row * self.height as usize).min((strip + 1) * STRIP);
@@ -183,16 +183,16 @@ impl Picture {
     }
 }
 
-/// Blocks in a strip, which is what a thread paints in one go. The text of so
-/// many stays in the processor's first cache, and takes few pages of memory:
-/// the first touch of each costs a microsecond.
+/// The number of blocks in a strip, which a thread paints in one go. The text of so many stays in
+/// the processor's first cache, and takes few pages of memory: the first touch of each costs a
+/// microsecond.
 const STRIP: usize = 32;
 
-/// The number of strips that take about half a millisecond. A thread for fewer would save
-/// less than it costs to start.
+/// The number of strips that take about half a millisecond: a thread for fewer would save less than
+/// it costs to start.
 const STRIPS_WORTH_A_THREAD: usize = 32;
 
-/// More threads than this would only wait for the one that writes.
+/// The largest number of threads: more would only wait for the one that writes.
 const MOST_THREADS: usize = 8;
 
 impl PartialEq for Picture {

@@ -5,7 +5,8 @@ use crate::camera::Camera;
 use crate::color::Color;
 use crate::ray::Ray;
 
-/// Draws what the book's camera sees in a picture `width` pixels wide.
+/// Draws the view of the book's camera in a picture `width` pixels wide, 16:9: `ray_color` returns
+/// the color of the ray through each pixel.
 pub fn render(width: u32, ray_color: impl Fn(&Ray) -> Color + Send + Sync + 'static) -> Picture {
     let camera = Camera::new(width);
     Picture::paint(

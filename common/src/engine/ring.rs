@@ -53,14 +53,14 @@ pub(super) fn in_order<E>(
     })
 }
 
-/// A thread that makes pieces, seen from the one that takes them.
+/// A thread that makes pieces, as the thread that takes them sees it.
 struct Maker {
     made: Receiver<Vec<u8>>,
     taken: Sender<Vec<u8>>,
 }
 
 impl Maker {
-    /// Starts a thread that makes `pieces`, or `None` if the system refuses it.
+    /// Starts a thread that makes `pieces`; returns `None` if the system refuses it.
     fn start<'scope>(
         scope: &'scope Scope<'scope, '_>,
         pieces: impl Iterator<Item = usize> + Send + 'scope,

@@ -59,14 +59,14 @@ pub(super) fn inwards(t: f64, t_min: f64, t_max: f64) -> Option<f64> {
     (t_min < inside && inside < t_max).then_some(inside)
 }
 
-/// a·t² − 2h·t + c = 0 with integer coefficients, and with roots.
+/// The equation a·t² − 2h·t + c = 0 with integer coefficients, which has roots.
 struct IntegerQuadratic {
     a: IBig,
     h: IBig,
     c: IBig,
-    /// h² − a·c, at least 0.
+    /// D = h² − a·c, at least 0.
     discriminant: UBig,
-    /// `t` is counted in two to this power.
+    /// The exponent of two of the unit in which `t` is counted.
     unit: i64,
 }
 
@@ -79,7 +79,7 @@ enum Root {
 }
 
 impl IntegerQuadratic {
-    /// Makes the equation, or returns `None` if it has no roots or a number is
+    /// Makes the equation of a ray and a sphere; returns `None` if it has no root or a number is
     /// not finite.
     fn new(center: Point3, radius: f64, ray: &Ray) -> Option<Self> {
         let ([a, h, c], [unit_of_length, unit_of_direction]) = coefficients(center, radius, ray)?;
@@ -93,8 +93,8 @@ impl IntegerQuadratic {
         })
     }
 
-    /// Returns the nearer root if it lies between the ends, else the farther one
-    /// if that does.
+    /// Returns the nearer root if it lies between the ends, else the farther one if that does, else
+    /// `None`.
     fn nearest_root_in(&self, t_min: f64, t_max: f64) -> Option<Root> {
         [Root::Nearer, Root::Farther].into_iter().find(|&root| {
             self.compare(root, t_min) == Some(Ordering::Greater)
@@ -130,7 +130,7 @@ impl IntegerQuadratic {
         (&self.h << finer, signed)
     }
 
-    /// Compares the root with `x`, which may be infinite; `None` if it is NaN.
+    /// Compares the root with `x`, which may be infinite; returns `None` if `x` is NaN.
     fn compare(&self, root: Root, x: f64) -> Option<Ordering> {
         if x.is_finite() {
             let (mantissa, exponent) = split(x);
@@ -192,8 +192,8 @@ impl IntegerQuadratic {
         side == toward || (side == Ordering::Equal && t.to_bits() % 2 == 1)
     }
 
-    /// Finds the root to about 60 digits before it is rounded to 53: as in
-    /// `half_b_q`, with q = h ± √D of which nothing cancels.
+    /// Computes the root to about 60 binary digits and rounds it to 53: as in `half_b_q`, with q =
+    /// h ± √D, of which nothing cancels.
     fn guess(&self, root: Root) -> f64 {
         let more = 70_usize.saturating_sub(self.h.bit_len().max(self.discriminant.bit_len() / 2));
         let sqrtd = IBig::from((&self.discriminant << (2 * more)).sqrt());
@@ -243,8 +243,8 @@ fn quotient(n: &IBig, d: &IBig, exponent: i64) -> f64 {
     t
 }
 
-/// Returns the values as integers, counted in one power of two, and its exponent.
-/// `None` if one is not finite.
+/// Returns the values as integers times one power of two, and its exponent; `None` if one is not
+/// finite.
 fn integers<const N: usize>(values: [f64; N]) -> Option<([IBig; N], i64)> {
     if values.iter().any(|value| !value.is_finite()) {
         return None;
@@ -265,8 +265,7 @@ fn integers<const N: usize>(values: [f64; N]) -> Option<([IBig; N], i64)> {
     Some((integers, unit))
 }
 
-/// Returns the integer and the exponent of two whose product is `x`, as they are
-/// stored.
+/// Returns the integer and the exponent of two whose product is `x`, which has to be finite.
 pub(super) fn split(x: f64) -> (i64, i64) {
     let bits = x.abs().to_bits();
     let fraction = (bits & ((1 << 52) - 1)).cast_signed();

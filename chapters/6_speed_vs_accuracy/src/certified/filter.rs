@@ -7,27 +7,29 @@
 use super::refined::refined;
 use crate::workload::Case;
 
-/// The largest relative error of one operation.
+/// The unit roundoff: the largest relative error of one operation in `f64`.
 pub(super) const U: f64 = f64::EPSILON / 2.0;
 
-/// One band for all: u·M times this. Bound C, |ĉ − c| ≤ 8u·M, bound D, |D̂ − D| ≤ 24u·a·M, and
-/// bound T, |t̂ − t|·√D̂ ≤ 34u·M where D̂ is twice bound D or more, all fit into it.
+/// The width of the band around zero in which a sign is uncertain, in units of M. Bound C, |ĉ − c|
+/// ≤ 8u·M, bound D, |D̂ − D| ≤ 24u·a·M, and bound T, |t̂ − t|·√D̂ ≤ 34u·M where D̂ is twice bound D
+/// or more, all fit into it.
 const BAND: f64 = 64.0 * U;
 
-/// Bound T before the division: there it is 38u·M, and 48u·M are out. What is not is found, once
-/// divided, at most 55u·M before the range: so the two tests never contradict each other.
+/// The band for a root that is not divided yet: bound T is 38u·M there, and 48u·M are out. A root
+/// that is not found out by it is found, once divided, at most 55u·M before the range: so the two
+/// tests never contradict each other.
 const BEFORE_BAND: f64 = 48.0 * U;
 
 /// Bound R: where D̂ > 2⁻¹⁶·a·M and |t̂|·√D̂ > 2⁻¹⁵·M, the refined t is less than
 /// 0.8 ulp off.
 const R_BANDS: [f64; 2] = [1.0 / 65_536.0, 1.0 / 32_768.0];
 
-/// The answer of a stage that has too few digits to be certain.
+/// The answer of a stage whose digits are too few to be certain.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Unclear;
 
-/// Asks the first stage: `t`, infinity for a miss, and NaN if it is not certain. `ULP` asks for a
-/// `t` within one ulp.
+/// Decides a case by the first stage: returns `t`, infinity for a certain miss, or NaN if it is not
+/// certain. With `ULP`, `t` is within one ulp.
 #[inline(always)]
 pub(super) fn filter<const ULP: bool>(case: &Case, t_min: f64, t_max: f64) -> f64 {
     let has_numbers = t_min < t_max;
@@ -43,7 +45,8 @@ pub(super) fn filter<const ULP: bool>(case: &Case, t_min: f64, t_max: f64) -> f6
     rounded.answer::<ULP>(case, root)
 }
 
-/// The coefficients of a·t² − 2h·t + c, as they are rounded, and what bounds their errors.
+/// The coefficients of a·t² − 2h·t + c = 0, rounded, with M and D: all that the filter knows of a
+/// case.
 #[derive(Clone, Copy)]
 pub(crate) struct Rounded {
     a: f64,
@@ -51,19 +54,23 @@ pub(crate) struct Rounded {
     c: f64,
     m: f64,
     discriminant: f64,
-    /// Bound E.
+    /// True if no number is so large or small that it could overflow or underflow (bound E).
     is_ordinary: bool,
 }
 
-/// A root, or infinity for a miss.
+/// The root that the filter chose for a range of t, or its decision for a miss.
 #[derive(Clone, Copy)]
 pub(crate) struct FilteredRoot {
+    /// The root, or infinity for a miss.
     t: f64,
+    /// True for the farther root, false for the nearer one.
     is_farther: bool,
+    /// False if the choice may be wrong, so that a later stage has to decide.
     is_certain: bool,
 }
 
 impl Rounded {
+    /// Computes the coefficients of a case.
     #[inline(always)]
     pub(crate) fn of(case: &Case) -> Self {
         let oc = case.center - case.ray.origin;
@@ -81,9 +88,9 @@ impl Rounded {
         }
     }
 
-    /// Returns true for a miss that needs no root: by D the line meets nothing, or by C the ray
-    /// starts outside and does not turn towards the center. In lanes, where all take the same way,
-    /// the exit saves nothing.
+    /// Returns true for a certain miss that needs no root: by bound D the line meets nothing, or by
+    /// bound C the ray starts outside and does not turn towards the center. In lanes, where all
+    /// take the same way, the exit saves nothing.
     #[inline(always)]
     fn is_missed(&self, t_min: f64) -> bool {
         let band = BAND * self.m;
@@ -92,9 +99,9 @@ impl Rounded {
         self.is_ordinary & (meets_nothing | turns_away)
     }
 
-    /// Chooses a root of a range from 0 on by signs, without knowing one: from inside it is the
-    /// farther one, and from outside the nearer one, which is behind if both are. Step S of the
-    /// proof; T for an end, if the range has one.
+    /// Chooses the root of a range from 0 on by signs alone: from inside the sphere it is the
+    /// farther one, from outside the nearer one, or a miss if both are behind. `end` is the end of
+    /// the range, if it has one. Step S of the proof, and step T for an end.
     #[inline(always)]
     pub(crate) fn by_signs(&self, end: Option<f64>) -> FilteredRoot {
         let Self { a, h, c, m, .. } = *self;
@@ -120,8 +127,9 @@ impl Rounded {
         }
     }
 
-    /// Chooses the root of any range: the nearer one, unless it lies before. Both sides of that are
-    /// multiplied by its denominator, so that one division is enough. Step T of the proof.
+    /// Chooses the root of any range: the nearer one, unless it lies before `t_min`. Both sides of
+    /// that comparison are multiplied by its denominator, so that one division is enough. Step T of
+    /// the proof.
     #[inline(always)]
     pub(crate) fn by_gaps(&self, t_min: f64, t_max: f64) -> FilteredRoot {
         let Self { a, h, c, m, .. } = *self;
@@ -142,14 +150,14 @@ impl Rounded {
         }
     }
 
-    /// Returns true if there surely are two roots, or surely none. Step D.
+    /// Returns true if there certainly are two roots, or certainly none. Step D of the proof.
     #[inline(always)]
     fn is_clear(&self) -> bool {
         (self.discriminant.abs() > self.a * (BAND * self.m)) & self.is_ordinary
     }
 
-    /// Returns the root that was chosen: refined, if its last digit counts, and NaN if it is not
-    /// certain.
+    /// Returns the t of a chosen root, refined if its last digit counts: infinity for a miss, NaN
+    /// if the choice is not certain.
     #[inline(always)]
     pub(crate) fn answer<const ULP: bool>(&self, case: &Case, root: FilteredRoot) -> f64 {
         let (Self { a, h, m, .. }, t) = (*self, root.t);
@@ -170,15 +178,15 @@ impl Rounded {
     }
 }
 
-/// Returns true if the root is in the range or out, for certain. The gap is NaN if there is no
-/// root, which is certain, too.
+/// Returns true if the `gap` between a root and an end of the range is certainly not zero. The gap
+/// is NaN if there is no root, which is certain, too.
 #[inline(always)]
 fn is_far(gap: f64, band: f64) -> bool {
     let is_near = gap.abs() <= band;
     !is_near
 }
 
-/// Returns the lesser of the two, the first if one is NaN: a single instruction.
+/// Returns the lesser of two numbers, the first if one is NaN: a single instruction.
 #[inline(always)]
 fn lesser(a: f64, b: f64) -> f64 {
     if b < a { b } else { a }

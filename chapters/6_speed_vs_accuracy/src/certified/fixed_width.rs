@@ -46,8 +46,7 @@ pub(super) fn fixed_width(
     Ok(None)
 }
 
-/// Finds the roots as pairs, the nearer one first; `None` where the numbers do
-/// not fit.
+/// Returns the roots as sums of two `f64`, the nearer one first; `None` if the numbers do not fit.
 fn pairs(center: Point3, radius: f64, ray: &Ray) -> Option<impl Iterator<Item = DoubleDouble>> {
     let ([cx, cy, cz], [qx, qy, qz]) = (center.to_array(), ray.origin.to_array());
     let (lengths, unit_of_length) = integers([cx, cy, cz, qx, qy, qz, radius])?;
@@ -64,8 +63,7 @@ fn pairs(center: Point3, radius: f64, ray: &Ray) -> Option<impl Iterator<Item = 
     Some(roots.into_iter().flatten().map(in_units))
 }
 
-/// Computes a·t² − 2h·t + c = 0 and its D, each rounded once; `None` if it has no
-/// roots.
+/// Returns a·t² − 2h·t + c = 0 and its D, each rounded once to a pair; `None` if it has no root.
 #[inline(always)]
 fn quadratic([cx, cy, cz, qx, qy, qz, r]: [i128; 7], d: [i128; 3]) -> Option<DoubleQuadratic> {
     let oc = [cx - qx, cy - qy, cz - qz];
@@ -93,11 +91,11 @@ fn quadratic([cx, cy, cz, qx, qy, qz, r]: [i128; 7], d: [i128; 3]) -> Option<Dou
     })
 }
 
-/// Returns the values as integers of 120 digits at most, counted in one power of
-/// two, and its exponent.
+/// Returns the values as integers of at most 120 binary digits times one power of two, and its
+/// exponent; `None` if they do not fit.
 #[inline(always)]
 fn integers<const N: usize>(values: [f64; N]) -> Option<([i128; N], i64)> {
-    /// A number has 53 digits, and may be shifted by so many.
+    /// The largest shift: a number has 53 digits.
     const MOST: i64 = 120 - 53;
     /// The exponent field of an infinity or NaN.
     const NOT_FINITE: i64 = 972;
@@ -114,7 +112,7 @@ fn integers<const N: usize>(values: [f64; N]) -> Option<([i128; N], i64)> {
     Some((shifted, least))
 }
 
-/// An integer from −2²⁵⁵ on, in two's complement; the lowest digits first.
+/// An integer in two's complement, 256 bits; the lowest digits first.
 type Integer = [u64; 4];
 
 #[inline(always)]
@@ -179,14 +177,14 @@ fn magnitude(x: Integer) -> Integer {
     if is_negative(x) { negative(x) } else { x }
 }
 
+/// Rounds an integer to a sum of two `f64`.
 #[inline(always)]
 fn signed_pair(x: Integer) -> DoubleDouble {
     let size = pair(magnitude(x));
     if is_negative(x) { -size } else { size }
 }
 
-/// Rounds a natural number to a pair, off by less than 2u² of it: its first 106
-/// digits.
+/// Rounds a natural number to a sum of two `f64`, off by less than 2u² of it: its first 106 digits.
 #[inline(always)]
 fn pair<const N: usize>(x: [u64; N]) -> DoubleDouble {
     let top = x.iter().rposition(|&word| word != 0).unwrap_or(0);

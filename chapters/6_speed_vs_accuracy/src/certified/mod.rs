@@ -82,23 +82,23 @@ pub fn certified_f32(
     widened(certified_t, center, radius, ray, t_min, t_max)
 }
 
-/// The stage that decides a case, from fast to slow.
+/// A stage of a certified method; a case goes to the next, slower one if it is not decided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Stage {
-    /// Plain `f64` with an error bound.
+    /// The first stage: plain `f64` with an error bound.
     Filter,
-    /// Integers of fixed width.
+    /// The second stage: integers of fixed width.
     FixedWidth,
-    /// Integers of any length.
+    /// The last stage: integers of any length.
     Exact,
 }
 
-/// Returns the stage at which [`certified_hit`] has its answer.
+/// Returns the stage that decides `case` in [`certified_hit`].
 pub fn stage_of_hit(case: &Case, t_min: f64, t_max: f64) -> Stage {
     staged::<false>(*case, t_min, t_max).1
 }
 
-/// Returns the answer, and the stage that has it.
+/// Returns the answer to a case, and the stage that decides it.
 #[inline(always)]
 fn staged<const ULP: bool>(case: Case, t_min: f64, t_max: f64) -> (Option<f64>, Stage) {
     let t = filter::<ULP>(&case, t_min, t_max);
@@ -108,9 +108,9 @@ fn staged<const ULP: bool>(case: Case, t_min: f64, t_max: f64) -> (Option<f64>, 
     ((t < f64::INFINITY).then_some(t), Stage::Filter)
 }
 
-/// Answers what the filter leaves open. The numbers come as they are: if a center or a ray were
-/// asked for by its address, it would be kept in memory, and the filter would wait until it is
-/// there.
+/// Decides a case that the filter leaves open; returns the answer and the stage. The numbers are
+/// passed by value: if a center or a ray were passed by reference, it would be kept in memory, and
+/// the filter would wait for that.
 #[cold]
 #[inline(never)]
 pub(crate) fn later_stages(numbers: [f64; 10], t_min: f64, t_max: f64) -> (Option<f64>, Stage) {

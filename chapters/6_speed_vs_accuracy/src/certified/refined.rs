@@ -36,14 +36,14 @@ pub(super) fn refined(case: &Case, m: f64, t: f64, divisor: impl Fn(f64) -> f64)
     t - residual / divisor(t)
 }
 
-/// Computes (high + low)², of which the last coordinate is subtracted.
+/// Returns (high + low)² of a vector whose last coordinate's square is subtracted.
 #[inline(always)]
 fn square(high: DVec4, low: DVec4) -> f64 {
     let sum = |v: DVec4| (v.x + v.z) + (v.y - v.w);
     sum(high * high) + sum((high + high + low) * low)
 }
 
-/// Returns the multiple of the grid nearest to each coordinate.
+/// Returns the vector with each coordinate rounded to a multiple of the grid of `shifter`.
 #[inline(always)]
 fn on_grid(v: DVec4, shifter: f64) -> DVec4 {
     (v + shifter) - shifter
@@ -57,13 +57,13 @@ fn shifter(m: f64) -> f64 {
     f64::from_bits(((exponent + 27) << 52) | (1 << 51))
 }
 
-/// Returns the first 26 digits.
+/// Returns the first 26 binary digits of `x`.
 #[inline(always)]
 fn upper_digits(x: f64) -> f64 {
     f64::from_bits(x.to_bits() & !((1 << 27) - 1))
 }
 
-/// Returns a − b, and what rounding took from it (Knuth).
+/// Returns a − b, rounded, and the error of rounding (Knuth).
 #[inline(always)]
 fn difference(a: DVec4, b: DVec4) -> (DVec4, DVec4) {
     let difference = a - b;

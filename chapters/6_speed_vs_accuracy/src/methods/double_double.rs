@@ -31,7 +31,7 @@ pub fn double_double(
     Some(root.high).filter(|t| t_min < *t && *t < t_max)
 }
 
-/// The coefficients of a·t² − 2h·t + c = 0, and D = h² − a·c.
+/// The coefficients of a·t² − 2h·t + c = 0 with twice the digits, and D = h² − a·c.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DoubleQuadratic {
     pub(crate) a: DoubleDouble,
@@ -41,6 +41,7 @@ pub(crate) struct DoubleQuadratic {
 }
 
 impl DoubleQuadratic {
+    /// Computes the coefficients for a ray and a sphere.
     pub(crate) fn new(center: Point3, radius: f64, ray: &Ray) -> Self {
         let d = ray.direction.to_array().map(DoubleDouble::from);
         let [x, y, z] = center.to_array();
@@ -60,8 +61,8 @@ impl DoubleQuadratic {
         }
     }
 
-    /// Finds both roots as numerator and denominator, the nearer one first; each
-    /// by the division that does not cancel, as in `half_b_q`.
+    /// Returns both roots as numerator and denominator, the nearer one first, or `None` if there is
+    /// none; each by the division that does not cancel, as in `half_b_q`.
     pub(crate) fn roots(&self) -> Option<[(DoubleDouble, DoubleDouble); 2]> {
         let Self {
             a,
@@ -85,11 +86,12 @@ impl DoubleQuadratic {
     }
 }
 
-/// The sum `high` + `low`, of which `high` alone is the rounded value.
+/// A number as the unrounded sum of two `f64`, `high` + `low`; `high` is the sum, rounded.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DoubleDouble {
     /// The sum, rounded.
     pub(crate) high: f64,
+    /// The part of the sum that rounding takes away.
     low: f64,
 }
 
@@ -104,7 +106,7 @@ impl DoubleDouble {
         Self::from_pair(quick_two_sum(a, b))
     }
 
-    /// Computes `self` × `power`, which is a power of two.
+    /// Computes `self` × `power`, which has to be a power of two, exactly.
     pub(crate) fn times_power_of_two(self, power: f64) -> Self {
         Self::from_pair((self.high * power, self.low * power))
     }
@@ -114,13 +116,13 @@ impl DoubleDouble {
         self.high > x || (self.high == x && self.low > 0.0)
     }
 
-    /// Returns how far above `x` it is, rounded; `x` may be infinite.
+    /// Returns `self` − `x`, rounded; `x` may be infinite.
     pub(crate) fn minus(self, x: f64) -> f64 {
         (self.high - x) + self.low
     }
 
-    /// Takes one step of Newton's method from the root that hardware finds; off
-    /// by no more than 8u² of it.
+    /// Returns the square root, off by no more than 8u² of it: one step of Newton's method from the
+    /// root that the processor finds.
     fn sqrt(self) -> Self {
         let root = self.high.sqrt();
         if root == 0.0 {

@@ -6,7 +6,7 @@
 
 use common::rtweekend::*;
 
-/// Returns a + b as a rounded sum and its error.
+/// Returns a + b as a rounded sum and the error of rounding.
 #[inline]
 pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
@@ -15,22 +15,22 @@ pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     (sum, error)
 }
 
-/// Returns a + b as [`two_sum`] does, for |a| ≥ |b| or a = 0.
+/// Returns a + b as [`two_sum`] does, with fewer operations, for |a| ≥ |b| or a = 0.
 #[inline]
 pub(crate) fn quick_two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     (sum, b - (sum - a))
 }
 
-/// Returns a × b as a rounded product and its error.
+/// Returns a × b as a rounded product and the error of rounding.
 #[inline]
 pub(crate) fn two_product(a: f64, b: f64) -> (f64, f64) {
     let product = a * b;
     (product, a.mul_add(b, -product))
 }
 
-/// Returns c = |C − Q|² − r², off by no more than u·|c| + 64u²·(|C − Q|² + r²); C − Q, rounded; and
-/// what rounding took from that.
+/// Returns c = |C − Q|² − r², off by no more than u·|c| + 64u²·(|C − Q|² + r²); the vector C − Q,
+/// rounded; and the errors of rounding it.
 #[inline(always)]
 pub(crate) fn c_and_differences(center: Point3, radius: f64, origin: Point3) -> (f64, Vec3, Vec3) {
     let [mut oc, mut oc_error] = [[0.0; 3]; 2];

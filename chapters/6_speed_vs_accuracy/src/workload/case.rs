@@ -7,19 +7,19 @@ use common::rtweekend::*;
 use crate::method::{Method, Solve};
 use crate::precision::{Precision, SingleRay};
 
-/// Does this ray meet this sphere, and where?
+/// A question to a method: does this ray meet this sphere, and at which t?
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Case {
     /// The center of the sphere.
     pub center: Point3,
-    /// The radius of the sphere.
+    /// The radius of the sphere; a negative one counts by its size.
     pub radius: f64,
-    /// The ray.
+    /// The ray; a direction of length 0 makes every method answer a miss.
     pub ray: Ray,
 }
 
 impl Case {
-    /// Makes the case of that sphere and that ray.
+    /// Makes the case of a sphere and a ray.
     pub const fn new(center: Point3, radius: f64, ray: Ray) -> Self {
         Self {
             center,
@@ -28,10 +28,10 @@ impl Case {
         }
     }
 
-    /// Asks `method` for the nearest root between `t_min` and `t_max`.
+    /// Returns the answer of `method`: the nearest root between `t_min` and `t_max`, both excluded,
+    /// or `None`.
     ///
-    /// A method in `f32` is asked about the case [rounded](Case::rounded), and
-    /// its answer widened.
+    /// A method in `f32` gets the case [rounded](Case::rounded), and its answer is widened.
     #[inline]
     pub fn put_to(&self, method: &Method, t_min: f64, t_max: f64) -> Option<f64> {
         match method.solve {
@@ -47,8 +47,7 @@ impl Case {
         }
     }
 
-    /// Returns the case with the nearest numbers that `precision` can hold:
-    /// itself in `f64`.
+    /// Returns the case with each number rounded to `precision`: the same case for `f64`.
     pub fn rounded(&self, precision: Precision) -> Self {
         match precision {
             Precision::Double => *self,
@@ -74,7 +73,7 @@ impl Case {
         }
     }
 
-    /// Returns the ray, rounded to `f32`.
+    /// Returns the ray with each number rounded to `f32`.
     #[inline]
     pub fn single_ray(&self) -> SingleRay {
         SingleRay {
@@ -83,7 +82,7 @@ impl Case {
         }
     }
 
-    /// Returns the answer of `hit_sphere`, a function of center, radius and ray.
+    /// Returns the answer of `hit_sphere`, a function of center, radius and ray, to this case.
     pub fn solve(&self, hit_sphere: &dyn Fn(Point3, f64, &Ray) -> Option<f64>) -> Option<f64> {
         hit_sphere(self.center, self.radius, &self.ray)
     }
@@ -93,9 +92,8 @@ impl Case {
         self.ray.direction.length_squared()
     }
 
-    /// Computes M = oc·oc + r², rounded: the square of the length that rounding
-    /// errors are measured against. Nothing in the quadratic is much longer than
-    /// √M.
+    /// Computes M = oc·oc + r², rounded: the square of the length that rounding errors are compared
+    /// with. Nothing in the quadratic is much longer than √M.
     pub fn m(&self) -> f64 {
         (self.center - self.ray.origin).length_squared() + self.radius * self.radius
     }
@@ -116,8 +114,8 @@ impl Case {
         self.h() * self.h() - self.a() * self.c()
     }
 
-    /// Computes √(M/a): how long √M is in lengths of the ray's direction. No root
-    /// is farther away than twice that.
+    /// Computes √(M/a), the length √M in lengths of the ray's direction. No root is farther away
+    /// than twice that.
     pub fn t_scale(&self) -> f64 {
         // The roots of both first: the quotient may be too small for a number.
         self.m().sqrt() / self.a().sqrt()

@@ -13,17 +13,17 @@ use common::rtweekend::*;
 use super::case::Case;
 use crate::precision::Precision;
 
-/// A situation that rays and spheres are in, from mild to hard.
+/// A kind of situation that rays and spheres are in, at levels k from mild to hard.
 #[derive(Clone, Copy, Debug)]
 pub struct Regime {
-    /// A word, for tables.
+    /// The name of the regime in tables: one word.
     pub name: &'static str,
-    /// The least and the greatest k, in `f64` and in `f32`.
+    /// The least and the greatest level k, in `f64` and in `f32`.
     levels: [(i32, i32); 2],
     case: fn(&mut Random, level: i32) -> Case,
 }
 
-/// All regimes, the book’s first.
+/// All regimes, that of the book first.
 pub const REGIMES: [Regime; 6] = [
     Regime::BOOK,
     // Near a tangent: the line passes the center at (1 ± 10⁻ᵏ) radii.
@@ -52,7 +52,7 @@ impl Regime {
         Self { name, levels, case }
     }
 
-    /// Makes `count` cases from all levels alike, always the same for one `seed`.
+    /// Makes `count` cases, each of a random level. A `seed` always gives the same cases.
     pub fn cases(&self, precision: Precision, seed: u64, count: usize) -> Vec<Case> {
         let levels = self.levels(precision);
         self.make(precision, seed, count, |random| {
@@ -61,12 +61,12 @@ impl Regime {
         })
     }
 
-    /// Makes `count` cases from one level.
+    /// Makes `count` cases of one level. A `seed` always gives the same cases.
     pub fn cases_at(&self, level: i32, precision: Precision, seed: u64, count: usize) -> Vec<Case> {
         self.make(precision, seed, count, |_| level)
     }
 
-    /// Returns the levels, from the mildest to the hardest.
+    /// Returns the levels at which this precision is tried, from the mildest to the hardest.
     pub fn levels(&self, precision: Precision) -> RangeInclusive<i32> {
         let [double, single] = self.levels;
         match precision {
@@ -91,14 +91,14 @@ impl Regime {
     }
 }
 
-/// The two spheres of the book: the ball and the ground.
+/// The two spheres of the book, center and radius: the ball and the ground.
 pub const SPHERES: [(Point3, f64); 2] = [
     (Point3::new(0.0, 0.0, -1.0), 0.5),
     (Point3::new(0.0, -100.5, -1.0), 100.0),
 ];
 
-/// Makes a case of a pixel of the picture 3840 wide and one of the two spheres of
-/// the book.
+/// Makes the case of a random pixel of the book's picture, 3840 pixels wide, and one of its
+/// spheres.
 fn book(random: &mut Random) -> Case {
     let camera = Camera::new(3840);
     let ray = camera.ray(
@@ -178,20 +178,20 @@ fn power_of_ten(exponent: i32) -> f64 {
     (0..exponent).fold(1.0, |power, _| 10.0 * power)
 }
 
-/// Random numbers, the same on every machine.
+/// A generator of random numbers that are the same on every machine.
 ///
-/// Source: SplitMix64 of Steele, Lea and Flood, "Fast splittable pseudorandom
-/// number generators" (2014).
+/// Source: SplitMix64 of Steele, Lea and Flood, "Fast splittable pseudorandom number generators"
+/// (2014).
 #[derive(Clone, Debug)]
 pub struct Random(u64);
 
 impl Random {
-    /// Begins the sequence that belongs to `seed`.
+    /// Starts the sequence that belongs to `seed`.
     pub fn new(seed: u64) -> Self {
         Self(seed)
     }
 
-    /// Returns any 64 bits.
+    /// Returns 64 random bits.
     pub fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
@@ -200,23 +200,23 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// Returns a whole number from 0 to `end` − 1; `end` must not be 0.
+    /// Returns a random whole number from 0 to `end` − 1; `end` must not be 0.
     pub fn below(&mut self, end: u32) -> u32 {
         ((u64::from(end) * (self.bits() >> 32)) >> 32) as u32
     }
 
-    /// Returns a number from `low` to `high`.
+    /// Returns a random number from `low` to `high`.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         let share = (self.bits() >> 11) as f64 / (1_u64 << 53) as f64;
         low + (high - low) * share
     }
 
-    /// Returns 1 or −1.
+    /// Returns 1 or −1 at random.
     pub fn sign(&mut self) -> f64 {
         if self.below(2) == 0 { 1.0 } else { -1.0 }
     }
 
-    /// Returns a unit vector in any direction: that of a point in a ball.
+    /// Returns a unit vector in a random direction, all equally likely: that of a point in a ball.
     pub fn direction(&mut self) -> Vec3 {
         loop {
             let [x, y, z] = [(); 3].map(|()| self.between(-1.0, 1.0));

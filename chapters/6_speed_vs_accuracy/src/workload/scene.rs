@@ -7,31 +7,30 @@ use crate::method::Method;
 use crate::nearest::certified_nearest;
 use crate::precision::Precision;
 
-/// Some spheres, and a camera that looks at them.
+/// A scene to be drawn by any method: some spheres, and a camera that looks at them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
-    /// A word, for tables.
+    /// The name of the scene in tables: one word.
     pub name: String,
-    /// The width of its picture, in pixels.
+    /// The width of its picture in pixels.
     pub width: u32,
-    /// A unit vector towards the sun, if it casts shadows.
+    /// The unit vector towards the sun, or `None` if nothing casts a shadow.
     pub sun: Option<Vec3>,
-    /// The t after which a hit counts: along rays of the camera, and along those to the sun,
-    /// which else would hit where they start.
+    /// The t after which a hit counts: along rays of the camera, and along rays to the sun, which
+    /// would else hit the surface where they start.
     pub t_min: [f64; 2],
     /// The eye, and its view of the spheres.
     pub lens: Lens,
-    /// Centers and radii, at least one.
+    /// The spheres, center and radius of each; at least one.
     pub spheres: Vec<(Point3, f64)>,
 }
 
-/// The t after which hits count if a scene does not say it: in front of the camera, and for
-/// shadows as in the book's later chapters.
+/// The `t_min` of a scene that names none: 0 for the camera, and for shadows 0.001 as in the book's
+/// later chapters.
 pub const USUAL_T_MIN: [f64; 2] = [0.0, 1e-3];
 
 impl Scene {
-    /// Returns a scene with a star in a telescope, as far as one like the Sun at
-    /// seven light-years.
+    /// Returns the scene of a star in a telescope, as far as one like the Sun at seven light-years.
     pub fn telescope() -> Self {
         Self {
             name: "telescope".to_owned(),
@@ -43,22 +42,18 @@ impl Scene {
         }
     }
 
-    /// Draws the picture at `width` pixels wide: left of the middle as one eye sees it,
-    /// right of it as another does.
+    /// Draws the picture, `width` pixels wide, by two kinds of arithmetic: the first for its left
+    /// half, the second for its right half.
     pub fn seen_by(&self, halves: [Arithmetic; 2], width: u32) -> Picture {
         let (scene, camera) = (self.clone(), Camera::new(width));
         Picture::paint(camera.image_width, camera.image_height, move |i, j| {
-            if i >= width {
-                // The block of pixels hangs over the edge.
-                return Color::ZERO;
-            }
             let arithmetic = halves[usize::from(2 * i >= width)];
             scene.look(arithmetic, &camera.ray(i, j)).color
         })
     }
 
-    /// Returns true if no number of the scene, and of its rays, is too large for `precision`, and
-    /// no radius and no direction too small.
+    /// Returns true if `precision` can hold the scene: no number of it or its rays becomes
+    /// infinite, and no radius or direction 0.
     pub fn fits(&self, precision: Precision) -> bool {
         let camera = Camera::new(self.width);
         let [right, bottom] = [camera.image_width - 1, camera.image_height - 1];
@@ -74,14 +69,14 @@ impl Scene {
         })
     }
 
-    /// Returns the ray of the scene that belongs to a `ray` of the book's camera.
+    /// Returns the ray of the scene's camera for a `ray` of the book's.
     pub fn ray(&self, ray: &Ray) -> Ray {
         self.lens.ray(ray)
     }
 
-    /// Looks along the ray that belongs to a `ray` of the book's camera, and sees the nearest hit,
-    /// darker where the sun does not reach it, or the sky. The sky is a backdrop, and the same
-    /// behind every lens.
+    /// Returns the nearest hit and the color along the scene's ray for a `ray` of the book's
+    /// camera: a normal's color, darker in shadow, or that of the sky, which is the same behind
+    /// every lens.
     pub fn look(&self, arithmetic: Arithmetic, ray: &Ray) -> Sight {
         let Some((sphere, case, t)) = self.nearest(arithmetic, &self.ray(ray), self.t_min[0])
         else {
@@ -112,8 +107,8 @@ impl Scene {
         }
     }
 
-    /// Finds the sphere that is hit first: returns its index, the case that it
-    /// makes, and `t`.
+    /// Returns the index of the sphere that is hit first, its case, and `t`; `None` if all are
+    /// missed.
     fn nearest(&self, arithmetic: Arithmetic, ray: &Ray, t_min: f64) -> Option<(usize, Case, f64)> {
         let case = |&(center, radius): &(Point3, f64)| Case {
             center,
@@ -132,43 +127,45 @@ impl Scene {
     }
 }
 
-/// The color and the hit along one ray.
+/// The color along one ray, and the hit that gives it.
 #[derive(Clone, Copy, Debug)]
 pub struct Sight {
-    /// The first hit, if there is one.
+    /// The first hit, or `None` for the sky.
     pub hit: Option<Hit>,
-    /// The color that the pixel gets.
+    /// The color of the pixel, each component from 0 to 1.
     pub color: Color,
 }
 
-/// The first hit of a ray.
+/// The first hit of a ray in a scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Hit {
-    /// The sphere, by its place in the list.
+    /// The index of the sphere in [`Scene::spheres`].
     pub sphere: usize,
-    /// The ray parameter.
+    /// The ray parameter, in lengths of the ray's direction.
     pub t: f64,
-    /// The point, as it is computed from t.
+    /// The point of the hit, as it is computed from t.
     pub point: Point3,
-    /// The first sphere between the point and the sun, if there is one.
+    /// The index of the first sphere between the point and the sun, or `None` if the sun reaches
+    /// it.
     pub shaded_by: Option<usize>,
 }
 
-/// The place of the eye, and how its view differs from that of the book's camera.
+/// The eye's place, and how its view differs from that of the book's camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lens {
     origin: Point3,
-    /// Unit vectors: to the right of the picture, to its top, and into it.
+    /// The unit vectors to the right of the picture, to its top, and into it.
     right: Vec3,
     up: Vec3,
     forward: Vec3,
-    /// How large things look, across and upwards: not always the same both ways.
+    /// The factors by which things look larger, across and upwards.
     zoom: [f64; 2],
 }
 
 impl Lens {
-    /// Makes a lens at `origin`. `direction` may have any length but 0. The picture stands upright;
-    /// that of an eye that looks straight up or down has −z at its top.
+    /// Makes a lens at `origin` that looks along `direction`, which may have any length but 0, and
+    /// enlarges by `zoom`, across and upwards. The picture stands upright; that of an eye that
+    /// looks straight up or down has −z at its top.
     pub fn new(origin: Point3, direction: Vec3, zoom: [f64; 2]) -> Self {
         let forward = unit(direction);
         let right = match forward {
@@ -184,8 +181,8 @@ impl Lens {
         }
     }
 
-    /// Returns the ray that belongs to one of the book's camera, which looks along −z. For the same
-    /// direction and a zoom of 1 it is the same, to the bit.
+    /// Returns the lens's ray for a ray of the book's camera, which looks along −z. With that
+    /// direction and a zoom of 1, both have the same direction, to the bit.
     fn ray(&self, ray: &Ray) -> Ray {
         let [across, up] = self.zoom;
         let Vec3 { x, y, z } = ray.direction;
@@ -194,22 +191,22 @@ impl Lens {
     }
 }
 
-/// Returns the unit vector along `v`, which may be as long or short as numbers
-/// allow, but not 0.
+/// Returns the unit vector along `v`, which may be as long or short as numbers allow. `v` must not
+/// be 0: the result is then NaN.
 pub fn unit(v: Vec3) -> Vec3 {
     // Else its square might overflow, or underflow.
     let v = v / v.abs().max_element();
     v.normalize()
 }
 
-/// The arithmetic by which a scene is seen.
+/// The arithmetic by which a scene's picture is computed.
 #[derive(Clone, Copy, Debug)]
 pub enum Arithmetic {
-    /// A method, in the precision that it computes with: the loop of chapter 5 asks it about
-    /// one sphere after the other.
+    /// A method, in its own precision: the loop of chapter 5 asks it about one sphere after the
+    /// other.
     Method(Method),
-    /// Exact arithmetic: only the points that are found are rounded, to `f64`. This is what
-    /// every method should see.
+    /// Exact arithmetic, which every other one should equal: only the points that are found are
+    /// rounded, to `f64`.
     Exact,
 }
 
@@ -222,8 +219,8 @@ impl Arithmetic {
     }
 }
 
-/// Returns the answer of the loop of chapter 5, which goes by what `method`
-/// rounds.
+/// Returns the index of the nearest sphere and `t` by the loop of chapter 5, with rounded answers
+/// of `method`.
 fn nearest_by(cases: &[Case], method: &Method, t_min: f64) -> Option<(usize, f64)> {
     let mut nearest = None;
     let mut closest_so_far = f64::INFINITY;
@@ -236,7 +233,8 @@ fn nearest_by(cases: &[Case], method: &Method, t_min: f64) -> Option<(usize, f64
     nearest
 }
 
-/// Returns the right answer, for cases of one ray; `t` is rounded once.
+/// Returns the index of the nearest sphere and `t` without rounding errors, for cases of one ray;
+/// `t` is rounded once.
 fn first(cases: &[Case], t_min: f64) -> Option<(usize, f64)> {
     let spheres: Vec<(Point3, f64)> = cases
         .iter()
