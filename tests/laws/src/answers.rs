@@ -15,7 +15,8 @@ use tinyjson::JsonValue;
 use crate::question::{Functions, Question};
 use crate::verdict::{BrokenLaw, Complaint, Outcome, Report};
 
-/// The environment variable that names the file.
+/// The environment variable that names the file to which [`Trial`](crate::Trial) adds answers and
+/// verdicts.
 pub const ANSWERS_VARIABLE: &str = "LAWS_ANSWERS";
 
 /// A question that a function was asked, with its answer.
@@ -52,7 +53,7 @@ pub struct Answers {
 }
 
 impl Answers {
-    /// Asks a program all `questions`.
+    /// Puts all `questions` to a program, in their order. A panic in the program is passed on.
     pub fn of(program: &dyn Functions, questions: Vec<Question>) -> Self {
         let questions = questions.into_iter();
         let answered = questions.map(|question| {
@@ -81,17 +82,19 @@ impl Answers {
     }
 }
 
-/// The content of a file of answers.
+/// The content of a file of answers and verdicts.
 #[derive(Debug, Default)]
 pub struct AnswerFile {
-    /// All answers.
+    /// All answers to questions, in the order in which they were written.
     pub answers: Answers,
-    /// The verdict on each function, by its name.
+    /// Each function's name with the outcome of its laws, in the order in which the laws were
+    /// tried.
     pub outcomes: Vec<(String, Outcome)>,
 }
 
 impl AnswerFile {
-    /// Reads as far as there are whole lines: a program may have ended before it wrote the rest.
+    /// Parses the lines of a file of answers, up to the first that is not whole: the program that
+    /// wrote them may have ended in it. An empty text gives no answers.
     pub fn read(text: &str) -> Self {
         let mut told = Self::default();
         for line in text.lines() {
@@ -109,19 +112,20 @@ impl AnswerFile {
     }
 }
 
-/// A line of the file. The smallest case that breaks a law is the last answer before the
-/// verdict.
+/// A line of the file. In a verdict of a broken law, the smallest case that breaks it is the last
+/// answer before.
 pub(crate) enum AnswerLine<'a> {
+    /// A question, and the answer as numbers.
     Answer(&'a Question, &'a [f64]),
-    /// The verdict on the function of that name.
+    /// The name of a function, and the outcome of all its laws.
     Verdict(&'static str, &'a Outcome),
 }
 
 impl AnswerLine<'_> {
-    /// Adds the line to the file.
+    /// Appends the line to the file, which it creates if there is none.
     ///
     /// # Panics
-    /// If that can't be written.
+    /// If the file can't be written.
     pub(crate) fn keep(&self, file: &Path) {
         let line = self.as_json() + "\n";
         let opened = OpenOptions::new().create(true).append(true).open(file);
@@ -130,6 +134,7 @@ impl AnswerLine<'_> {
             .unwrap_or_else(|cause| panic!("{}: {cause}", file.display()));
     }
 
+    /// Formats the line as a JSON object.
     fn as_json(&self) -> String {
         let text = |it: &str| JsonValue::from(it.to_owned());
         let numbers = |all: &[f64]| {
@@ -167,15 +172,18 @@ impl AnswerLine<'_> {
     }
 }
 
-/// The parts of a report.
+/// The names of a report's parts in JSON.
 const PARTS: [&str; 5] = ["law", "found", "allowed", "read", "test"];
 
+/// The fields of a line's JSON object.
 type Fields = HashMap<String, JsonValue>;
 
+/// Returns the text of a field; `None` if there is no such field, or no text in it.
 fn text_of(line: &Fields, name: &str) -> Option<String> {
     line.get(name)?.get::<String>().cloned()
 }
 
+/// Reads the question and the answer of a line; `None` if it has none.
 fn answer(line: &Fields) -> Option<Answered> {
     let numbers = |name: &str| -> Option<Vec<f64>> {
         let numbers: &Vec<JsonValue> = line.get(name)?.get()?;
@@ -187,7 +195,7 @@ fn answer(line: &Fields) -> Option<Answered> {
     Some(Answered { question, answer })
 }
 
-/// Reads a verdict. What was answered before it is what it rests on.
+/// Reads the outcome of a function's laws from a line. Its report gets all answers `before` it.
 fn outcome(line: &Fields, before: &Answers) -> Option<Outcome> {
     if let Some(place) = text_of(line, "not_written") {
         return Some(Err(Complaint::NotWritten(place)));
@@ -219,6 +227,7 @@ mod tests {
     use super::*;
     use crate::{Case, ChapterScene, Trial};
 
+    /// Runs a trial whose answers go to a file, and returns the file's text and the outcome.
     fn lines(trial: impl Fn(&Trial) -> Outcome) -> (String, Outcome) {
         let folder = std::env::temp_dir().join(format!("laws-{}", std::process::id()));
         let _ = std::fs::remove_file(&folder);

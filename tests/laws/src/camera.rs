@@ -5,21 +5,22 @@ use common::rtweekend::*;
 use crate::question::{nearly_equal, of_ray, vector};
 use crate::verdict::{BrokenLaw, LawResult};
 
-/// A pixel of a picture of 16:9.
+/// A pixel of a picture whose width is to its height as 16 to 9.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CameraPixel {
-    /// How many columns the picture has.
+    /// The width of the picture, in pixels.
     pub width: u32,
-    /// The column of the pixel.
+    /// The column of the pixel, from 0 at the left.
     pub i: u32,
-    /// The row of the pixel.
+    /// The row of the pixel, from 0 at the top.
     pub j: u32,
 }
 
-/// Tests that the ray of a pixel starts at the eye and meets the viewport in the pixel's center.
+/// Tests that the ray starts at the origin and goes through the center of the pixel on the viewport
+/// at `t` = 1.
 ///
 /// # Errors
-/// If it does not, but for roundings.
+/// The broken law, if origin or direction differ by more than rounding.
 pub fn the_ray_of_a_pixel_goes_through_its_center(ray: &Ray, pixel: &CameraPixel) -> LawResult {
     let right = pixel.right_ray();
     BrokenLaw::unless(nearly_equal(&of_ray(*ray), &of_ray(right)), || BrokenLaw {
@@ -31,8 +32,8 @@ pub fn the_ray_of_a_pixel_goes_through_its_center(ray: &Ray, pixel: &CameraPixel
 }
 
 impl CameraPixel {
-    /// Returns the ray from the origin to the center of the pixel, in a viewport that is 2 high and
-    /// as wide as the picture has it.
+    /// Returns the ray from the origin through the center of the pixel, in a viewport at z = −1
+    /// that is 2 units high and as much wider as the picture.
     pub fn right_ray(&self) -> Ray {
         let [width, i, j] = [self.width, self.i, self.j].map(f64::from);
         let height = f64::from(((width / (16.0 / 9.0)) as u32).max(1));
@@ -41,7 +42,7 @@ impl CameraPixel {
         Ray::new(Point3::ZERO, center)
     }
 
-    /// Writes the body of a test that asks this.
+    /// Writes the body of a test that asks about this pixel again.
     pub(crate) fn as_test(&self) -> String {
         let Self { width, i, j } = self;
         let center = vector(self.right_ray().direction);

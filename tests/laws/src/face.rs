@@ -7,24 +7,26 @@ use crate::verdict::{BrokenLaw, LawResult};
 
 pub use common::rtweekend::Vec3;
 
-/// The side of a surface on which a ray meets it.
+/// The side of a surface on which a ray meets it, as `set_face_normal` answers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Face {
-    /// The normal, which should point against the ray.
+    /// The unit normal, which should point against the ray.
     pub normal: Vec3,
-    /// True if the ray came from outside.
+    /// True if the ray meets the outer side.
     pub front_face: bool,
 }
 
-/// A function from a ray and the outward normal to the face.
+/// A function like the `set_face_normal` of chapter 5: from a ray and the outward unit normal to
+/// the face.
 pub type SetFaceNormal<'a> = dyn Fn(&Ray, Vec3) -> Face + 'a;
 
 /// Tests that the normal is the outward one, or its opposite where that points along the ray.
 ///
-/// Makes no claim where the two are at a right angle but for roundings: either side will do.
+/// Makes no claim where `direction` and `outward` are at a right angle, up to rounding: either side
+/// will do.
 ///
 /// # Errors
-/// If `set_face_normal` answers otherwise.
+/// The broken law, if `set_face_normal` answers otherwise.
 pub fn the_normal_is_turned_against_the_ray(
     set_face_normal: &SetFaceNormal,
     direction: Vec3,

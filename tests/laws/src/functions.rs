@@ -1,10 +1,12 @@
 //! Adapters: a crate's chapter 5 as the functions that the laws ask.
 
-/// Defines `set_face_normal`, `record`, `nearest` and `ray_color` for the crate `$chapter`, which has
-/// `Hittable`, `HitRecord`, `HittableList`, `Sphere`, `world` and `ray_color` as chapter 5.
+/// Defines the functions `set_face_normal`, `record`, `nearest` and `ray_color`, in the form in
+/// which laws ask them, for a crate `$chapter` with the types and functions of chapter 5:
+/// `Hittable`, `HitRecord`, `HittableList`, `Sphere`, `world` and `ray_color`.
 ///
-/// `$Ray` is the ray that it takes. What it has of its own is made of what the laws have by
-/// `$vector` and `$ray`, and its vectors are turned back by `$back`.
+/// `$Ray` is the type or function that makes the crate's ray for `set_face_normal`. `$vector` and
+/// `$ray` turn vectors and rays of `common` into the crate's own, and `$back` turns a vector of the
+/// crate into one of `common`.
 #[macro_export]
 macro_rules! functions_of_a_list {
     ($chapter:ident, $Ray:ty, $vector:path, $ray:path, $back:path) => {

@@ -9,13 +9,13 @@ use crate::oracle::ExactCase;
 use crate::question::{IntervalCase, RangeSolver};
 use crate::verdict::{BrokenLaw, LawResult};
 
-/// Tests that a returned `t` lies between the ends; so it is never NaN.
+/// Tests that a returned `t` lies between `t_min` and `t_max`, both excluded; so it is never NaN.
 ///
-/// Makes no claim where an end is NaN, or the case is out of scale: whether `t` lies between is
-/// then a matter of how the comparison is written, and the book writes it the other way.
+/// Makes no claim where an end is NaN or the case is out of scale: whether `t` lies between is then
+/// a matter of how the comparison is written, and the book writes it the other way.
 ///
 /// # Errors
-/// If it lies outside.
+/// The broken law, if `t` lies outside.
 pub fn no_t_outside_the_interval_is_returned(
     solve: &RangeSolver,
     asked: &IntervalCase,
@@ -35,11 +35,14 @@ pub fn no_t_outside_the_interval_is_returned(
     }
 }
 
-/// Tests that the nearest root in the interval is returned if there is one. Makes no claim where
-/// rounding could move a root across an end of the interval, or decide between hit and miss.
+/// Tests that the nearest root between `t_min` and `t_max` is returned, or none if no root lies
+/// there.
+///
+/// Makes no claim where rounding could move a root across an end of the interval, or decide between
+/// hit and miss.
 ///
 /// # Errors
-/// If another `t`, or none, is returned.
+/// The broken law, if another `t` or none is returned.
 pub fn the_nearest_root_in_the_interval_is_returned(
     solve: &RangeSolver,
     asked: &IntervalCase,

@@ -8,27 +8,29 @@ use crate::question::{IntervalCase, code, of_ray, vector};
 use crate::record::RecordSolver;
 use crate::verdict::{BrokenLaw, LawResult};
 
-/// Spheres, a ray, and a range of `t`.
+/// A question to a list: spheres, a ray, and an open interval of `t`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct World {
-    /// Center and radius of each sphere, in the order in which they are added.
+    /// Center and radius of each sphere, in the order in which they are added. May be empty.
     pub spheres: Vec<(Point3, f64)>,
-    /// The ray.
+    /// The ray that is asked about.
     pub ray: Ray,
-    /// The lower end of the range, left out.
+    /// The lower end of the interval, excluded, in lengths of the ray's direction.
     pub t_min: f64,
-    /// The upper end of the range, left out.
+    /// The upper end of the interval, excluded, in lengths of the ray's direction.
     pub t_max: f64,
 }
 
-/// Searches a world for the nearest `t` in its range.
+/// A function that finds the `t` of the nearest hit in a world; `None` for a miss.
 pub type ListSolver<'a> = dyn Fn(&World) -> Option<f64> + 'a;
 
-/// Tests that the answer of a list is the least of its spheres' own answers, in whatever order they
-/// are added. The spheres are asked themselves: a list of one may be wrong, too.
+/// Tests that `search` returns the least of the spheres' own answers, in whatever order they are
+/// added; a miss for an empty list.
+///
+/// The spheres are asked by `record` alone: a list of one sphere may be wrong, too.
 ///
 /// # Errors
-/// If `search` answers otherwise.
+/// The broken law, if `search` answers otherwise.
 pub fn the_nearest_of_all_members_is_returned(
     record: &RecordSolver,
     search: &ListSolver,
@@ -51,7 +53,7 @@ pub fn the_nearest_of_all_members_is_returned(
 }
 
 impl World {
-    /// Writes the body of a test that asks this.
+    /// Writes the body of a test that asks about this world again.
     pub(crate) fn as_test(&self) -> String {
         let sphere = |&(center, radius): &_| format!("({}, {radius:?})", vector(center));
         let spheres: Vec<String> = self.spheres.iter().map(sphere).collect();
@@ -66,7 +68,8 @@ impl World {
         )
     }
 
-    /// Lists its numbers: the ray, the range, and then center and radius of each sphere.
+    /// Lists the numbers of the world: origin and direction of the ray, `t_min`, `t_max`, and then
+    /// center and radius of each sphere.
     pub(crate) fn numbers(&self) -> Vec<f64> {
         let spheres = self.spheres.iter();
         let spheres = spheres.flat_map(|(center, radius)| [center.x, center.y, center.z, *radius]);
@@ -78,7 +81,7 @@ impl World {
             .collect()
     }
 
-    /// Reads a world from its numbers; `None` if their count does not fit.
+    /// Makes a world of the numbers that `numbers` lists; `None` if their count does not fit.
     pub(crate) fn read(numbers: &[f64]) -> Option<Self> {
         let (&[x, y, z, dx, dy, dz, t_min, t_max], spheres) = numbers.split_first_chunk()?;
         let (spheres, []) = spheres.as_chunks() else {
@@ -111,7 +114,7 @@ mod tests {
         })
     }
 
-    /// The least answer of the spheres but for the first few.
+    /// Returns the least answer of the spheres but for the first few: a wrong list.
     fn without(few: usize, world: &World) -> Option<f64> {
         let spheres = world.spheres.iter().skip(few);
         let cases = spheres.map(|&(center, radius)| Case::new(center, radius, world.ray));

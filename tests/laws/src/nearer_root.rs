@@ -33,23 +33,24 @@ use crate::strategies::{anywhere, integers, ordinary};
 use crate::trial::LawSuite;
 use crate::verdict::{BrokenLaw, LawResult};
 
-/// A function of the kind of `hit_sphere`: center, radius and ray to nearer root.
+/// A function like `hit_sphere`: from center, radius and ray to the nearer root, in lengths of the
+/// direction; `None` for a miss.
 pub type Solver<'a> = dyn Fn(Point3, f64, &Ray) -> Option<f64> + 'a;
 
-/// A law for a nearer root.
+/// A law for the nearer root: tests a solver on one case.
 pub type RootLaw = fn(&Solver, &Case) -> LawResult;
 
-/// Half the distance from 1 to the next `f64`: the largest relative error of
-/// one rounded operation.
+/// The unit roundoff u of an `f64`, 2⁻⁵³: the largest relative error of one rounded operation.
 pub const U: f64 = f64::EPSILON / 2.0;
 
-/// As long as |D| is above this many times a·M, rounding can't change its sign.
+/// The relative width of the band in which rounding may decide: while |D| is above this many times
+/// a·M, the computed D has the right sign.
 pub const BAND: f64 = 24.0 * U;
 
-/// Every law for a nearer root, in the order in which they teach most.
+/// All laws for a nearer root, in the order in which they teach most.
 ///
-/// A function that only decides, as that of chapter 2, is under them too, with the exact
-/// root for each hit: see [`solver_of_decision`].
+/// A function that only decides, as that of chapter 2, is put under them as a
+/// [`solver_of_decision`].
 pub const NEARER_ROOT: [RootLaw; 7] = [
     t_is_a_number,
     the_line_hits_exactly_when_there_is_a_root,
@@ -68,9 +69,8 @@ pub fn obeys_every_law(solve: &Solver, case: &Case) -> LawResult {
     NEARER_ROOT.iter().try_for_each(|law| law(solve, case))
 }
 
-/// Lists the cases and laws for a nearer root. Cases of whole numbers come first, since they can be
-/// checked by hand, and ordinary cases before those where only rounding or an overflow shows a
-/// mistake.
+/// Lists the cases and laws for a nearer root: first whole numbers, which can be checked by hand,
+/// then ordinary cases, then those where only rounding or an overflow shows a mistake.
 pub(crate) fn suite<'a>(solve: &'a Solver<'a>) -> LawSuite<'a, Case> {
     let law = |law: RootLaw| Box::new(move |case: &Case| law(solve, case)) as _;
     LawSuite {
@@ -89,14 +89,14 @@ pub(crate) fn suite<'a>(solve: &'a Solver<'a>) -> LawSuite<'a, Case> {
     }
 }
 
-/// Writes the body of a test that asks a function that only decides.
+/// Writes the body of a test that asks a function that only decides about this case again.
 pub(crate) fn decision_as_test(case: &Case) -> String {
     let is_hit = ExactCase::of(case).nearer_root().is_some();
     format!("{case}\nassert_eq!(hit_sphere(center, radius, &ray), {is_hit});")
 }
 
-/// Makes a solver of a function that only decides: where that finds a hit, the solver returns the
-/// exact root, or the `t` closest to the center if there is none.
+/// Makes a solver of a function that only decides. Where that finds a hit, the solver returns the
+/// exact root; or the `t` closest to the center, if the line misses.
 pub fn solver_of_decision(
     decide: impl Fn(Point3, f64, &Ray) -> bool,
 ) -> impl Fn(Point3, f64, &Ray) -> Option<f64> {
@@ -108,8 +108,8 @@ pub fn solver_of_decision(
     }
 }
 
-/// Where nothing overflows, `t` is never NaN: no comparison with it holds, and so it passes tests
-/// that are written the other way round.
+/// Tests that `t` is not NaN where nothing overflows. No comparison with NaN holds, so it would
+/// pass tests that are written the other way round.
 fn t_is_a_number(solve: &Solver, case: &Case) -> LawResult {
     let is_nan = case.solve(solve).is_some_and(f64::is_nan);
     BrokenLaw::unless(!is_nan || !case.is_well_scaled(), || BrokenLaw {
@@ -120,8 +120,8 @@ fn t_is_a_number(solve: &Solver, case: &Case) -> LawResult {
     })
 }
 
-/// Outside the band where rounding may decide, a root is returned exactly where there is
-/// one. Two-sided: a solver that always or never hits breaks it.
+/// Tests that a root is returned exactly where there is one, outside of the band in which rounding
+/// may decide. Two-sided: a solver that always or never hits breaks this law.
 fn the_line_hits_exactly_when_there_is_a_root(solve: &Solver, case: &Case) -> LawResult {
     let exact = ExactCase::of(case);
     let margin = exact.discriminant_margin();
@@ -142,15 +142,15 @@ fn the_line_hits_exactly_when_there_is_a_root(solve: &Solver, case: &Case) -> La
     })
 }
 
-/// Writes the answer of a solver as a report has it.
+/// Formats a solver's answer for a report.
 pub(crate) fn said(root: Option<f64>) -> String {
     root.map_or("a miss".to_owned(), |t| format!("t = {t:?}"))
 }
 
-/// Where h is 0, the roots are −√D/a and √D/a, and both are there: for a ray that starts
-/// in the center, and for one inside at a right angle to oc.
+/// Tests that both roots count where h is 0: they are −√D/a and √D/a for a ray that starts in the
+/// center, or inside at a right angle to oc.
 ///
-/// Only what is no root at all breaks it. By how much t is off is the matter of others.
+/// Only a `t` that is no root at all breaks this law; other laws judge how exact it is.
 fn where_h_is_zero_no_root_is_lost(solve: &Solver, case: &Case) -> LawResult {
     let is_inside = ExactCase::of(case).origin_margin() < 0.0;
     let is_silent = !case.is_well_scaled() || case.h() != 0.0 || !is_inside;
@@ -169,13 +169,12 @@ fn where_h_is_zero_no_root_is_lost(solve: &Solver, case: &Case) -> LawResult {
 /// Tests that |P(t) − C| is r, up to rounding. This law needs no oracle: it puts the root back into
 /// the equation.
 ///
-/// The root is the exact root of an equation with slightly other coefficients:
-/// the error of D is one of 24u·M in c, those of h and a are 16u·M and 12u·M
-/// since |t| ≤ 2√(M/a), the last roundings of t another 24u·M. The check itself
-/// rounds by 13u·M. Together 89, of which this law makes 96.
+/// The root is the exact root of an equation with slightly other coefficients: the error of D is
+/// one of 24u·M in c, those of h and a are 16u·M and 12u·M since |t| ≤ 2√(M/a), the last roundings
+/// of t another 24u·M. The check itself rounds by 13u·M. Together 89, of which this law makes 96.
 ///
 /// # Errors
-/// If it is not.
+/// The broken law, if the point lies off the sphere. A miss breaks nothing here.
 pub fn the_point_lies_on_the_sphere(solve: &Solver, case: &Case) -> LawResult {
     let Some(t) = case.solve(solve) else {
         return Ok(());
@@ -194,10 +193,10 @@ pub fn the_point_lies_on_the_sphere(solve: &Solver, case: &Case) -> LawResult {
     )
 }
 
-/// `t` is the nearer root, up to the error that its coefficients bring.
+/// Tests that `t` is the nearer root, up to the error that its coefficients bring.
 ///
-/// See [`root_bound`] for the bound. Where D is within twice the band, no digit
-/// of √D is certain, and then √(72u)·√(M/a) bounds what it may be.
+/// See [`root_bound`] for the bound. Where D is within twice the band, no digit of √D is certain,
+/// and then √(72u)·√(M/a) bounds what it may be.
 fn the_root_is_the_nearer_one_to_the_digits_that_remain(solve: &Solver, case: &Case) -> LawResult {
     let exact = ExactCase::of(case);
     let (Some(t), Some(root)) = (case.solve(solve), exact.nearer_root()) else {
@@ -216,12 +215,11 @@ fn the_root_is_the_nearer_one_to_the_digits_that_remain(solve: &Solver, case: &C
 }
 
 /// Returns how far from the exact root (h ∓ √D)/a rounding may take `t`, in lengths of the
-/// direction, where `margin` is D/(a·M).
+/// direction, where `margin` is D/(a·M) and positive.
 ///
-/// The error of D̂ changes √D by at most 24u·a·M/√D, that of h is 4u·√(aM), and
-/// the rounding of √D at most u·√(aM). Divided by a, that is
-/// u·√(M/a)·(24/√margin + 5). The difference, the quotient, a and the rounding
-/// of the exact root for comparison have 1 + 1 + 3 + 1 roundings of t itself,
+/// The error of D̂ changes √D by at most 24u·a·M/√D, that of h is 4u·√(aM), and the rounding of √D
+/// at most u·√(aM). Divided by a, that is u·√(M/a)·(24/√margin + 5). The difference, the quotient,
+/// a and the rounding of the exact root for comparison have 1 + 1 + 3 + 1 roundings of t itself,
 /// and |t| ≤ 2√(M/a): 12 more. So u·√(M/a)·(24/√margin + 17).
 pub fn root_bound(case: &Case, margin: f64) -> f64 {
     let sqrt_part = if margin > 2.0 * BAND {
@@ -232,8 +230,8 @@ pub fn root_bound(case: &Case, margin: f64) -> f64 {
     case.t_scale() * (sqrt_part + 18.0 * U)
 }
 
-/// A ray that touches the sphere hits it, and both roots are the same number. Says nothing
-/// unless every number is a small integer, so that no operation rounds.
+/// Tests that a ray which touches the sphere hits it, with the exact root. Makes no claim unless
+/// every number is a small integer, so that no operation rounds.
 fn a_tangent_is_a_hit_and_its_root_is_exact(solve: &Solver, case: &Case) -> LawResult {
     let Some(root) = exact_tangent(case) else {
         return Ok(());
@@ -257,9 +255,9 @@ fn exact_tangent(case: &Case) -> Option<f64> {
     (rounds_nowhere && exact.discriminant().is_eq()).then_some(root)
 }
 
-/// Lengths 8 times and directions 1/16 times as long make t 128 times as large, with the
-/// same digits, because a power of two never rounds. And turning the sign of every x changes
-/// no bit of it, but for the sign of a zero, by which h tells two formulas apart.
+/// Tests that lengths 8 times and directions 1/16 times as long make t 128 times as large, with
+/// equal digits, because a power of two never rounds; and that turning the sign of every x changes
+/// no bit of t, but for the sign of a zero, by which h tells two formulas apart.
 fn a_scene_in_another_unit_and_a_mirror_has_the_same_digits(
     solve: &Solver,
     case: &Case,

@@ -17,11 +17,10 @@ use dashu_int::ops::{BitTest, DivRemEuclid, SquareRootRem, UnsignedAbs};
 use dashu_int::{IBig, UBig};
 use speed_vs_accuracy::Case;
 
-/// One ray and one sphere, seen exactly.
+/// One ray and one sphere in integer arithmetic, which never rounds.
 ///
-/// The roots are (h ∓ √D) / a, with oc = C − Q, a = d·d, h = d·oc,
-/// c = oc·oc − r² and D = h² − a·c. Source: equations (13)–(15) of the notes
-/// with h = b/−2 and D = (b² − 4ac)/4.
+/// The roots are (h ∓ √D) / a, with oc = C − Q, a = d·d, h = d·oc, c = oc·oc − r² and D = h² − a·c.
+/// Source: equations (13)–(15) of the notes with h = b/−2 and D = (b² − 4ac)/4.
 #[derive(Clone, Debug)]
 pub struct ExactCase {
     // Integers: lengths are counted in one power of two, `d` in another.
@@ -29,19 +28,18 @@ pub struct ExactCase {
     h: IBig,
     c: IBig,
     discriminant: IBig,
-    /// |oc|² + r², counted as `c` is.
+    /// |oc|² + r², in the unit of `c`.
     extent: IBig,
-    /// The roots are (h ∓ √D) / a times 2 to this power, because of the two
-    /// ways to count.
+    /// The roots are (h ∓ √D) / a times 2 to this power, since lengths and `d` have different
+    /// units.
     exponent: isize,
 }
 
-/// A real number `t` at which the line of a ray meets a sphere.
+/// A real number `t` at which the line of a ray meets a sphere, in lengths of the ray's direction.
 ///
-/// `t` counts lengths of the ray's direction. A root compares with any `f64`,
-/// exactly: `root > 0.0` asks where the root is, not what it rounds to.
-/// Compared with NaN, nothing is true. It also compares, as exactly, with a root
-/// of another sphere on the same ray.
+/// A root compares with any `f64`, exactly: `root > 0.0` asks where the root is, not what it rounds
+/// to. Every comparison with NaN is false. A root also compares, as exactly, with a root of another
+/// sphere on the same ray.
 #[derive(Clone, Copy, Debug)]
 pub struct ExactRoot<'a> {
     of: &'a ExactCase,
@@ -49,15 +47,16 @@ pub struct ExactRoot<'a> {
 }
 
 impl ExactCase {
-    /// Looks at `case` with numbers that are never rounded.
+    /// Computes the coefficients of `case`, exactly.
     ///
     /// # Panics
-    /// If a number is not finite: then there is no exact answer.
+    /// If a number of the case is infinite or NaN.
     pub fn of(case: &Case) -> Self {
         Self::of_finite(case).expect("strategies make finite cases, and laws ask for no others")
     }
 
-    /// Looks at `case` with numbers that are never rounded; `None` if one is infinite or NaN.
+    /// Computes the coefficients of `case`, exactly; `None` if a number of the case is infinite or
+    /// NaN.
     pub fn of_finite(case: &Case) -> Option<Self> {
         let [cx, cy, cz, r, qx, qy, qz, dx, dy, dz] = case.numbers();
         let (lengths, unit_of_length) = integers([cx, cy, cz, qx, qy, qz, r])?;
@@ -113,16 +112,19 @@ impl ExactCase {
         self.root(true)
     }
 
-    /// Returns the greater of the roots; otherwise as [`ExactCase::nearer_root`].
+    /// Returns the greater of the roots, which may be negative.
+    ///
+    /// A tangent has one root, as the nearer and as the farther. There is none if the line misses
+    /// or the direction is zero.
     pub fn farther_root(&self) -> Option<ExactRoot<'_>> {
         self.root(false)
     }
 
-    /// Returns the nearer root if it lies in the interval, else the farther one if that does.
+    /// Returns the nearer root if it lies between `t_min` and `t_max`, else the farther one if that
+    /// does, else `None`.
     ///
-    /// The ends are left out, and may be infinite. It is the root itself that
-    /// must lie between them: it may round to an end. If an end is NaN, nothing
-    /// lies in the interval.
+    /// The ends are excluded, and may be infinite. The root itself must lie between them, even if
+    /// it rounds to an end. If an end is NaN, nothing lies in the interval.
     pub fn nearest_root_in(&self, t_min: f64, t_max: f64) -> Option<ExactRoot<'_>> {
         [self.nearer_root(), self.farther_root()]
             .into_iter()
@@ -146,12 +148,11 @@ impl ExactRoot<'_> {
         round(&digits, exponent)
     }
 
-    /// Returns how far `t` is from the root, in units of the last place that an `f64`
-    /// near the root has; infinite if `t` is infinite or NaN.
+    /// Returns how far `t` is from the root, in units of the last place that an `f64` near the root
+    /// has; infinity if `t` is infinite or NaN.
     ///
-    /// The unit is 2⁻¹⁰⁷⁴ at least; it goes on growing beyond the largest
-    /// `f64`. The result is 0 only if `t` is the root, and from 2⁻⁶⁰ upwards
-    /// its relative error is below 1 in 10 000.
+    /// The unit is 2⁻¹⁰⁷⁴ at least; it goes on growing beyond the largest `f64`. The result is 0
+    /// only if `t` is the root, and from 2⁻⁶⁰ upwards its relative error is below 1 in 10 000.
     pub fn error_in_ulps(&self, t: f64) -> f64 {
         let Some((mantissa, exponent_of_t)) = decode(t) else {
             return f64::INFINITY;
@@ -164,14 +165,12 @@ impl ExactRoot<'_> {
         round(&(t - root), common - unit).abs()
     }
 
-    /// The root as `digits` · 2^`exponent`, exactly if `digits` is even. If
-    /// odd, it stands for the open interval between its even neighbors, which
-    /// holds the root.
+    /// Returns the root as `digits` · 2^`exponent`: exactly if `digits` is even. If odd, it stands
+    /// for the open interval between its even neighbors, which holds the root.
     ///
-    /// A root that is not zero has 129 digits or more. An `f64` has 53, so what
-    /// separates one that rounds up from one that rounds down is an even
-    /// number of this scale: all of the interval lies on the same side of it,
-    /// and rounds as the root does. The other digits measure small errors.
+    /// A root that is not zero has 129 digits or more. An `f64` has 53, so what separates one that
+    /// rounds up from one that rounds down is an even number of this scale: all of the interval
+    /// lies on one side of it, and rounds as the root does. The other digits measure small errors.
     fn digits(&self) -> (IBig, isize) {
         let ExactCase {
             a, h, discriminant, ..
@@ -201,7 +200,7 @@ impl PartialEq<f64> for ExactRoot<'_> {
 }
 
 impl PartialOrd<f64> for ExactRoot<'_> {
-    /// The root against `t`, which may be infinite; `None` if it is NaN.
+    /// Compares the root with `t`, which may be infinite; `None` if `t` is NaN.
     fn partial_cmp(&self, t: &f64) -> Option<Ordering> {
         let Some((mantissa, exponent)) = decode(*t) else {
             return 0.0.partial_cmp(t);
@@ -229,7 +228,7 @@ impl PartialEq<ExactRoot<'_>> for ExactRoot<'_> {
 }
 
 impl PartialOrd<ExactRoot<'_>> for ExactRoot<'_> {
-    /// The root against one on another sphere; always `Some`.
+    /// Compares the root with one on another sphere; always `Some`.
     ///
     /// # Panics
     /// If the two are not on the same ray.
@@ -258,18 +257,18 @@ impl PartialOrd<ExactRoot<'_>> for ExactRoot<'_> {
     }
 }
 
-/// To how many binary digits behind the point v = x ± √A ± √B must be known, to
-/// tell it from 0 with an error of less than 2 in the last place. Each of the three
-/// integers x, √A and √B is below 2^`length`.
+/// Returns how many binary digits behind the point v = x ± √A ± √B must be known, to tell v from 0
+/// with an error of less than 2 in the last place. Each of the three integers x, √A and √B is below
+/// 2^`length`.
 ///
-/// The four numbers that the signs make have an integer as their product. If that
-/// is not 0, v is at least 1 over the other three, each below 2^(`length` + 2). If
-/// it is 0 and v is not, another one is: then v is twice x, √A or √B, so 2 or more.
+/// The four numbers that the signs make have an integer as their product. If that is not 0, v is at
+/// least 1 over the other three, each below 2^(`length` + 2). If it is 0 and v is not, another one
+/// is: then v is twice x, √A or √B, so 2 or more.
 fn enough_digits(length: usize) -> usize {
     3 * (length + 2) + 2
 }
 
-/// √`square` against `x`.
+/// Compares √`square` with `x`.
 fn compare_sqrt(square: &IBig, x: &IBig) -> Ordering {
     if *x < IBig::ZERO {
         Ordering::Greater
@@ -278,7 +277,7 @@ fn compare_sqrt(square: &IBig, x: &IBig) -> Ordering {
     }
 }
 
-/// `numerator` / `denominator` rounded to nearest, or 0 if the denominator is.
+/// Returns `numerator` / `denominator` rounded to nearest, or 0 if the denominator is 0.
 fn ratio(numerator: &IBig, denominator: &IBig) -> f64 {
     if *denominator == IBig::ZERO {
         return 0.0;
@@ -289,8 +288,8 @@ fn ratio(numerator: &IBig, denominator: &IBig) -> f64 {
     round(&digits, -shift.cast_signed() - 1)
 }
 
-/// Twice the quotient rounded down, and one more if that is not exact.
-/// `inexact` says that `numerator` is itself a number rounded down.
+/// Returns twice the quotient rounded down, and one more if that is not exact. `inexact` says that
+/// `numerator` is itself a number rounded down.
 fn odd_if_inexact(numerator: &IBig, denominator: &IBig, inexact: bool) -> IBig {
     let (floor, rest) = numerator.div_rem_euclid(denominator);
     (floor << 1) + IBig::from(inexact || rest != UBig::ZERO)
@@ -299,10 +298,10 @@ fn odd_if_inexact(numerator: &IBig, denominator: &IBig, inexact: bool) -> IBig {
 /// The exponent of the least `f64` above zero.
 const LEAST: isize = -1074;
 
-/// How many digits an `f64` has.
+/// The number of binary digits of an `f64`.
 const DIGITS: isize = 53;
 
-/// The `f64` nearest to `digits` · 2^`exponent`, ties to even.
+/// Returns the `f64` nearest to `digits` · 2^`exponent`, ties to even.
 fn round(digits: &IBig, exponent: isize) -> f64 {
     // What is dropped behind 62 digits makes the last one odd, as in `ExactRoot::digits`.
     let dropped = digits.bit_len().saturating_sub(62);
@@ -314,8 +313,8 @@ fn round(digits: &IBig, exponent: isize) -> f64 {
     f64::encode(kept | i64::from(!is_exact), exponent).value()
 }
 
-/// The exponent of the last place that an `f64` of the size of
-/// `digits` · 2^`exponent` has, if exponents had no upper end.
+/// Returns the exponent of the last place that an `f64` of the size of `digits` · 2^`exponent` has,
+/// if exponents had no upper end.
 fn last_place(digits: &IBig, exponent: isize) -> isize {
     match digits.bit_len() {
         0 => LEAST,
@@ -323,8 +322,8 @@ fn last_place(digits: &IBig, exponent: isize) -> isize {
     }
 }
 
-/// All of `values` as integers, counted in 2 to one power, and that power.
-/// `None` if one of them is infinite or NaN.
+/// Returns `values` as integers that count one power of two, and the exponent of that power; `None`
+/// if one of them is infinite or NaN.
 fn integers<const N: usize>(values: [f64; N]) -> Option<([IBig; N], isize)> {
     let mut parts = [(0, 0); N];
     for (part, value) in parts.iter_mut().zip(values) {
@@ -336,8 +335,8 @@ fn integers<const N: usize>(values: [f64; N]) -> Option<([IBig; N], isize)> {
     Some((integers, common))
 }
 
-/// The integer and the power of two whose product is `x`, the integer odd or
-/// zero. `None` if `x` is infinite or NaN.
+/// Returns the integer and the exponent of two whose product is `x`, the integer odd or zero;
+/// `None` if `x` is infinite or NaN.
 fn decode(x: f64) -> Option<(i64, isize)> {
     let (mantissa, exponent) = x.decode().ok()?;
     if mantissa == 0 {
@@ -348,7 +347,7 @@ fn decode(x: f64) -> Option<(i64, isize)> {
     Some((mantissa >> zeros, isize::from(exponent) + zeros as isize))
 }
 
-/// The dot product.
+/// Returns the dot product of two vectors of integers.
 fn dot(u: &[IBig; 3], v: &[IBig; 3]) -> IBig {
     &u[0] * &v[0] + &u[1] * &v[1] + &u[2] * &v[2]
 }

@@ -9,35 +9,44 @@ use crate::question::{Functions, code, of_ray, vector};
 use crate::strategies::{ahead_if_zero, samples, whole_vector};
 use crate::verdict::{BrokenLaw, LawResult};
 
-/// Vectors and rays, as somebody computes them.
-#[allow(missing_docs)] // Each field is named after the function that it calls.
+/// The operators and functions of somebody's vectors and rays, which laws ask one by one.
 pub struct Prelude<'a> {
+    /// The sum of two vectors.
     pub add: &'a dyn Fn(Vec3, Vec3) -> Vec3,
+    /// The first vector minus the second.
     pub sub: &'a dyn Fn(Vec3, Vec3) -> Vec3,
+    /// The opposite vector.
     pub neg: &'a dyn Fn(Vec3) -> Vec3,
+    /// A number times a vector.
     pub mul: &'a dyn Fn(f64, Vec3) -> Vec3,
+    /// The dot product of two vectors.
     pub dot: &'a dyn Fn(Vec3, Vec3) -> f64,
+    /// The squared length of a vector.
     pub length_squared: &'a dyn Fn(Vec3) -> f64,
+    /// The length of a vector.
     pub length: &'a dyn Fn(Vec3) -> f64,
+    /// The unit vector in the direction of a vector that is not zero.
     pub normalize: &'a dyn Fn(Vec3) -> Vec3,
+    /// The ray with an origin and a direction.
     pub ray: &'a dyn Fn(Point3, Vec3) -> Ray,
+    /// The point of a ray at `t` lengths of its direction.
     pub at: &'a dyn Fn(Ray, f64) -> Point3,
 }
 
-/// One of the functions of a prelude, and what there is to say of it.
+/// One function of a [`Prelude`], with what its law needs to know.
 #[derive(Debug)]
 pub struct PreludeFunction {
-    /// A call of it, with the vectors `u` and `v` and the number `t`.
+    /// A call of the function as Rust has it, with the vectors `u` and `v` and the number `t`.
     call: &'static str,
-    /// How far rounding may take an answer, in relation to it.
+    /// The largest relative error that rounding may cause in an answer.
     rounding: f64,
     answer: PreludeCall,
 }
 
-/// Asks the function in a prelude, and writes its answer as numbers.
+/// A function that asks one function of a prelude, and lists the answer's numbers.
 type PreludeCall = fn(&Prelude, &PreludeQuestion) -> Vec<f64>;
 
-/// A question to a function of a prelude: two vectors and a number.
+/// A question to one function of a prelude: two vectors and a number.
 #[derive(Clone, Copy, Debug)]
 pub struct PreludeQuestion {
     pub(crate) function: &'static PreludeFunction,
@@ -48,15 +57,15 @@ pub struct PreludeQuestion {
 
 /// Tests that a function of a prelude answers small numbers as one works them out by head.
 ///
-/// They are added and multiplied without rounding, so this holds to the bit, but for a
-/// unit vector. Tenths tell a product that is rounded before the sum from a fused
-/// one: 10 · 0.1 is 1 to an `f64`, though `0.1` is a little more than a tenth.
+/// They are added and multiplied without rounding, so this holds to the bit, but for a unit vector.
+/// Tenths tell a product that is rounded before the sum from a fused one: 10 · 0.1 is 1 to an
+/// `f64`, though `0.1` is a little more than a tenth.
 ///
-/// A swapped letter (`u.z * u.z`) draws the right picture in four chapters of five, because
-/// there every z is −1.
+/// A swapped letter (`u.z * u.z`) draws the right picture in four chapters of five, because there
+/// every z is −1.
 ///
 /// # Errors
-/// If it answers otherwise.
+/// The broken law, if the function answers otherwise.
 pub fn small_numbers_are_worked_out_by_head(
     prelude: &Prelude,
     asked: &PreludeQuestion,
@@ -80,12 +89,13 @@ impl PreludeFunction {
         }
     }
 
-    /// Returns its name.
+    /// Returns the name of the function, such as `dot`.
     pub(crate) fn name(&self) -> &'static str {
         self.call.split('(').next().expect("a call has a name")
     }
 
-    /// Makes questions to this function.
+    /// Makes questions to this function: whole vectors with components from −9 to 9, and halves or
+    /// tenths for `t`.
     pub(crate) fn questions(&'static self) -> impl Strategy<Value = PreludeQuestion> {
         let tenths = (1..=9).prop_map(|k| f64::from(k) / 10.0);
         let number = prop_oneof![(-8..=8).prop_map(|k| 0.5 * f64::from(k)), tenths];
@@ -97,14 +107,15 @@ impl PreludeFunction {
         })
     }
 
-    /// Lists questions that tell mistakes in it apart.
+    /// Lists twenty questions, always the same ones, by whose answers mistakes in this function
+    /// differ.
     pub(crate) fn telling_cases(&'static self) -> Vec<PreludeQuestion> {
         samples(&self.questions(), 20)
     }
 }
 
 impl PreludeQuestion {
-    /// Returns the answer of a prelude.
+    /// Returns the answer of a prelude as numbers.
     pub(crate) fn put_to(&self, prelude: &Prelude) -> Vec<f64> {
         (self.function.answer)(prelude, self)
     }
@@ -122,7 +133,7 @@ impl PreludeQuestion {
             .replace('t', &code(&[self.t]))
     }
 
-    /// Writes the body of a test that asks this.
+    /// Writes the body of a test that asks this question again.
     pub(crate) fn as_test(&self) -> String {
         let found = format!("(prelude().{}){}", self.function.name(), self.given());
         let right = code(&self.right());
@@ -133,7 +144,8 @@ impl PreludeQuestion {
         }
     }
 
-    /// Returns true if two answers are equal, to the bit if the function does not round.
+    /// Returns true if two answers to this question are equal, to the bit if the function does not
+    /// round.
     pub(crate) fn answers_agree(&self, one: &[f64], other: &[f64]) -> bool {
         let rounding = self.function.rounding;
         let is_near = |(one, other): (&f64, &f64)| (one - other).abs() <= rounding * other.abs();
@@ -158,7 +170,8 @@ impl Prelude<'_> {
         }
     }
 
-    /// Calls `act` with the prelude of a program, and returns what that returns.
+    /// Calls `act` with the functions of a program as a prelude, and returns what `act` returns.
+    /// What a program does not have is taken from `common`.
     pub fn of<T>(program: &dyn Functions, act: impl FnOnce(&Prelude) -> T) -> T {
         act(&Prelude {
             dot: &|u, v| program.dot(u, v),
@@ -170,7 +183,7 @@ impl Prelude<'_> {
     }
 }
 
-/// All functions of a prelude. Later ones may be made of earlier ones.
+/// All functions of a prelude, each after those of which it may be made.
 pub static FUNCTIONS: [PreludeFunction; 10] = [
     PreludeFunction::new("mul(t, v)", 4.0 * U, |it, a| numbers((it.mul)(a.t, a.v))),
     PreludeFunction::new("add(u, v)", 0.0, |it, a| numbers((it.add)(a.u, a.v))),

@@ -18,51 +18,60 @@ use crate::strategies::{self, samples};
 /// A question to one function of a program.
 #[derive(Clone, Debug)]
 pub enum Question {
-    /// A function of the prelude, about small numbers.
+    /// Asks a function of the prelude about small numbers.
     Prelude(PreludeQuestion),
-    /// `hit_sphere` of chapter 2: does the line meet the sphere?
+    /// Asks the `hit_sphere` of chapter 2, which only decides, about a ray and a sphere.
     Decision(Case),
-    /// `hit_sphere` of chapters 3 and 4: the nearer root.
+    /// Asks the `hit_sphere` of chapters 3 and 4 for the nearer root.
     Root(Case),
-    /// `hit` of a sphere in chapter 5.
+    /// Asks the `Sphere::hit` of chapter 5 for the record of the nearest hit in an interval.
     Record(IntervalCase),
-    /// `hit` of a list in chapter 5.
+    /// Asks the `HittableList::hit` of chapter 5 for the nearest hit of a list.
     Nearest(World),
-    /// `ray_color`.
+    /// Asks `ray_color` for the color of a ray.
     RayColor(Ray),
-    /// The ray of a pixel.
+    /// Asks for the ray of a pixel.
     PixelRay(CameraPixel),
 }
 
-/// The functions of a program, which can be asked. Those of the prelude are right if nothing else
-/// is said.
-#[allow(missing_docs)] // Each is named after the function that it calls.
+/// A program whose functions can be asked, each in the form of one chapter. A program without a
+/// camera or a prelude of its own has those of `common`, which are right.
 pub trait Functions {
+    /// Returns the nearer root, in lengths of the direction; any number for a hit in chapter 2.
+    /// `None` for a miss.
     fn hit_sphere(&self, case: &Case) -> Option<f64>;
+    /// Returns the record of the nearest hit in the interval; `None` for a miss.
     fn record(&self, asked: &IntervalCase) -> Option<RecordedHit>;
+    /// Returns the `t` of the nearest hit of the world's list; `None` for a miss.
     fn nearest(&self, world: &World) -> Option<f64>;
+    /// Returns the color of a ray: linear, 0 to 1.
     fn ray_color(&self, ray: &Ray) -> Color;
 
+    /// Returns the ray that the program's camera casts through a pixel.
     fn pixel_ray(&self, pixel: &CameraPixel) -> Ray {
         pixel.right_ray()
     }
+    /// Returns the dot product of two vectors.
     fn dot(&self, u: Vec3, v: Vec3) -> f64 {
         u.dot(v)
     }
+    /// Returns the squared length of a vector.
     fn length_squared(&self, v: Vec3) -> f64 {
         v.length_squared()
     }
+    /// Returns the unit vector in the direction of `v`.
     fn normalize(&self, v: Vec3) -> Vec3 {
         v.normalize()
     }
 }
 
-/// How many questions tell mistakes in one function apart: with fewer, some answer as others do.
+/// How many questions tell mistakes in one function apart. With fewer, some mistakes give equal
+/// answers.
 const TELLING: u32 = 250;
 
 impl Question {
-    /// Lists questions about a prelude to which different mistakes give different answers, always
-    /// the same ones. So it is with those of the next functions.
+    /// Lists questions to all functions of a prelude, always the same ones, by whose answers
+    /// mistakes differ.
     pub fn of_prelude() -> Vec<Self> {
         let telling = FUNCTIONS
             .iter()
@@ -70,27 +79,31 @@ impl Question {
         telling.map(Self::Prelude).collect()
     }
 
-    /// Lists questions about one ray and one sphere, as `kind` asks them.
+    /// Lists questions about one ray and one sphere, always the same ones, by whose answers
+    /// mistakes differ. `kind` is [`Question::Decision`] or [`Question::Root`].
     pub fn of_sphere(kind: fn(Case) -> Self) -> Vec<Self> {
         of(kind, &strategies::ordinary())
     }
 
-    /// Lists questions about one sphere and a range.
+    /// Lists questions about one sphere and an interval, always the same ones, by whose answers
+    /// mistakes differ.
     pub fn of_record() -> Vec<Self> {
         of(Self::Record, &strategies::ordinary_with_interval())
     }
 
-    /// Lists questions about a list.
+    /// Lists questions about a list, always the same ones, by whose answers mistakes differ.
     pub fn of_list() -> Vec<Self> {
         of(Self::Nearest, &strategies::worlds())
     }
 
-    /// Lists questions about the color of a ray.
+    /// Lists questions about the color of a ray, always the same ones, by whose answers mistakes
+    /// differ.
     pub fn of_ray_color() -> Vec<Self> {
         of(Self::RayColor, &ray_color::rays())
     }
 
-    /// Returns the answer of a program as numbers: none for a miss.
+    /// Returns the answer of a program as numbers: empty for a miss, `t` for a root, 0 for a hit
+    /// that is only decided, three components of a color, six of a ray.
     pub fn put_to(&self, program: &dyn Functions) -> Vec<f64> {
         match self {
             Self::Prelude(asked) => Prelude::of(program, |prelude| asked.put_to(prelude)),
@@ -103,7 +116,7 @@ impl Question {
         }
     }
 
-    /// Returns true if two answers are the same, but for roundings.
+    /// Returns true if two answers to this question are equal, up to rounding.
     pub fn answers_agree(&self, one: &[f64], other: &[f64]) -> bool {
         match self {
             Self::Prelude(asked) => asked.answers_agree(one, other),
@@ -111,7 +124,7 @@ impl Question {
         }
     }
 
-    /// Returns the name of this kind of questions.
+    /// Returns the name of the kind of this question in a file of answers.
     pub(crate) fn kind(&self) -> &'static str {
         match self {
             Self::Prelude(asked) => asked.function.name(),
@@ -124,7 +137,8 @@ impl Question {
         }
     }
 
-    /// Lists the numbers of which it consists.
+    /// Lists the numbers of the case that the question is about, in the order in which a file of
+    /// answers keeps them.
     pub fn numbers(&self) -> Vec<f64> {
         match self {
             Self::Prelude(PreludeQuestion { u, v, t, .. }) => {
@@ -142,7 +156,8 @@ impl Question {
         }
     }
 
-    /// Finds the question of that kind with these numbers; `None` if there is none.
+    /// Makes the question of that kind from its numbers; `None` if there is no such kind, or the
+    /// count of numbers does not fit.
     pub(crate) fn read(kind: &str, numbers: &[f64]) -> Option<Self> {
         let case = || Some(Case::from_numbers(numbers.try_into().ok()?));
         Some(match (kind, numbers) {
@@ -173,17 +188,20 @@ impl Question {
     }
 }
 
+/// Makes questions of the first cases of a strategy.
 fn of<T: Debug>(kind: fn(T) -> Question, strategy: &impl Strategy<Value = T>) -> Vec<Question> {
     telling_cases(strategy).into_iter().map(kind).collect()
 }
 
-/// Draws the first cases of a strategy, as many as tell mistakes in a function apart.
+/// Draws the first 250 cases of a strategy, always the same ones: as many as tell mistakes in a
+/// function apart.
 pub fn telling_cases<T: Debug>(strategy: &impl Strategy<Value = T>) -> Vec<T> {
     samples(strategy, TELLING)
 }
 
-/// Returns true if two answers differ by no more than a thousand times the rounding of ordinary
-/// questions.
+/// Returns true if two answers have equally many numbers, and each pair differs by at most 10⁻⁹ ·
+/// (1 + both sizes), about a thousand times the rounding of ordinary questions. Two NaN are equal
+/// here.
 pub fn nearly_equal(one: &[f64], other: &[f64]) -> bool {
     let near = |(one, other): (&f64, &f64)| {
         let allowed = 1e-9 * (1.0 + one.abs() + other.abs());
@@ -193,12 +211,13 @@ pub fn nearly_equal(one: &[f64], other: &[f64]) -> bool {
     one.len() == other.len() && one.iter().zip(other).all(near)
 }
 
-/// Writes a decision as numbers: a hit is 0, and a miss is none.
+/// Lists a decision's number: 0 for a hit, none for a miss.
 pub(crate) fn decided(is_hit: bool) -> Vec<f64> {
     is_hit.then_some(0.0).into_iter().collect()
 }
 
-/// Writes a record as numbers: only `t` for a tangent, where rounding decides which side is hit.
+/// Lists the numbers of a record: `t`, the front face as 0 or 1, the point, the normal. A miss has
+/// none; a tangent only `t`, since there rounding decides which side is hit.
 pub(crate) fn of_hit(asked: &IntervalCase, hit: Option<RecordedHit>) -> Vec<f64> {
     let Some(hit) = hit else {
         return Vec::new();
@@ -210,23 +229,23 @@ pub(crate) fn of_hit(asked: &IntervalCase, hit: Option<RecordedHit>) -> Vec<f64>
     [vec![hit.t, f64::from(hit.front_face)], vectors].concat()
 }
 
-/// A case with a range of `t`, as a sphere of chapter 5 takes it.
+/// A ray, a sphere and an open interval of `t`, as a sphere of chapter 5 is asked.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct IntervalCase {
     /// The ray and the sphere.
     pub case: Case,
-    /// The lower end, left out.
+    /// The lower end of the interval, excluded, in lengths of the ray's direction.
     pub t_min: f64,
-    /// The upper end, left out.
+    /// The upper end of the interval, excluded, in lengths of the ray's direction.
     pub t_max: f64,
 }
 
-/// A function from center, radius, ray, `t_min` and `t_max` to the nearest root
-/// between the two.
+/// A function from center, radius, ray, `t_min` and `t_max` to the nearest root between the two,
+/// both excluded; `None` for a miss.
 pub type RangeSolver<'a> = dyn Fn(Point3, f64, &Ray, f64, f64) -> Option<f64> + 'a;
 
 impl IntervalCase {
-    /// Makes a case about the whole line, from −∞ to ∞.
+    /// Makes a case with the interval from −∞ to ∞.
     pub fn on_the_line(case: Case) -> Self {
         let (t_min, t_max) = (f64::NEG_INFINITY, f64::INFINITY);
         Self { case, t_min, t_max }
@@ -256,7 +275,7 @@ pub(crate) fn of_ray(ray: Ray) -> Vec<f64> {
     [ray.origin.to_array(), ray.direction.to_array()].concat()
 }
 
-/// Writes one number, three of a vector, or six of a ray as an expression of Rust.
+/// Writes one number, the three of a vector or the six of a ray as an expression of Rust.
 pub(crate) fn code(numbers: &[f64]) -> String {
     match *numbers {
         [f64::INFINITY] => "f64::INFINITY".to_owned(),

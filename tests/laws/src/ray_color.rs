@@ -12,31 +12,32 @@ use crate::question::{code, of_ray};
 use crate::record::normal_bound;
 use crate::verdict::{BrokenLaw, LawResult};
 
-/// The scene that a `ray_color` draws.
+/// A scene that the `ray_color` of a chapter draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ChapterScene {
     /// The sky of chapter 1.
     Sky,
-    /// The disc of chapter 2: red where the line meets the ball, before the eye or behind.
+    /// The disc of chapter 2: red where the line meets the ball, before the eye or behind it.
     Disc,
-    /// The ball of chapters 3 and 4, in the colors of its normals, where the nearer root is
+    /// The ball of chapters 3 and 4, in the colors of its outward normals, where the nearer root is
     /// positive.
     Ball,
     /// The ball and the ground of chapter 5, in the colors of the normals against the ray.
     List,
 }
 
-/// A color, and how far rounding may take another from it.
+/// The color of a ray, and how far rounding may take a component from it.
 struct Expected {
     color: Color,
     bound: f64,
 }
 
-/// Tests that a ray has the color of what it meets in the scene, from wherever it starts. Makes no
-/// claim where rounding may decide about a hit.
+/// Tests that `color` is the color of what `ray` meets in the scene, wherever the ray starts.
+///
+/// Makes no claim where rounding may decide about a hit, or a number of the ray is infinite or NaN.
 ///
 /// # Errors
-/// If `color` is another one.
+/// The broken law, if `color` differs by more than rounding.
 pub fn a_ray_has_its_color_from_anywhere(
     scene: ChapterScene,
     color: Color,
@@ -60,8 +61,8 @@ pub fn a_ray_has_its_color_from_anywhere(
 }
 
 impl ChapterScene {
-    /// Returns true if the rays of the book's own picture have the right colors: where they don't,
-    /// the picture says so, and a step on the way may want it so.
+    /// Returns true if the rays of the book's picture, 32 pixels wide, have the right colors. Where
+    /// they have not, the picture shows it, and a step on the way to the chapter may mean it.
     pub(crate) fn looks_right(self, ray_color: &dyn Fn(&Ray) -> Color) -> bool {
         let camera = Camera::new(32);
         let pixels = (0..camera.image_height).flat_map(|j| (0..32).map(move |i| (i, j)));
@@ -69,7 +70,7 @@ impl ChapterScene {
         rays.all(|ray| a_ray_has_its_color_from_anywhere(self, ray_color(&ray), &ray).is_ok())
     }
 
-    /// Writes the body of a test that asks this.
+    /// Writes the body of a test that asks about this ray again.
     pub(crate) fn as_test(self, ray: &Ray) -> String {
         let ray = code(&of_ray(*ray));
         format!(
@@ -78,7 +79,7 @@ impl ChapterScene {
         )
     }
 
-    /// Lists center and radius of each sphere.
+    /// Lists center and radius of each sphere in the scene.
     fn spheres(self) -> &'static [(Point3, f64)] {
         const SPHERES: [(Point3, f64); 2] = [
             (Point3::new(0.0, 0.0, -1.0), 0.5),
@@ -91,7 +92,8 @@ impl ChapterScene {
         }
     }
 
-    /// Finds the color of the nearest hit, by exact arithmetic; `None` where rounding decides.
+    /// Returns the color of a ray's nearest hit, by exact arithmetic; `None` where rounding may
+    /// decide.
     fn expected(self, ray: &Ray) -> Option<Expected> {
         let mut nearest: Option<(f64, Case)> = None;
         for &(center, radius) in self.spheres() {
@@ -134,7 +136,7 @@ impl ChapterScene {
     }
 }
 
-/// Returns the sky of chapter 1, written out.
+/// Returns the color of the sky of chapter 1, written out.
 fn sky(ray: &Ray) -> Color {
     let a = 0.5 * (ray.direction.y / ray.direction.length() + 1.0);
     (1.0 - a) * Vec3::ONE + a * Vec3::new(0.5, 0.7, 1.0)

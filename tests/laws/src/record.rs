@@ -14,7 +14,7 @@ use crate::strategies::{anywhere, integers, ordinary, ordinary_with_interval, wi
 use crate::trial::LawSuite;
 use crate::verdict::{BrokenLaw, LawResult};
 
-/// The record of a hit.
+/// A record of a hit, as the `Sphere::hit` of chapter 5 answers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RecordedHit {
     /// The ray parameter, in lengths of the ray's direction.
@@ -23,18 +23,20 @@ pub struct RecordedHit {
     pub point: Point3,
     /// The normal, which should be a unit vector against the ray.
     pub normal: Vec3,
-    /// True if the ray came from outside.
+    /// True if the ray met the outer side of the sphere.
     pub front_face: bool,
 }
 
-/// A function from a case with a range of `t` to the record of the nearest hit in it.
+/// A function from a ray, a sphere and an interval to the record of the nearest hit in it; `None`
+/// for a miss.
 pub type RecordSolver<'a> = dyn Fn(&IntervalCase) -> Option<RecordedHit> + 'a;
 
-/// Where `set_face_normal` is explained.
+/// The page that explains `set_face_normal`.
 pub(crate) const SET_FACE_NORMAL: &str = "chapter 5: `set_face_normal`";
 
-/// Tests all laws for a record on one case, in the order in which they teach most: its `t` first,
-/// which on the whole line is the nearer root. Where only the range is wrong, that is told before.
+/// Tests all laws for a record on one case, in the order in which they teach most: those of its `t`
+/// as a nearer root for an interval of the whole line, then those of intervals, of the point, and
+/// of the normal.
 ///
 /// # Errors
 /// The first law that the answer of `record` breaks.
@@ -78,8 +80,8 @@ pub(crate) fn suite<'a>(record: &'a RecordSolver<'a>) -> LawSuite<'a, IntervalCa
     }
 }
 
-/// The point of a record is that of the ray at its t: two roundings of each letter, and
-/// two more if it was computed in another way.
+/// Tests that the point of a record is that of the ray at its t, up to two roundings of each
+/// component, and two more if it was computed in another way.
 fn the_point_is_the_one_at_t(case: &Case, hit: &RecordedHit) -> LawResult {
     let Ray { origin, direction } = case.ray;
     let expected = origin + hit.t * direction;
@@ -95,13 +97,11 @@ fn the_point_is_the_one_at_t(case: &Case, hit: &RecordedHit) -> LawResult {
     )
 }
 
-/// The normal of a hit is a unit vector from the center to the point at t, or the other
-/// way, as far as the point lies on the sphere.
+/// Tests that the normal is the unit vector from the center to the point at t, or its opposite, as
+/// far as the point lies on the sphere. See [`normal_bound`] for how far.
 ///
-/// A sphere of radius 0 can be hit, but it is a point, and a point has no
-/// normal: nothing is claimed for it here or below.
-///
-/// See [`normal_bound`] for how far.
+/// A sphere of radius 0 can be hit, but it is a point, and a point has no normal: this law and
+/// those below make no claim then.
 fn the_normal_is_the_radius_to_the_point_by_its_length(
     case: &Case,
     hit: &RecordedHit,
@@ -123,18 +123,17 @@ fn the_normal_is_the_radius_to_the_point_by_its_length(
 
 /// Returns how far from a unit vector rounding may take a normal.
 ///
-/// The error of t moves the point off the sphere by at most 43u·M/r², in radii:
-/// that of the root (see [`root_bound`](crate::nearer_root::root_bound)) times
-/// √D/(r·√(a·M)). The coordinates of the point and the center round on top,
-/// and the division by r rounds twice.
+/// The error of t moves the point off the sphere by at most 43u·M/r², in radii: that of the root
+/// (see [`root_bound`](crate::nearer_root::root_bound)) times √D/(r·√(a·M)). The coordinates of the
+/// point and the center round on top, and the division by r rounds twice.
 pub(crate) fn normal_bound(case: &Case) -> f64 {
     let (m, r) = (case.m(), case.radius);
     let coordinates = case.center.length() + case.ray.origin.length() + 3.0 * m.sqrt();
     U * (43.0 * m / (r * r) + 4.0 * coordinates / r + 6.0)
 }
 
-/// The normal of a hit never points along the ray, on either side of the
-/// surface. Holds to the last bit: turning a vector turns its dot product.
+/// Tests that the normal never points along the ray, on either side of the surface. Holds to the
+/// last bit: turning a vector turns its dot product.
 fn the_normal_points_against_the_ray(case: &Case, hit: &RecordedHit) -> LawResult {
     let along = case.ray.direction.dot(hit.normal);
     BrokenLaw::unless(along <= 0.0 || case.radius == 0.0, || BrokenLaw {
@@ -145,11 +144,11 @@ fn the_normal_points_against_the_ray(case: &Case, hit: &RecordedHit) -> LawResul
     })
 }
 
-/// A ray that enters the sphere, before it is nearest to the center, meets the front face;
-/// one that leaves meets the back.
+/// Tests that a ray which enters the sphere, before it is nearest to the center, meets the front
+/// face, and one that leaves it the back.
 ///
-/// Silent where half the chord inside the sphere, √D/|d|, is not longer than
-/// the errors of the point and of the dot product together.
+/// Makes no claim where half the chord inside the sphere, √D/|d|, is not longer than the errors of
+/// the point and of the dot product together.
 fn the_front_face_is_where_the_ray_enters(case: &Case, hit: &RecordedHit) -> LawResult {
     let front_face = hit.front_face;
     let enters = hit.t < case.h() / case.a();

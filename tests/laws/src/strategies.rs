@@ -21,11 +21,11 @@ use crate::list::World;
 use crate::oracle::ExactCase;
 use crate::question::IntervalCase;
 
-/// Returns the configuration of all tests here: each run makes equal cases, so that a failure is
-/// never luck, unless `PROPTEST_RNG_SEED` chooses others. `PROPTEST_CASES` says how many.
+/// Returns the configuration of every proptest here: each run makes equal cases, so that a failure
+/// is never luck. `PROPTEST_RNG_SEED` chooses other cases, and `PROPTEST_CASES` how many.
 ///
-/// They come by xorshift: cargo builds the code of others without optimization, and ChaCha,
-/// which proptest takes otherwise, is then three quarters of the time.
+/// Random numbers come by xorshift: cargo builds dependencies without optimization, and proptest's
+/// usual ChaCha would then take three quarters of the time.
 pub fn config() -> Config {
     let config = Config::default();
     let rng_seed = match config.rng_seed {
@@ -41,7 +41,7 @@ pub fn config() -> Config {
     }
 }
 
-/// Draws the first `count` values of a strategy, without shrinking.
+/// Draws the first `count` values of a strategy, without shrinking, always the same ones.
 ///
 /// # Panics
 /// If the strategy filters out too many values; none here filters.
@@ -55,13 +55,13 @@ pub fn samples<T: std::fmt::Debug>(strategy: &impl Strategy<Value = T>, count: u
     (0..count).map(sample).collect()
 }
 
-/// Ordinary cases, each with an interval.
+/// Makes the cases of [`ordinary`], each with an interval.
 pub fn ordinary_with_interval() -> impl Strategy<Value = IntervalCase> {
     with_interval(ordinary())
 }
 
-/// Rays and spheres near and far, from inside and behind, with directions of any
-/// length. Rounding decides none of them, except that some are exact tangents.
+/// Makes rays and spheres near and far, from inside and behind, with directions of any length.
+/// Rounding decides none of them, except that some are exact tangents.
 pub fn ordinary() -> impl Strategy<Value = Case> {
     prop_oneof![
         3 => integers(),
@@ -74,7 +74,7 @@ pub fn ordinary() -> impl Strategy<Value = Case> {
     ]
 }
 
-/// Any of the cases below.
+/// Makes cases of every other strategy in this module, ordinary and special.
 pub fn anywhere() -> impl Strategy<Value = Case> {
     prop_oneof![
         integers(),
@@ -92,7 +92,7 @@ pub fn anywhere() -> impl Strategy<Value = Case> {
     ]
 }
 
-/// A pixel of a picture up to 400 wide.
+/// Makes pixels of pictures that are 1 to 400 pixels wide.
 pub fn pixels() -> impl Strategy<Value = CameraPixel> {
     (1..=400_u32, any::<[u32; 2]>()).prop_map(|(width, [i, j])| CameraPixel {
         width,
@@ -101,7 +101,7 @@ pub fn pixels() -> impl Strategy<Value = CameraPixel> {
     })
 }
 
-/// The ray of a pixel, and one of the two spheres of the book.
+/// Makes rays of pixels, with one of the two spheres of the book's last scene.
 pub fn book_rays() -> impl Strategy<Value = Case> {
     let ball = (Point3::new(0.0, 0.0, -1.0), 0.5);
     let ground = (Point3::new(0.0, -100.5, -1.0), 100.0);
@@ -111,7 +111,7 @@ pub fn book_rays() -> impl Strategy<Value = Case> {
     })
 }
 
-/// Small whole numbers everywhere: what they lead to can be checked by hand.
+/// Makes cases of small whole numbers, whose answers can be checked by hand.
 pub fn integers() -> impl Strategy<Value = Case> {
     (whole_vector(9), 1..=9, whole_vector(9), whole_vector(9)).prop_map(
         |(oc, radius, origin, direction)| {
@@ -122,7 +122,7 @@ pub fn integers() -> impl Strategy<Value = Case> {
     )
 }
 
-/// A ray that starts inside, in the center or at a right angle to the way there: h is 0
+/// Makes rays that start inside, in the center or at a right angle to the way there: h is 0
 /// exactly, because all numbers are whole.
 pub fn across() -> impl Strategy<Value = Case> {
     let turn = prop_oneof![Just(Vec3::ZERO), whole_vector(3)];
@@ -134,19 +134,18 @@ pub fn across() -> impl Strategy<Value = Case> {
     })
 }
 
-/// A line that passes the center at a distance of r·(1 ± 10⁻ᵏ): just inside,
-/// just outside.
+/// Makes lines that pass the center at a distance of r·(1 ± 10⁻ᵏ): just inside, just outside.
 pub fn grazing(k: RangeInclusive<f64>) -> impl Strategy<Value = Case> {
     aimed(Just(3.0), about_one(k))
 }
 
-/// A sphere whose center is 10ᵏ radii away, aimed at within 1.2 radii.
+/// Makes spheres whose center is 10ᵏ radii away from the ray's origin, aimed at within 1.2 radii.
 pub fn far(k: RangeInclusive<f64>) -> impl Strategy<Value = Case> {
     aimed(number(k).prop_map(|k| 10f64.powf(k)), number(0.0..=1.2))
 }
 
-/// A ray that starts about so many radii `away` before the sphere, and whose line passes the
-/// center at `miss_by` radii. Its direction is no unit vector.
+/// Makes rays that start about `away` radii before a sphere, and whose lines pass its center at
+/// `miss_by` radii. The directions are no unit vectors.
 fn aimed(
     away: impl Strategy<Value = f64>,
     miss_by: impl Strategy<Value = f64>,
@@ -165,18 +164,18 @@ fn aimed(
     )
 }
 
-/// A ray in any direction from r·(1 ± 10⁻ᵏ) away from the center, as one that
-/// is reflected by the surface starts.
+/// Makes rays in any direction from r·(1 ± 10⁻ᵏ) away from the center, as one that is reflected by
+/// the surface starts.
 pub fn near_the_surface(k: RangeInclusive<f64>) -> impl Strategy<Value = Case> {
     from(about_one(k))
 }
 
-/// A ray in any direction from anywhere inside the sphere.
+/// Makes rays in any direction from anywhere inside the sphere.
 pub fn inside() -> impl Strategy<Value = Case> {
     from(number(0.0..=1.0))
 }
 
-/// A ray in any direction from so many radii away from the center.
+/// Makes rays in any direction that start `away` radii from the center.
 fn from(away: impl Strategy<Value = f64>) -> impl Strategy<Value = Case> {
     (away, ordinary_sphere(), unit(), unit()).prop_map(
         |(away, (center, radius), normal, direction)| {
@@ -186,7 +185,7 @@ fn from(away: impl Strategy<Value = f64>) -> impl Strategy<Value = Case> {
     )
 }
 
-/// 1 ± 10⁻ᵏ.
+/// Makes numbers 1 ± 10⁻ᵏ.
 fn about_one(k: RangeInclusive<f64>) -> impl Strategy<Value = f64> {
     (number(k), sign()).prop_map(|(k, sign)| 1.0 - sign * 10f64.powf(-k))
 }
@@ -195,7 +194,7 @@ fn sign() -> impl Strategy<Value = f64> {
     prop_oneof![Just(1.0), Just(-1.0)]
 }
 
-/// A ray in any direction from 0.01 to 10 above a ground sphere of radius 10ᵏ.
+/// Makes rays in any direction from 0.01 to 10 above a ground sphere of radius 10ᵏ.
 pub fn above_the_ground(k: RangeInclusive<f64>) -> impl Strategy<Value = Case> {
     (number(k), number(0.01..=10.0), unit()).prop_map(|(k, height, direction)| {
         let radius = 10f64.powf(k);
@@ -204,8 +203,8 @@ pub fn above_the_ground(k: RangeInclusive<f64>) -> impl Strategy<Value = Case> {
     })
 }
 
-/// Right triangles with whole sides, so that a line touches the sphere exactly
-/// and every operation of the quadratic is exact too.
+/// Makes lines that touch a sphere exactly, from right triangles with whole sides: every operation
+/// of the quadratic is exact, too.
 pub fn tangents() -> impl Strategy<Value = Case> {
     let legs_and_hypotenuse = vec![[3.0, 4.0, 5.0], [5.0, 12.0, 13.0], [8.0, 15.0, 17.0]];
     // In three planes, so that each letter of a dot product has its turn.
@@ -231,8 +230,8 @@ pub fn tangents() -> impl Strategy<Value = Case> {
         })
 }
 
-/// A ray that starts on the sphere and goes inside: the nearer root is 0 exactly, and no operation
-/// rounds.
+/// Makes rays that start on the sphere and go inside: the nearer root is 0 exactly, and no
+/// operation rounds.
 pub fn on_the_surface() -> impl Strategy<Value = Case> {
     // The sides of boxes whose diagonal is a whole number.
     let boxes = vec![
@@ -252,7 +251,7 @@ pub fn on_the_surface() -> impl Strategy<Value = Case> {
     )
 }
 
-/// Each number from 2⁻²⁰ to 2²⁰ in size, all sizes equally likely.
+/// Makes cases of numbers from 2⁻²⁰ to 2²⁰ in size, all sizes equally likely.
 pub fn log_uniform() -> impl Strategy<Value = Case> {
     let sized = (number(-20.0..=20.0), sign()).prop_map(|(k, sign)| sign * f64::exp2(k));
     uniform10(sized).prop_map(|numbers| {
@@ -264,15 +263,15 @@ pub fn log_uniform() -> impl Strategy<Value = Case> {
     })
 }
 
-/// A direction from 1e-150 to 1e150 long, at an ordinary sphere.
+/// Makes rays at an ordinary sphere, with directions from 1e-150 to 1e150 long.
 pub fn exponents() -> impl Strategy<Value = Case> {
     (number(-150.0..=150.0), far(0.5..=0.5)).prop_map(|(exponent, case)| {
         case.with_ray(case.ray.origin, 10f64.powf(exponent) * case.ray.direction)
     })
 }
 
-/// A case, and an interval with ends near and between its roots, exactly at one, far from
-/// them, or infinite. Few are empty.
+/// Adds intervals to cases, with ends near and between the roots, exactly at one, far from them, or
+/// infinite. Few are empty.
 pub fn with_interval(cases: impl Strategy<Value = Case>) -> impl Strategy<Value = IntervalCase> {
     let end = || {
         prop_oneof![
@@ -294,7 +293,8 @@ pub fn with_interval(cases: impl Strategy<Value = Case>) -> impl Strategy<Value 
     })
 }
 
-/// Up to three spheres around the eye with whole numbers, which can be checked by hand.
+/// Makes worlds of up to three spheres around the eye with whole numbers, which can be checked by
+/// hand.
 pub fn whole_worlds() -> impl Strategy<Value = World> {
     let radius = (1..=3).prop_map(f64::from);
     (vec((whole_vector(4), radius), 1..4), whole_vector(3)).prop_map(|(spheres, direction)| World {
@@ -305,8 +305,8 @@ pub fn whole_worlds() -> impl Strategy<Value = World> {
     })
 }
 
-/// Up to eleven spheres around one that the ray is aimed at: before it, behind
-/// it, or overlapping it.
+/// Makes worlds of up to eleven spheres around one that the ray is aimed at: before it, behind it,
+/// or overlapping it.
 pub fn worlds() -> impl Strategy<Value = World> {
     let asked = with_interval(prop_oneof![
         integers(),
@@ -332,8 +332,8 @@ pub fn worlds() -> impl Strategy<Value = World> {
     })
 }
 
-/// From the nearer root at 0 to the farther one at 1, or as far as roots may be if there are
-/// none.
+/// Returns the `t` at a share of the way from the nearer root, at 0, to the farther one, at 1; or
+/// to as far as roots may be, if the line misses.
 fn on_the_way(case: &Case, share: f64) -> f64 {
     let exact = ExactCase::of(case);
     let roots = exact.nearer_root().zip(exact.farther_root());
@@ -343,8 +343,8 @@ fn on_the_way(case: &Case, share: f64) -> f64 {
     (1.0 - share) * nearer + share * farther
 }
 
-/// A number in the range, with all its digits. It shrinks towards 0 if that is in the range,
-/// and to whole eighths, which are short to write.
+/// Makes numbers in the range, with all their digits. They shrink towards 0 if that is in the
+/// range, and to whole eighths, which are short to write.
 pub fn number(range: RangeInclusive<f64>) -> impl Strategy<Value = f64> {
     const DIGITS: f64 = (1_u64 << 50) as f64;
     let (low, high) = range.into_inner();
@@ -356,7 +356,7 @@ pub fn number(range: RangeInclusive<f64>) -> impl Strategy<Value = f64> {
     })
 }
 
-/// A direction of zero points nowhere: it points ahead instead.
+/// Returns the direction, or (0, 0, −1) for a direction of zero, which points nowhere.
 pub fn ahead_if_zero(direction: Vec3) -> Vec3 {
     if direction == Vec3::ZERO {
         Vec3::NEG_Z
@@ -365,21 +365,21 @@ pub fn ahead_if_zero(direction: Vec3) -> Vec3 {
     }
 }
 
-/// A vector of whole numbers from −`most` to `most`.
+/// Makes vectors of whole numbers from −`most` to `most`.
 pub fn whole_vector(most: i32) -> impl Strategy<Value = Vec3> {
     let number = move || -most..=most;
     (number(), number(), number())
         .prop_map(|(x, y, z)| Vec3::new(f64::from(x), f64::from(y), f64::from(z)))
 }
 
-/// Center and radius of a sphere of ordinary size.
+/// Makes centers with components from −9 to 9, with radii from 0.01 to 100.
 pub fn ordinary_sphere() -> impl Strategy<Value = (Point3, f64)> {
     let place = || number(-9.0..=9.0);
     (place(), place(), place(), number(-2.0..=2.0))
         .prop_map(|(x, y, z, exponent)| (Point3::new(x, y, z), 10f64.powf(exponent)))
 }
 
-/// A unit vector in any direction.
+/// Makes unit vectors in any direction.
 pub fn unit() -> impl Strategy<Value = Vec3> {
     (number(-1.0..=1.0), number(0.0..=2.0)).prop_map(|(z, turn)| {
         let (sin, cos) = (turn * PI).sin_cos();

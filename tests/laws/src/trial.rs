@@ -26,7 +26,7 @@ use crate::record::{self, RecordSolver};
 use crate::strategies::{self, config};
 use crate::verdict::{BrokenLaw, Complaint, LawResult, Outcome, Report};
 
-/// How the functions of a chapter are tried.
+/// A trial of the functions of a chapter: each under all laws of its kind, on cases of proptest.
 ///
 /// This is what a reader does in a test of their own, in a package that has
 /// `common` and `laws` among its `[dev-dependencies]`, as
@@ -51,14 +51,14 @@ use crate::verdict::{BrokenLaw, Complaint, LawResult, Outcome, Report};
 /// ```
 #[derive(Clone, Debug)]
 pub struct Trial {
-    /// On how many cases each law is tried.
+    /// The number of cases on which each law is tried, for each kind of case.
     pub cases: u32,
-    /// The file to which answers and verdicts are added.
+    /// The file to which answers and verdicts are appended; `None` to keep none.
     pub answers: Option<PathBuf>,
 }
 
 impl Default for Trial {
-    /// With as many cases as [`config`] says, and with the file that the environment
+    /// Makes a trial with as many cases as [`config`] has, and with the file that the environment
     /// variable [`ANSWERS_VARIABLE`] names.
     fn default() -> Self {
         Self {
@@ -68,10 +68,10 @@ impl Default for Trial {
     }
 }
 
-/// A law about what a function answers to the question.
+/// A law about a function's answer to a question.
 pub(crate) type Law<'a, Q> = Box<dyn Fn(&Q) -> LawResult + 'a>;
 
-/// Asks a function, and writes its answer as numbers.
+/// A function that asks the tried function, and lists the answer's numbers.
 pub(crate) type AnswerFn<'a, Q> = Box<dyn Fn(&Q) -> Vec<f64> + 'a>;
 
 /// The cases and the laws for one function.
@@ -80,13 +80,16 @@ pub(crate) struct LawSuite<'a, Q> {
     pub(crate) of: &'static str,
     /// The cases, one kind after the other.
     pub(crate) kinds: Vec<BoxedStrategy<Q>>,
-    /// Questions to which different mistakes give different answers.
+    /// Questions by whose answers mistakes differ.
     pub(crate) telling: Vec<Q>,
+    /// Makes a question of a case.
     pub(crate) question: fn(Q) -> Question,
+    /// Asks the function about a case.
     pub(crate) answer: AnswerFn<'a, Q>,
+    /// The laws, in the order in which they are tried.
     pub(crate) laws: Vec<Law<'a, Q>>,
-    /// The body of a test that asks this again. It stands where the function has its name, so it
-    /// need not guess from where to import it.
+    /// Writes the body of a test that asks about a case again. The test stands where the function
+    /// has its name, so it need not guess from where to import it.
     pub(crate) test: &'a dyn Fn(&Q) -> String,
 }
 
@@ -94,7 +97,7 @@ impl Trial {
     /// Tries a function that only decides whether the line meets the sphere, as in chapter 2.
     ///
     /// # Errors
-    /// As every method here: the smallest case found that breaks a law, or a `todo!()`.
+    /// The smallest case found that breaks a law, or the place of a `todo!()`.
     pub fn decision(&self, decide: &dyn Fn(Point3, f64, &Ray) -> bool) -> Outcome {
         let solve = nearer_root::solver_of_decision(decide);
         self.put(&LawSuite {
@@ -108,7 +111,7 @@ impl Trial {
     /// Tries a function that returns the nearer root, as in chapters 3 and 4.
     ///
     /// # Errors
-    /// See [`Trial::decision`].
+    /// The smallest case found that breaks a law, or the place of a `todo!()`.
     pub fn nearer_root(&self, solve: &Solver) -> Outcome {
         self.put(&nearer_root::suite(solve))
     }
@@ -117,16 +120,16 @@ impl Trial {
     /// the sphere of chapter 5. On the whole line, its `t` is the nearer root.
     ///
     /// # Errors
-    /// See [`Trial::decision`].
+    /// The smallest case found that breaks a law, or the place of a `todo!()`.
     pub fn record(&self, record: &RecordSolver) -> Outcome {
         self.put(&record::suite(record))
     }
 
-    /// Tries a list that is searched for the nearest hit of its spheres, whose own answers are the
-    /// records.
+    /// Tries a list that is searched for the nearest hit of its spheres, against the spheres' own
+    /// answers by `record`.
     ///
     /// # Errors
-    /// See [`Trial::decision`].
+    /// The smallest case found that breaks a law, or the place of a `todo!()`.
     pub fn list(&self, record: &RecordSolver, search: &ListSolver) -> Outcome {
         let mut outcome = self.outcome(&LawSuite {
             of: "list",
@@ -155,11 +158,11 @@ impl Trial {
         self.kept("list", outcome)
     }
 
-    /// Tries the functions of a prelude, up to the first that is wrong: those that follow may be
-    /// built on it. One that is not written yet is told if no other is wrong.
+    /// Tries the functions of a prelude, up to the first that breaks a law: those after it may be
+    /// built on it. A `todo!()` is reported only if no function breaks a law.
     ///
     /// # Errors
-    /// See [`Trial::decision`].
+    /// The smallest case found that breaks a law, or the place of a `todo!()`.
     pub fn prelude(&self, prelude: &Prelude) -> Outcome {
         let mut outcome = Ok(());
         for function in &FUNCTIONS {
@@ -187,7 +190,7 @@ impl Trial {
     /// Tries the function that returns the ray of a pixel.
     ///
     /// # Errors
-    /// See [`Trial::decision`].
+    /// The smallest case found that breaks a law, or the place of a `todo!()`.
     pub fn pixel_ray(&self, ray: &dyn Fn(&CameraPixel) -> Ray) -> Outcome {
         self.put(&LawSuite {
             of: "pixel_ray",
@@ -202,11 +205,11 @@ impl Trial {
         })
     }
 
-    /// Tries the `ray_color` of a scene on rays that its camera never casts. Makes no claim where
-    /// the picture is wrong already.
+    /// Tries the `ray_color` of a scene on rays that the book's camera never casts. Makes no claim,
+    /// and returns `Ok`, where the book's own picture is wrong already.
     ///
     /// # Errors
-    /// See [`Trial::decision`].
+    /// The smallest case found that breaks a law, or the place of a `todo!()`.
     pub fn ray_color(&self, scene: ChapterScene, ray_color: &dyn Fn(&Ray) -> Color) -> Outcome {
         let law = |ray: &Ray| a_ray_has_its_color_from_anywhere(scene, ray_color(ray), ray);
         let suite = LawSuite {
@@ -226,10 +229,10 @@ impl Trial {
     }
 
     /// Tries the function of a record that turns the normal, which can be asked before there is a
-    /// sphere.
+    /// sphere. Its report has no answers and no test.
     ///
     /// # Errors
-    /// See [`Trial::decision`].
+    /// The smallest case found that breaks the law, or the place of a `todo!()`.
     pub fn set_face_normal(&self, set_face_normal: &SetFaceNormal) -> Outcome {
         let law: Law<(Vec3, Vec3)> = Box::new(|&(direction, outward)| {
             the_normal_is_turned_against_the_ray(set_face_normal, direction, outward)
@@ -248,27 +251,31 @@ impl Trial {
         self.kept("set_face_normal", outcome)
     }
 
-    /// Puts a function under its laws, and keeps what comes of it.
+    /// Tries a function on its suite, and appends the verdict to the file.
     pub(crate) fn put<Q: Clone + Debug>(&self, suite: &LawSuite<Q>) -> Outcome {
         self.kept(suite.of, self.outcome(suite))
     }
 
+    /// Appends the verdict on a function to the file, and returns it.
     fn kept(&self, of: &'static str, outcome: Outcome) -> Outcome {
         self.keep(&AnswerLine::Verdict(of, &outcome));
         outcome
     }
 
+    /// Adds an answer to the list and to the file.
     fn keep_answer(&self, answers: &mut Answers, question: Question, answer: Vec<f64>) {
         self.keep(&AnswerLine::Answer(&question, &answer));
         answers.given.push(Answered { question, answer });
     }
 
+    /// Appends a line to the file, if there is one.
     fn keep(&self, line: &AnswerLine) {
         if let Some(file) = &self.answers {
             line.keep(file);
         }
     }
 
+    /// Asks a function its telling questions, and tries its laws on all cases.
     fn outcome<Q: Clone + Debug>(&self, suite: &LawSuite<Q>) -> Outcome {
         let mut answers = Answers::default();
         // What panics does so here, and not again and again while a case is made smaller.
@@ -290,7 +297,8 @@ impl Trial {
         })))
     }
 
-    /// Returns the smallest case that breaks the law, of those that proptest finds, and how.
+    /// Returns the smallest case found by proptest that breaks the law, and how; `None` if the law
+    /// holds.
     fn smallest<Q: Clone + Debug>(
         &self,
         cases: &BoxedStrategy<Q>,
@@ -312,12 +320,12 @@ impl Trial {
 }
 
 thread_local! {
-    /// Where this thread came upon a `todo!()` last.
+    /// The place of the last `todo!()` that this thread came upon.
     static UNWRITTEN: Cell<Option<String>> = const { Cell::new(None) };
 }
 
-/// Returns the result of `call`, or the place of the `todo!()` that it comes upon, which then
-/// prints nothing.
+/// Returns the result of `call`, or the place of the `todo!()` that `call` comes upon, which then
+/// prints nothing. Other panics are passed on.
 fn written<T>(call: impl FnOnce() -> T) -> Result<T, Complaint> {
     static HOOK: Once = Once::new();
     HOOK.call_once(|| {

@@ -7,46 +7,47 @@ use proptest::test_runner::TestCaseError;
 
 use crate::answers::Answers;
 
-/// The result of one law on one case: `Ok` if it holds. In a test by proptest, `?` makes the broken
-/// law the reason of the failure.
+/// The result of one law on one case: `Ok` if the law holds. In a proptest, `?` turns the broken
+/// law into the reason of the failure.
 pub type LawResult = Result<(), BrokenLaw>;
 
-/// A law that a case breaks.
+/// A law that the answer to a case breaks, in words for its reader.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BrokenLaw {
-    /// The sentence of the law.
+    /// The law as a sentence.
     pub law: Cow<'static, str>,
     /// The answer of the function.
     pub found: String,
-    /// The answers that the law allows in its place.
+    /// The answers that the law allows.
     pub allowed: String,
-    /// The page or equation that explains it.
+    /// The page or equation that explains the law.
     pub read: Cow<'static, str>,
 }
 
 /// The result of all laws for one function: `Ok` if they hold.
 pub type Outcome = Result<(), Complaint>;
 
-/// Why a function is not right.
+/// A reason why a function is not right.
 #[derive(Clone, Debug)]
 pub enum Complaint {
-    /// It breaks a law.
+    /// The function breaks a law.
     Broken(Box<Report>),
-    /// It comes upon a `todo!()` at this place: file, line and column.
+    /// The function comes upon a `todo!()` at this place: file, line and column, with colons
+    /// between.
     NotWritten(String),
 }
 
-/// The smallest case found that breaks a law.
+/// A report on a function that breaks a law: the smallest case found, and all answers up to it.
 #[derive(Clone, Debug)]
 pub struct Report {
-    /// How the case breaks the law.
+    /// The broken law, with the answer to the smallest case.
     pub broken: BrokenLaw,
-    /// The answers of the function, that to the smallest case last.
+    /// The answers of the function; the last is that to the smallest case. May be empty.
     pub answers: Answers,
-    /// The known mistakes that give the same answers, a line each. Whoever shows the report fills
-    /// them in: this package knows no mistake.
+    /// The known mistakes that give equal answers, a line each. Empty until a judge fills them in:
+    /// this package knows no mistakes.
     pub same_as: Vec<String>,
-    /// The body of a test that asks about this case again, if there is one.
+    /// The body of a test that asks about the smallest case again; empty if there is none.
     pub test: String,
 }
 
@@ -56,7 +57,7 @@ impl BrokenLaw {
         if is_right { Ok(()) } else { Err(broken()) }
     }
 
-    /// Lists the parts by their labels, in the order in which they are read.
+    /// Lists the labels and texts of the parts, in the order in which they are read.
     fn rows(&self) -> [(&'static str, &str); 4] {
         [
             ("the law", &self.law),
@@ -68,8 +69,8 @@ impl BrokenLaw {
 }
 
 impl Report {
-    /// Lists the parts by their labels, in the order in which they are read. A part without a label
-    /// goes on with the one before.
+    /// Lists the labels and texts of the parts, in the order in which they are read. A row with an
+    /// empty label continues the row above.
     pub fn rows(&self) -> Vec<(&'static str, &str)> {
         let labels = ["same as", "", "", "", ""];
         let same_as = labels
@@ -81,7 +82,8 @@ impl Report {
     }
 }
 
-/// Lays out the rows as text, a line each.
+/// Lays rows of label and text out as lines, with the texts in one column. A row with an empty
+/// label continues the row above.
 pub fn rows_as_text<'a>(rows: impl IntoIterator<Item = (&'a str, &'a str)>) -> String {
     let line = |(label, text): (&str, &str)| match label {
         "" => format!("          {text}"),
@@ -126,7 +128,7 @@ impl From<BrokenLaw> for TestCaseError {
     }
 }
 
-/// Ends a test: panics with the text of an error.
+/// Ends a test: panics with the text of the error, if there is one.
 ///
 /// # Panics
 /// If `outcome` is an error.

@@ -1,4 +1,4 @@
-//! Numbers: floats of both structs, integers, truth and order.
+//! Numbers: `f64` and `f32`, integers, truth and order.
 
 use super::library;
 use crate::machine::value::{Data, Value};
