@@ -206,7 +206,7 @@ impl Task {
             [slip] if slip.name.is_empty() => slip.applied_to(&right()),
             [slip] => with(slip),
             [first, others @ ..] => others.iter().fold(with(first), |program, slip| {
-                let joined = program.joined(&with(slip), &right());
+                let joined = program.merged_with(&with(slip), &right());
                 joined.unwrap_or_else(|| slip.applied_to(&program))
             }),
         }

@@ -1,11 +1,11 @@
-//! The catalogue: every slip, read from `catalogue.txt`.
+//! The catalogue of all slips, read from `catalogue.txt`.
 
 use std::sync::LazyLock;
 
 use crate::edit::Edit;
 use crate::slip::Slip;
 
-/// Each slip in a paragraph: its name and page, its edits, and after their labels the rest.
+/// A paragraph for each slip: its name and page, its edits, and labeled lines.
 const TEXT: &str = include_str!("catalogue.txt");
 
 static SLIPS: LazyLock<Vec<Slip>> = LazyLock::new(|| {
@@ -14,17 +14,17 @@ static SLIPS: LazyLock<Vec<Slip>> = LazyLock::new(|| {
     slips.map(read).collect()
 });
 
-/// Returns all slips, in the order in which a reader can first make them.
+/// Lists all slips that have a name, in the order in which a reader can first make them.
 pub fn all() -> impl Iterator<Item = &'static Slip> {
     SLIPS.iter().filter(|slip| !slip.name.is_empty())
 }
 
-/// Returns mistakes without a name, which only laws look for.
+/// Lists the slips without a name, which only laws look for.
 pub fn unnamed() -> impl Iterator<Item = &'static Slip> {
     SLIPS.iter().filter(|slip| slip.name.is_empty())
 }
 
-/// Finds the slip of that name.
+/// Finds a slip by its name; `None` if there is none, and for the empty name.
 pub fn find(name: &str) -> Option<&'static Slip> {
     all().find(|slip| slip.name == name)
 }
@@ -32,7 +32,7 @@ pub fn find(name: &str) -> Option<&'static Slip> {
 /// Reads a paragraph of the catalogue.
 ///
 /// # Panics
-/// If a line of it is neither an edit nor labeled.
+/// If a line is neither an edit nor labeled.
 fn read(paragraph: &'static str) -> Slip {
     let mut lines = paragraph.lines().map(str::trim);
     let first = lines.next().unwrap_or_default();

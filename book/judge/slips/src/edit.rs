@@ -1,18 +1,19 @@
-//! Edits: what is typed in the place of what a chapter has.
+//! Search and replace in source text, blind to how it is laid out.
 
 use std::borrow::Cow;
 
-/// A part of a text and what is typed in its place. Blanks and the ends of lines do not count.
+/// A replacement of a part of a source text by another. Blanks and line ends do not count when the
+/// part is looked for.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Edit {
-    /// What the text has.
+    /// The part that is looked for, as the chapter has it.
     pub right: Cow<'static, str>,
-    /// What is typed.
+    /// The text that replaces this part; empty if it is left out.
     pub wrong: Cow<'static, str>,
 }
 
 impl Edit {
-    /// The edit that puts a text in the place of another.
+    /// Makes the edit that replaces `right` by `wrong`.
     pub fn new(right: impl Into<Cow<'static, str>>, wrong: impl Into<Cow<'static, str>>) -> Self {
         Self {
             right: right.into(),
@@ -20,23 +21,25 @@ impl Edit {
         }
     }
 
-    /// Reads the edit that is written `right → wrong`.
-    pub fn parse(said: &'static str) -> Self {
-        let (right, wrong) = said.split_once('→').unwrap_or((said, ""));
+    /// Reads an edit that is written `right → wrong`, as in the catalogue. Without an arrow the text
+    /// is left out.
+    pub fn parse(text: &'static str) -> Self {
+        let (right, wrong) = text.split_once('→').unwrap_or((text, ""));
         Self::new(right.trim(), wrong.trim())
     }
 
-    /// Returns true if it puts shorter numbers in the place of all.
+    /// Returns true if the edit is no text but makes all numbers single precision.
     pub(crate) fn is_precision(&self) -> bool {
         *self == Self::new("f64", "f32") || self.is_as_in_cpp()
     }
 
-    /// Returns true if it does so but for levels, since a number that is typed in C++ is a double.
+    /// Returns true if the edit makes all numbers but levels single precision, as in C++, where the
+    /// constant of the levels is a double.
     pub(crate) fn is_as_in_cpp(&self) -> bool {
         *self == Self::new("double", "float")
     }
 
-    /// The text with the edit everywhere where it stands, if it stands there.
+    /// Returns a text with each occurrence of the right part replaced, or `None` if it has none.
     pub fn applied_to(&self, text: &str) -> Option<String> {
         let (mut made, mut done) = (String::new(), 0);
         while let Some((start, end)) = self.found(text, done) {
@@ -47,8 +50,8 @@ impl Edit {
         (done > 0).then(|| made + &text[done..])
     }
 
-    /// Finds the statement around the place where it stands first, right and with all of these
-    /// edits.
+    /// Finds the statement around the first occurrence of the right part, as it is and with all of
+    /// these edits, both on one line. `None` if the text does not have the right part.
     pub(crate) fn statement(&self, text: &str, edits: &[Self]) -> Option<Self> {
         let (start, end) = self.found(text, 0)?;
         let ends = [';', '{', '}'];
@@ -65,12 +68,13 @@ impl Edit {
         Some(Self::new(line(right), line(&wrong)))
     }
 
-    /// Returns true if it stands in the text.
+    /// Returns true if a text has the right part.
     pub(crate) fn stands_in(&self, text: &str) -> bool {
         self.found(text, 0).is_some()
     }
 
-    /// Where it stands first, from a place on.
+    /// Finds the first and last byte of the first occurrence of the right part from byte `from` on,
+    /// the last one excluded.
     fn found(&self, text: &str, from: usize) -> Option<(usize, usize)> {
         let first = *self.right.trim_start().as_bytes().first()?;
         let starts = (from..text.len()).filter(|&at| text.as_bytes()[at] == first);
@@ -78,7 +82,7 @@ impl Edit {
         all.find(|&(start, end)| is_whole(text, start, end))
     }
 
-    /// Where it ends if it begins at that place.
+    /// Returns where an occurrence that begins at byte `start` ends, if there is one.
     fn end(&self, text: &str, start: usize) -> Option<usize> {
         let is_said = |it: &u8| !it.is_ascii_whitespace();
         let mut wanted = self.right.bytes().filter(is_said);
@@ -101,7 +105,7 @@ impl Edit {
     }
 }
 
-/// Returns true if no name goes on at either end, and none before it has this one as a part.
+/// Returns true if the bytes from `start` to `end` cut no name in two and begin with no field.
 fn is_whole(text: &str, start: usize, end: usize) -> bool {
     let is_of_a_name = |it: char| it.is_alphanumeric() || it == '_';
     let [first, last] = [
@@ -119,8 +123,8 @@ fn is_whole(text: &str, start: usize, end: usize) -> bool {
     !goes_on(before, first) && !goes_on(last, after) && !is_a_field
 }
 
-/// Writes a statement on one line, without what binds it to those around it. A pixel of a file may
-/// have numbers that are no bytes; in Rust it has bytes.
+/// Writes a statement on one line, without comments, `let`, `if`, `Some(…)` and semicolon. Levels,
+/// which here may be no bytes, are written as the bytes they are in the chapters.
 fn line(statement: &str) -> String {
     let code = statement
         .lines()

@@ -1,9 +1,7 @@
-//! Editions of the book: what tells the versions of the same chapters apart.
+//! Editions of the book, as edits of the latest one.
 //!
-//! The facts are from the listings in the repositories `RayTracing/InOneWeekend`
-//! (versions 1 and 2) and `RayTracing/raytracing.github.io` (the others), as they stand
-//! at each tag. An edition is a mutation of the latest one: a few other steps, like a slip,
-//! but right from the first line to the last.
+//! The facts are from the listings in the repositories `RayTracing/InOneWeekend` (versions 1 and 2)
+//! and `RayTracing/raytracing.github.io` (the others), as they stand at each tag.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -13,37 +11,40 @@ use crate::chapter::Chapter;
 use crate::edit::Edit;
 use crate::program::ChapterProgram;
 
-/// The versions of *Ray Tracing in One Weekend* whose pictures of these chapters
-/// differ. A version that is not named here draws what the one before it draws.
+/// A version of *Ray Tracing in One Weekend*. Those whose pictures of these chapters are equal are
+/// one edition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Edition {
-    /// Versions 1 and 2, 2016 to 2019: twice as wide as high, rows from below, and all of
-    /// it in `float`.
+    /// Versions 1 and 2, 2016 to 2019: a picture twice as wide as high, rows counted from below, and
+    /// all numbers in single precision.
     V1,
-    /// Version 1 or 2 in `double`, as many have typed it.
+    /// Versions 1 and 2 with all numbers in double precision, as many have typed them.
     V1InDouble,
-    /// Version 3.0, March 2020: the same with other factors.
+    /// Version 3.0, March 2020: as versions 1 and 2 in double precision, with 255.999 for 255.99.
     V3_0,
-    /// Versions 3.1 and later, 2020 to 2023: 16:9, rows from below. (3.1.0 had another
-    /// viewport for two weeks.)
+    /// Versions 3.1 to 3.2, 2020 to 2023: a picture of 16:9, rows counted from below. (3.1.0 had
+    /// another viewport for two weeks.)
     V3,
-    /// Version 4, 2023 and after, which this workspace follows: rows from above, and each
-    /// ray through the middle of its pixel.
+    /// Version 4, since 2023, which this workspace follows: a picture of 16:9, rows counted from
+    /// above, and each ray through the middle of its pixel.
     V4,
 }
 
-/// What there is to know of an edition.
+/// The facts about an edition.
 struct Facts {
+    /// The numbers of its versions.
     numbers: &'static [&'static str],
-    /// From the first to the last.
+    /// The year of the first version, and that of the last.
     years: [&'static str; 2],
+    /// The differences from version 4, as code: with rays, and in the build test.
     differs_by: [&'static str; 2],
 }
 
 impl Edition {
-    /// All of them, the one that this workspace follows first.
+    /// All editions, first the one that this workspace follows.
     pub const ALL: [Self; 5] = [Self::V4, Self::V3, Self::V3_0, Self::V1, Self::V1InDouble];
 
+    /// Returns the facts about the edition.
     fn facts(self) -> Facts {
         match self {
             Self::V1 | Self::V1InDouble => Facts {
@@ -78,18 +79,23 @@ impl Edition {
         }
     }
 
-    /// Its name on the command line.
+    /// Returns the name on the command line: the number of the first version. Versions 1 and 2 in
+    /// both precisions have one name.
     pub fn name(self) -> &'static str {
         self.facts().numbers[0]
     }
 
-    /// Returns what it has otherwise than version 4: in chapters with rays, and in the build test.
+    /// Tells the differences from version 4 as code: first in chapters with rays, then in the build
+    /// test. Version 4 has `nothing` for both.
     pub fn differs_by(self) -> [&'static str; 2] {
         self.facts().differs_by
     }
 
-    /// After "right" or "wrong": which editions it is judged by, if the one that this
-    /// workspace follows is not among them.
+    /// Returns the words to put after "right" or "wrong" about a picture that is judged by these
+    /// editions: ` by version 3 of the book (2020 to 2023)`. Empty if version 4 is among them.
+    ///
+    /// # Panics
+    /// If there are no editions.
     pub fn judged_by(editions: &[Self]) -> String {
         if editions.contains(&Self::V4) {
             return String::new();
@@ -100,7 +106,7 @@ impl Edition {
         }
     }
 
-    /// Editions by their numbers and the years from the first to the last.
+    /// Names editions by their numbers and the years from the first to the last.
     fn together(editions: &[Self]) -> String {
         let mut all: Vec<Facts> = editions.iter().map(|it| it.facts()).collect();
         all.sort_by_key(|it| it.numbers);
@@ -122,7 +128,7 @@ impl Edition {
         format!("version {numbers} of the book ({years})")
     }
 
-    /// Returns the chapter's program in this edition.
+    /// Returns the right program of a chapter in this edition, made at the first call.
     ///
     /// # Panics
     /// If the chapter is not one of [`Chapter::OF_THE_BOOK`].
@@ -136,11 +142,12 @@ impl Edition {
             .clone()
     }
 
-    /// Returns the program of this edition with a picture of that size, width and height in
-    /// pixels, in place of the chapter's shape.
+    /// Returns the right program of a chapter in this edition whose picture has the ratio of a size,
+    /// width and height in pixels; for `None` that of the edition. The build test is drawn with this
+    /// very height.
     ///
     /// # Panics
-    /// If the edition's lines are no program, which a test rules out.
+    /// If the chapter is not one of [`Chapter::OF_THE_BOOK`].
     pub fn shaped(self, chapter: Chapter, size: Option<(u32, u32)>) -> ChapterProgram {
         let edits = match chapter {
             Chapter::BuildTest => self.edits_of_the_build_test(size.map(|it| it.1)),
@@ -150,6 +157,7 @@ impl Edition {
         program.expect("an edition is a program")
     }
 
+    /// Returns the edits of a chapter with rays.
     fn edits_of_the_camera(self, size: Option<(u32, u32)>) -> Vec<Edit> {
         let edit = |right: &'static str, wrong: &str| Edit::new(right, wrong.to_owned());
         let real = "let viewport_width = viewport_height \
@@ -158,7 +166,7 @@ impl Edition {
             Self::V4 | Self::V3 => "16.0 / 9.0".to_owned(),
             _ => "2.0".to_owned(),
         };
-        let wished = size.map(|size| (ratio(size), is_usual(size)));
+        let wished = size.map(|size| (ratio(size), usual_ratio(size)));
         let aspect = wished.map_or(own, |(ratio, usual)| {
             format!("{:?}", usual.unwrap_or(ratio))
         });
@@ -200,6 +208,7 @@ impl Edition {
         edits
     }
 
+    /// Returns the edits of the build test, with a number of rows in place of the edition's.
     fn edits_of_the_build_test(self, rows: Option<u32>) -> Vec<Edit> {
         let edit = |right: &'static str, wrong: &str| Edit::new(right, wrong.to_owned());
         let rows = match (rows, self) {
@@ -238,7 +247,7 @@ impl Edition {
         edits
     }
 
-    /// Returns what only versions 1 and 2 have.
+    /// Returns the edits that only versions 1 and 2 need.
     fn edits_of_the_first(self) -> Vec<Edit> {
         let mut edits = Vec::new();
         if self.is_first() {
@@ -254,7 +263,7 @@ impl Edition {
         edits
     }
 
-    /// Returns true if it is that of versions 1 and 2, in whatever precision.
+    /// Returns true for versions 1 and 2, in both precisions.
     pub fn is_first(self) -> bool {
         matches!(self, Self::V1 | Self::V1InDouble)
     }
@@ -273,8 +282,8 @@ impl fmt::Display for Edition {
     }
 }
 
-/// The quadratic before version 4: oc points from the center to the eye, and b or its half has the
-/// other sign. Not one bit of a root is another.
+/// The edits that make the quadratic that of the versions before 4: `oc` points from the center to
+/// the eye, and `b` has the other sign. The roots are equal bit for bit.
 const FORMULA_BEFORE_4: [&str; 8] = [
     "oc = center - ray.origin → oc = ray.origin - center",
     "oc = self.center - ray.origin → oc = ray.origin - self.center",
@@ -283,11 +292,11 @@ const FORMULA_BEFORE_4: [&str; 8] = [
     "h * h - a * c → half_b * half_b - a * c",
     "(h - discriminant.sqrt()) / a → (-half_b - discriminant.sqrt()) / a",
     "[(h - sqrtd) / a, (h + sqrtd) / a] → [(-half_b - sqrtd) / a, (-half_b + sqrtd) / a]",
-    // A ray that touches was a miss until version 3.2.3, in chapter 2.
+    // In chapter 2 a tangent ray was a miss until version 3.2.3.
     "discriminant >= 0.0 → discriminant > 0.0",
 ];
 
-/// Ratios of width to height that people choose.
+/// The ratios of width to height that people choose.
 const USUAL_RATIOS: [f64; 7] = [
     1.0,
     4.0 / 3.0,
@@ -298,15 +307,15 @@ const USUAL_RATIOS: [f64; 7] = [
     21.0 / 9.0,
 ];
 
-/// The ratio that was wished for, if it is usual. Before version 4 the viewport has it, and the
-/// height follows from it.
-fn is_usual((width, height): (u32, u32)) -> Option<f64> {
+/// Finds a usual ratio from which this height follows when it is rounded down. Before version 4 the
+/// viewport has the ratio, not that of the picture's whole pixels.
+fn usual_ratio((width, height): (u32, u32)) -> Option<f64> {
     let is_wished = |ratio: &f64| (f64::from(width) / ratio) as u32 == height;
     USUAL_RATIOS.into_iter().find(is_wished)
 }
 
-/// Width over height, such that dividing the width by it gives the height even
-/// after rounding down.
+/// Returns width over height, made smaller by an ulp if the width divided by it, rounded down,
+/// would not be the height.
 fn ratio((width, height): (u32, u32)) -> f64 {
     let [width, height] = [width, height].map(f64::from);
     let ratio = width / height;

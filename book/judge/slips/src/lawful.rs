@@ -1,11 +1,10 @@
-//! Fault localization by hypotheses: from wrong answers to the known mistakes that give
-//! all of them.
+//! Fault localization by hypotheses: finds the known mistakes that give all answers of a wrong
+//! function.
 //!
-//! A wrong function is seldom random. It answers another question rightly, and the
-//! mistakes that lead there are known: each [`Slip`] is a program that makes one. Named is
-//! a slip that gives the same answer as the function under test to every question of a few
-//! hundred. One that fits a single case is not: by chance many do, where a is 1 or the
-//! radius is 0.
+//! A wrong function is seldom random: it makes a known mistake, and the program of a [`Slip`] makes
+//! it too. A slip is named if its program gives the answers of the function under test to all of a
+//! few hundred questions. A single question would not do: where `a` is 1 or the radius 0, many slips
+//! agree by chance.
 
 use std::cmp::Reverse;
 
@@ -27,12 +26,13 @@ use crate::reader_language::ReaderLanguage;
 use crate::slip::{Slip, SlipText};
 use crate::{all, unnamed};
 
-/// How many mistakes a message names at most: in four places a root can lose its sign.
+/// The most mistakes that a message names: a root can lose its sign in four places.
 const NAMED: usize = 4;
 
-/// Finds the mistakes, among those that can be made in the chapter, that give all the answers:
-/// none, if a right program gives them too. Each of them alone does, and no question tells them
-/// apart. Those that are made most often come first.
+/// Finds the slips of a chapter whose program, with this slip alone, gives all of these answers, at
+/// most four. Those that are reported most often come first.
+///
+/// None are found if the right program gives the answers too, or if no slip does.
 pub fn mistakes_with_answers(
     answers: &Answers,
     chapter: Chapter,
@@ -54,7 +54,8 @@ pub fn mistakes_with_answers(
     mistakes
 }
 
-/// Adds to a report the mistakes that give the same answers, in the reader's language.
+/// Adds to a report of the laws the slips that give the reader's answers, as lines of text in the
+/// reader's language. Adds nothing if there are none.
 pub fn explain(report: &mut Report, chapter: Chapter, language: ReaderLanguage) {
     let mistakes = mistakes_with_answers(&report.answers, chapter, language);
     let in_a_line = |slip: &&Slip| {
@@ -74,10 +75,10 @@ pub fn explain(report: &mut Report, chapter: Chapter, language: ReaderLanguage) 
     });
 }
 
-/// Adds to an outcome the mistakes that give the same answers.
+/// Returns the outcome of a trial; if a law is broken, with the slips that [`explain`] adds.
 ///
 /// # Errors
-/// Those of the outcome.
+/// If the outcome is an error.
 pub fn explained(mut outcome: Outcome, chapter: Chapter, language: ReaderLanguage) -> Outcome {
     if let Err(Complaint::Broken(report)) = &mut outcome {
         explain(report, chapter, language);
@@ -99,8 +100,8 @@ pub fn mismatch_with(
     }
 }
 
-/// Lists the questions to all functions of a chapter that tell mistakes apart, in the order in
-/// which they are put.
+/// Lists the questions to all functions of a chapter whose answers tell mistakes apart: first the
+/// shared functions, then the sphere, then `ray_color`. The build test and chapter 6 have none.
 pub fn questions(chapter: Chapter) -> Vec<Question> {
     let sphere = match chapter {
         Chapter::BuildTest | Chapter::SpeedVsAccuracy => return Vec::new(),
@@ -113,7 +114,7 @@ pub fn questions(chapter: Chapter) -> Vec<Question> {
     others.concat()
 }
 
-/// Returns the scene that the `ray_color` of a chapter draws.
+/// Returns the scene that the `ray_color` of a chapter has to draw.
 pub fn scene(chapter: Chapter) -> ChapterScene {
     match chapter {
         Chapter::BuildTest | Chapter::Gradient => ChapterScene::Sky,
@@ -124,11 +125,11 @@ pub fn scene(chapter: Chapter) -> ChapterScene {
 }
 
 impl ChapterProgram {
-    /// Puts the functions of the program, as its chapter has them, under the laws: the
-    /// intersection, and what becomes of a hit.
+    /// Tests the functions that the program's chapter teaches under the laws: first the
+    /// intersection, then `ray_color`.
     ///
     /// # Errors
-    /// If a law is broken.
+    /// If a function breaks a law; the first one is reported.
     pub fn try_laws(&self, trial: &Trial) -> Outcome {
         let solve = |center, radius, ray: &Ray| self.hit_sphere(center, radius, ray);
         let record = |asked: &IntervalCase| Functions::record(self, asked);
@@ -146,11 +147,11 @@ impl ChapterProgram {
         trial.ray_color(scene(self.chapter), &|ray| self.ray_color(ray))
     }
 
-    /// Puts all functions of the program under the laws, those that it shares with other chapters
-    /// first.
+    /// Tests all functions of the program under the laws: first those that chapters share (vectors
+    /// and the camera), then as [`try_laws`](Self::try_laws) does.
     ///
     /// # Errors
-    /// If a law is broken.
+    /// If a function breaks a law; the first one is reported.
     pub fn try_all_laws(&self, trial: &Trial) -> Outcome {
         Prelude::of(self, |prelude| trial.prelude(prelude))?;
         trial.pixel_ray(&|pixel| self.pixel_ray(pixel))?;
@@ -190,7 +191,7 @@ impl Functions for ChapterProgram {
     }
 
     fn pixel_ray(&self, pixel: &CameraPixel) -> Ray {
-        // A reader of a chapter has no camera in the text.
+        // The text that a reader typed has no camera.
         let own = self.ray(pixel.width, pixel.i, pixel.j);
         own.unwrap_or_else(|| Camera::new(pixel.width).ray(pixel.i, pixel.j))
     }

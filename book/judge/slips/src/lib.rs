@@ -1,9 +1,9 @@
-//! Mutants of the chapters: the mistakes that readers make, here called *slips*, as
-//! programs that make them.
+//! Mutants of the chapters: the mistakes that readers make, here called *slips*, each as a program
+//! that makes it.
 //!
-//! [`all`] lists them, [`ChapterProgram`] draws what each of them draws,
-//! and a [`Probe`] is a small change of scene that makes one visible where the
-//! book's picture hides it:
+//! [`all`] lists the slips, [`Slip::program`] makes the [`ChapterProgram`] with one of them, and a
+//! [`Probe`] is a small change of scene that makes a slip visible where the book's picture hides
+//! it:
 //!
 //! ```
 //! use slips::Chapter;
@@ -30,7 +30,9 @@
 mod catalogue;
 mod edit;
 mod edition;
+mod files;
 pub mod lawful;
+mod output;
 mod probes;
 mod program;
 mod reader_language;
@@ -45,9 +47,11 @@ pub use catalogue::{all, find, unnamed};
 pub use course::chapter::{Chapter, SphereCount};
 pub use edit::Edit;
 pub use edition::Edition;
+pub use files::{program_files, typed_files};
 pub use interpreter::{Ball, SphereHit};
+pub use output::Output;
 pub use probes::{PROBES, Probe, find as find_probe, width_line};
-pub use program::{ChapterProgram, Output, files, typed_files};
+pub use program::ChapterProgram;
 pub use reader_language::ReaderLanguage;
 pub use slip::{Slip, SlipText, Unseen};
 pub use trace::{TraceRow, side_by_side};

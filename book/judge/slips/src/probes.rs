@@ -1,4 +1,4 @@
-//! Probes: small scenes that show what the book's picture can't.
+//! Probes: changes of a chapter that make visible what the book's picture hides.
 
 use interpreter::Ball;
 
@@ -7,22 +7,24 @@ use crate::chapter::{Chapter, SphereCount};
 use crate::edit::Edit;
 use crate::reader_language::ReaderLanguage;
 
-/// A change to a chapter of which every right program makes the same picture.
+/// A change of width, spheres or focal length that a reader makes to test a program. Every right
+/// program then draws the same picture; many wrong ones, whose picture was right, do not.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Probe {
-    /// Its name on the command line.
+    /// The name on the command line.
     pub name: &'static str,
-    /// The width of its picture, in pixels.
+    /// The width of the probe's picture in pixels.
     pub width: u32,
-    /// The spheres to put in place of the chapter's, or `None` to keep those.
+    /// The spheres that replace those of the chapter, or `None` to keep these.
     pub spheres: Option<&'static [Ball]>,
-    /// How far the viewport is from the eye: 1 as in the chapters, or more to
-    /// see something far away as large as if it were near.
+    /// The distance from the eye to the viewport: 1 as in the chapters, or more to see far spheres
+    /// large.
     pub focal_length: f64,
-    /// What it brings to light.
+    /// The kind of mistake that the probe shows, in a sentence.
     pub shows: &'static str,
 }
 
+/// A probe that changes nothing but the width.
 const PROBE: Probe = Probe {
     name: "",
     width: 128,
@@ -33,8 +35,7 @@ const PROBE: Probe = Probe {
 
 /// All probes, the cheapest change first.
 ///
-/// Those that bring spheres of their own are of exactly 16:9, so that nothing
-/// but the spheres speaks.
+/// Those with spheres of their own are exactly 16:9, so that only the spheres make a difference.
 pub const PROBES: [Probe; 8] = [
     Probe {
         name: "odd-width",
@@ -94,13 +95,13 @@ pub const PROBES: [Probe; 8] = [
     },
 ];
 
-/// The probe of that name.
+/// Finds a probe by its name.
 pub fn find(name: &str) -> Option<Probe> {
     PROBES.into_iter().find(|probe| probe.name == name)
 }
 
 impl Probe {
-    /// Returns true if the chapter has [room](Chapter::room) for its spheres.
+    /// Returns true if a chapter draws as many spheres as the probe has.
     pub fn fits(&self, chapter: Chapter) -> bool {
         let count = self.spheres.map_or(0, <[Ball]>::len);
         match chapter.sphere_count() {
@@ -110,15 +111,17 @@ impl Probe {
         }
     }
 
-    /// The program with this probe's spheres and focal length; its picture is to be
-    /// [`width`](Self::width) pixels wide. `None` if the chapter has no room for them.
+    /// Returns a program with the probe's spheres and focal length. Its picture has to be drawn
+    /// [`width`](Self::width) pixels wide.
+    ///
+    /// Returns `None` if the probe has more spheres than the chapter draws.
     pub fn applied_to(&self, program: &ChapterProgram) -> Option<ChapterProgram> {
         let chapter = program.chapter;
         let edits = self.fits(chapter).then(|| self.edits(chapter))?;
         program.with_any(&edits)
     }
 
-    /// Returns what a reader changes in the chapter's text.
+    /// Returns the edits of a chapter's text that make the change.
     fn edits(&self, chapter: Chapter) -> Vec<Edit> {
         let mut edits = Vec::new();
         if self.focal_length != 1.0 {
@@ -162,8 +165,9 @@ impl Probe {
         edits
     }
 
-    /// Returns what a reader changes, a line each: the width, the focal length if it is another,
-    /// and the spheres, which replace the chapter's.
+    /// Tells a reader what to change in a chapter, a line for each change: the width, the focal
+    /// length if it is another, and the spheres. Without a language the width is named as in the
+    /// book.
     pub fn lines(&self, chapter: Chapter, language: Option<ReaderLanguage>) -> String {
         let mut lines = vec![width_line(self.width, language)];
         if self.focal_length != 1.0 {
@@ -184,7 +188,7 @@ impl Probe {
     }
 }
 
-/// A ball's center and radius, as our Rust has them.
+/// Writes a ball's center and radius in Rust.
 fn of_ball(ball: &Ball) -> [String; 2] {
     let [x, y, z] = ball.center.to_array();
     [
@@ -193,7 +197,8 @@ fn of_ball(ball: &Ball) -> [String; 2] {
     ]
 }
 
-/// How a reader asks for a picture of that width: a crate of ours has a function for it.
+/// Returns the code by which a reader sets the width in pixels: `picture(227)` in Rust, where the
+/// crates of this workspace have a function for it, else `image_width = 227`.
 pub fn width_line(width: u32, language: Option<ReaderLanguage>) -> String {
     match language {
         Some(ReaderLanguage::Rust) => format!("picture({width})"),

@@ -3,7 +3,7 @@
 use crate::chapter::Chapter;
 use crate::edition::Edition;
 
-/// The language in which a line is shown to a reader, so that the reader finds it again.
+/// The language of a reader, in which lines are shown so that the reader finds them in the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ReaderLanguage {
     /// The C++ of an edition of the book; also shown to readers of languages that look like it.
@@ -39,7 +39,7 @@ impl ReaderLanguage {
     }
 }
 
-/// A line of our Rust as the book has it in C++ in that chapter.
+/// Translates a line of a chapter's Rust to the book's C++.
 pub(super) fn in_cpp(line: &str, chapter: Chapter) -> String {
     let mut line = line.to_owned();
     if chapter == Chapter::HittableList {
@@ -61,13 +61,15 @@ pub(super) fn in_cpp(line: &str, chapter: Chapter) -> String {
     line.strip_suffix(".0").unwrap_or(&line).to_owned()
 }
 
-/// A line of the book's C++ as it is typed in Python.
+/// Translates a line of the book's C++ to Python.
 pub(super) fn in_python(line: &str) -> String {
     without_brackets(&replaced(line, PYTHON))
 }
 
+/// Texts and their replacements, in the order in which they are made.
 type Phrases = &'static [(&'static str, &'static str)];
 
+/// Rust, once names are translated, and the book's C++.
 const CPP: Phrases = &[
     ("self.", ""),
     ("record.point", "rec.p"),
@@ -115,7 +117,7 @@ const CPP: Phrases = &[
     ("; ", ", "),
 ];
 
-/// Methods of Rust that are functions in C++.
+/// Methods of Rust, and the functions that C++ has for them.
 const FUNCTIONS: [(&str, &str); 5] = [
     (".dot(", "dot("),
     (".normalize()", "unit_vector("),
@@ -124,6 +126,7 @@ const FUNCTIONS: [(&str, &str); 5] = [
     (" as u8", "int("),
 ];
 
+/// Variables of the chapters, and of the book.
 const NAMES: Phrases = &[
     ("ray", "r"),
     ("normal", "N"),
@@ -131,6 +134,7 @@ const NAMES: Phrases = &[
     ("component", "r"),
 ];
 
+/// The book's C++, and Python.
 const PYTHON: Phrases = &[
     (".x()", ".x"),
     (".y()", ".y"),
@@ -146,17 +150,18 @@ const PYTHON: Phrases = &[
     ("double(image_height)", "image_height"),
 ];
 
-/// Each phrase replaced, one after the other.
+/// Replaces each phrase, one after the other.
 fn replaced(line: &str, phrases: Phrases) -> String {
     let replace = |line: String, (from, to): &(&str, &str)| line.replace(from, to);
     phrases.iter().fold(line.to_owned(), replace)
 }
 
+/// Returns true if a name can have this character.
 fn is_of_a_word(letter: char) -> bool {
     letter.is_alphanumeric() || letter == '_'
 }
 
-/// Whole words replaced, but for fields.
+/// Replaces whole words, but for fields.
 fn with_words(line: &str, names: Phrases) -> String {
     let mut written = String::new();
     let mut rest = line;
@@ -172,7 +177,8 @@ fn with_words(line: &str, names: Phrases) -> String {
     written
 }
 
-/// `x.method()` as `function(x)`, and `x.method(y)` as `function(x, y)`.
+/// Rewrites `x.method()`, whose point is at byte `place`, as `function(x)`, and `x.method(y)` as
+/// `function(x, y)`.
 fn with_function(line: &str, place: usize, method: &str, function: &str) -> String {
     let (before, rest) = (&line[..place], &line[place + method.len()..]);
     let (before, operand) = before.split_at(start_of_operand(before));
@@ -186,7 +192,7 @@ fn with_function(line: &str, place: usize, method: &str, function: &str) -> Stri
     format!("{before}{function}{operand}{separator}{rest}")
 }
 
-/// Where the expression begins that ends with the text: a path, a call, or brackets.
+/// Finds the first byte of the path, call or brackets with which a text ends.
 fn start_of_operand(text: &str) -> usize {
     let mut open = 0;
     let ends = |letter: char| {
@@ -196,10 +202,10 @@ fn start_of_operand(text: &str) -> usize {
     text.rfind(ends).map_or(0, |place| place + 1)
 }
 
-/// `if (condition) …` as `if condition: …`
-fn without_brackets(said: &str) -> String {
-    let Some((before, rest)) = said.split_once("if (") else {
-        return said.to_owned();
+/// Rewrites `if (condition) …` as `if condition: …`.
+fn without_brackets(line: &str) -> String {
+    let Some((before, rest)) = line.split_once("if (") else {
+        return line.to_owned();
     };
     let mut open = 1;
     let end = rest.find(|sign| {

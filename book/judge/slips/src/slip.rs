@@ -1,5 +1,5 @@
-//! Mutation operators: a slip is a known mistake, as edits of the chapters' texts, and what there
-//! is to say of it.
+//! Mutation operators: known mistakes, here called slips, as edits of the chapters' texts, each
+//! with its explanation.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -8,63 +8,74 @@ use std::sync::{LazyLock, Mutex, PoisonError};
 use crate::chapter::Chapter;
 use crate::edit::Edit;
 use crate::edition::Edition;
+use crate::files::{path_in_workspace, program_files};
 use crate::probes::PROBES;
-use crate::program::{ChapterProgram, files, source};
+use crate::program::ChapterProgram;
 use crate::reader_language::{ReaderLanguage, in_cpp, in_python};
 use crate::wrong_picture::kept;
 
-/// The slips that the picture of a chapter hides at the book's width, and what probes show them:
-/// drawn once, since that takes longer than a reader waits.
+/// A line for each chapter and slip where the wrong picture equals the right one at the book's
+/// width: both names, then those of the probes that show the slip. A test draws them all, which
+/// takes longer than a reader waits.
 const HIDDEN: &str = include_str!("../tests/pictures/snapshots/pictures__hidden.snap");
 
-/// A mistake that readers make: a paragraph of `catalogue.txt`, where the fields are told.
+/// A mistake that readers make: a paragraph of `catalogue.txt`, whose head explains the fields.
 ///
-/// In which chapters it can be made, the texts of these say: wherever its edits stand.
+/// It can be made in each chapter in whose text the left side of one of its edits stands.
 #[derive(Clone, Debug, Default)]
 pub struct Slip {
-    /// What it is called, on the command line and in tables. It never changes. Empty where
-    /// only laws look for it.
+    /// The name on the command line and in tables, which never changes; empty for a slip that only
+    /// laws look for.
     pub name: &'static str,
-    /// The page of the book and its heading that tell how it is right, as the end of an
-    /// address: `half_b_sphere#two-observations`.
+    /// The page of the book and its heading that teach the right line, as the end of an address:
+    /// `half_b_sphere#two-observations`.
     pub page: &'static str,
     /// What the mistake does to the picture, and why.
     pub why: &'static str,
+    /// The edits, right to wrong; one or more of them stand in each chapter that has the line.
     pub(super) edits: Vec<Edit>,
+    /// The issues that report the slip, with `, ` between them.
     pub(super) reported: &'static str,
+    /// The languages that let the slip be made, with `, ` between them; empty if all do.
     pub(super) only_in: &'static str,
+    /// The proof that no picture shows the slip, or empty.
     pub(super) equivalent: &'static str,
+    /// The law that shows the slip where no picture does, or empty.
     pub(super) law: &'static str,
-    /// The whole line in each of these, if it can't be made of the chapter's.
+    /// The line in Rust, if not the chapter's.
     pub(super) rust: Option<Edit>,
+    /// The line in C++, if it can't be translated.
     pub(super) cpp: Option<Edit>,
+    /// The line in Python, if it can't be translated.
     pub(super) python: Option<Edit>,
+    /// The line in editions before version 4, if it is another.
     pub(super) older: Option<Edit>,
 }
 
-/// What there is to say of a slip.
+/// The explanation of a slip, with its line in the language of a reader.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SlipText {
-    /// What the code probably says.
+    /// The line with the slip.
     pub wrong: Cow<'static, str>,
-    /// What it should say.
+    /// The line as it should be.
     pub right: Cow<'static, str>,
-    /// Why, and what the mistake does to the picture.
+    /// The reason, and the effect of the slip on the picture.
     pub why: &'static str,
 }
 
-/// Why neither picture nor probe shows a slip.
+/// The reason why neither a chapter's picture nor a probe shows a slip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unseen {
-    /// It draws the same picture; the sentence proves it.
+    /// The program with the slip draws the same pictures; the text is the proof.
     Equivalent(&'static str),
-    /// It needs a ray that no camera here casts; the sentence is the law that
-    /// a test puts to [`ChapterProgram::hit_sphere`], [`ChapterProgram::record`] or a ray.
+    /// Only a ray that no camera here casts shows the slip; the text is the law that it breaks.
     OnlyByLaw(&'static str),
 }
 
 impl Slip {
-    /// Returns what there is to say of it to someone who made it in that chapter.
+    /// Explains the slip to a reader who made it in a chapter, in the reader's language.
+    ///
+    /// Both lines are empty if the slip can't be made in the chapter and has none of its own.
     pub fn words(&self, language: ReaderLanguage, chapter: Chapter) -> SlipText {
         let Edit { right, wrong } = self.line(language, chapter);
         SlipText {
@@ -74,7 +85,7 @@ impl Slip {
         }
     }
 
-    /// Returns the line in which the slip is made, right and wrong, in the reader's language.
+    /// Returns the line of the slip, right and wrong, in a reader's language.
     fn line(&self, language: ReaderLanguage, chapter: Chapter) -> Edit {
         let edition = language.edition();
         let own = match language {
@@ -109,10 +120,10 @@ impl Slip {
         }
     }
 
-    /// Finds the statement in an edition's text of the chapter in which the slip is made, on one
-    /// line.
+    /// Finds the statement that the slip changes in an edition's text of a chapter, right and wrong,
+    /// each on one line.
     fn statement(&self, chapter: Chapter, edition: Edition) -> Option<Edit> {
-        /// By the slip's name and its reason, since not all have a name.
+        /// Statements that were found, by the slip's name and reason, since some have no name.
         type Known = BTreeMap<(&'static str, &'static str, Chapter, Edition), Option<Edit>>;
         static KNOWN: LazyLock<Mutex<Known>> = LazyLock::new(Mutex::default);
         let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
@@ -121,8 +132,8 @@ impl Slip {
         known.entry(key).or_insert_with(statement).clone()
     }
 
-    /// Returns true if that language lets it be made: not all take a number for a truth, or -1.0
-    /// for a miss.
+    /// Returns true if a language lets the slip be made. Not all take a number for a condition, or
+    /// −1.0 for a miss.
     pub fn is_possible_in_language(&self, language: ReaderLanguage) -> bool {
         let language = match language {
             ReaderLanguage::Rust => "Rust",
@@ -132,21 +143,21 @@ impl Slip {
         self.only_in.is_empty() || self.only_in.split(", ").any(|it| it == language)
     }
 
-    /// Returns true if editions before version 4 have another line for it.
+    /// Returns true if the line of the slip in a chapter is another one before version 4.
     pub fn has_older_line(&self, chapter: Chapter) -> bool {
         let [older, own] =
             [Edition::V3, Edition::V4].map(|it| self.line(ReaderLanguage::Cpp(it), chapter));
         older != own
     }
 
-    /// Returns true if it is a line of another edition in a program of this one.
+    /// Returns true if the wrong line of a chapter is the right one of an older edition.
     pub fn is_of_another_edition(&self, chapter: Chapter) -> bool {
         let line = |edition| self.line(ReaderLanguage::Cpp(edition), chapter);
         let [older, own] = [Edition::V3, Edition::V4].map(line);
         older.right == own.wrong
     }
 
-    /// Counts the people who have reported that they made it.
+    /// Counts the issues that report the slip.
     pub fn reports(&self) -> usize {
         self.reported
             .split(", ")
@@ -154,45 +165,53 @@ impl Slip {
             .count()
     }
 
-    /// Returns the edits by which it is made in texts of the chapters.
+    /// Returns the edits that make the slip; in a chapter those whose left side stands there.
     pub fn edits(&self) -> &[Edit] {
         &self.edits
     }
 
-    /// Returns the edit by which it is made in the chapter's text, if that is one.
+    /// Returns the edit that makes the slip in a chapter, if that is exactly one.
+    ///
+    /// # Panics
+    /// If the chapter is not one of [`Chapter::OF_THE_BOOK`].
     pub fn only_edit(&self, chapter: Chapter) -> Option<&Edit> {
         let program = ChapterProgram::right(chapter);
         let mut standing = self.edits.iter().filter(|edit| program.has(edit));
         standing.next().filter(|_| standing.next().is_none())
     }
 
-    /// Returns true if it can be made in the chapter's program.
+    /// Returns true if the slip can be made in a chapter's program.
+    ///
+    /// # Panics
+    /// If the chapter is not one of [`Chapter::OF_THE_BOOK`].
     pub fn is_possible_in(&self, chapter: Chapter) -> bool {
         self.statement(chapter, Edition::V4).is_some()
     }
 
-    /// Returns the chapters in which it can be made.
+    /// Lists the chapters in which the slip can be made, in reading order.
     pub fn chapters(&self) -> impl Iterator<Item = Chapter> {
         let chapters = Chapter::OF_THE_BOOK.into_iter();
         chapters.filter(|&chapter| self.is_possible_in(chapter))
     }
 
-    /// Finds the file of this workspace that has the line right.
+    /// Finds the file of this workspace that has the right line, as a path from its top folder;
+    /// `None` if no file of the first chapter with the slip has it.
     pub fn source(&self) -> Option<String> {
         let chapter = self.chapters().next()?;
-        let mut files = files(chapter).into_iter();
+        let mut files = program_files(chapter).into_iter();
         let file = files.find(|it| self.stands_in(&it.text))?;
-        Some(source(chapter, &file.name))
+        Some(path_in_workspace(chapter, &file.name))
     }
 
+    /// Returns true if the left side of an edit stands in a text.
     fn stands_in(&self, text: &str) -> bool {
         self.edits.iter().any(|edit| edit.stands_in(text))
     }
 
-    /// Returns the program of someone who made this slip in that chapter.
+    /// Returns the program of a chapter with this slip and no other.
     ///
     /// # Panics
-    /// If it can't be made there.
+    /// If the slip can't be made in the chapter.
     pub fn program(&self, chapter: Chapter) -> ChapterProgram {
         let name = self.name;
         assert!(
@@ -202,13 +221,13 @@ impl Slip {
         self.applied_to(&ChapterProgram::right(chapter))
     }
 
-    /// Returns the program with this slip in it, if it can be made there.
+    /// Returns a program with this slip in it, or as it is if the slip can't be made there.
     pub fn applied_to(&self, program: &ChapterProgram) -> ChapterProgram {
         let made = program.with_any(&self.edits);
         made.unwrap_or_else(|| program.clone())
     }
 
-    /// Returns why nothing shows the slip in that chapter, or `None` if something does.
+    /// Returns why nothing shows the slip in a chapter; `None` if the picture or a probe does.
     pub fn why_unseen_in(&self, chapter: Chapter) -> Option<Unseen> {
         let is_seen = !self.revealing_probes(chapter)?.is_empty();
         (!is_seen).then_some(if self.law.is_empty() {
@@ -218,7 +237,8 @@ impl Slip {
         })
     }
 
-    /// Returns the probes that show the slip in that chapter, or `None` if its own picture does.
+    /// Returns the names of the probes that show the slip in a chapter, or `None` if the chapter's
+    /// own picture does. Empty if nothing shows it.
     pub fn revealing_probes(&self, chapter: Chapter) -> Option<Vec<&'static str>> {
         let mut rows = kept(HIDDEN).map(str::split_whitespace);
         rows.find_map(|mut row| {
@@ -227,7 +247,8 @@ impl Slip {
         })
     }
 
-    /// Returns the first probe that shows the slip where a chapter's picture hides it.
+    /// Returns the name of the first probe of [`PROBES`] that shows the slip in a chapter whose own
+    /// picture hides it; `None` if there is none.
     pub fn first_revealing_probe(&self) -> Option<&'static str> {
         let hidden = self
             .chapters()
@@ -238,26 +259,26 @@ impl Slip {
         probes.find(|name| hidden.contains(name))
     }
 
-    /// The page and its heading apart.
+    /// Splits [`page`](Self::page) into the page's name and its heading, both as in an address.
     pub fn page_and_heading(&self) -> (&'static str, &'static str) {
         self.page.split_once('#').unwrap_or((self.page, ""))
     }
 
-    /// The page and its heading, as seen from another page.
+    /// Returns the address of [`page`](Self::page), relative to another page of the book.
     pub fn address(&self) -> String {
         self.page.replace('#', ".html#")
     }
 
-    /// The page and its heading in words, where it can't be opened.
+    /// Names [`page`](Self::page) in words, for a place where no link can be opened.
     pub fn page_in_words(&self) -> String {
         let (page, heading) = self.page_and_heading();
         format!("\"{}\", page {page} of the book", heading.replace('-', " "))
     }
 
-    /// Returns true if its line is one of those that a reader of that chapter types.
+    /// Returns true if the line of the slip is in the files that a reader of a chapter types.
     pub fn is_typed_in(&self, chapter: Chapter) -> bool {
         let mut files = chapter.files().iter();
-        // A kind of number is no line.
+        // The precision of all numbers is no line.
         let is_line = self.edits.iter().all(|edit| !edit.is_precision());
         is_line && files.any(|(_, text)| self.stands_in(text))
     }

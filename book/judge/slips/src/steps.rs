@@ -1,39 +1,42 @@
-//! The steps of each chapter: a few lines to type, and one thing to see.
+//! The steps of each chapter: a few lines to type at a time, and a picture to see after each.
 
 use crate::chapter::Chapter;
 use crate::edit::Edit;
 use crate::program::ChapterProgram;
 
-/// A few lines to type, after which there is something new to see.
+/// A step of a chapter: a few lines to type, after which there is something new to see.
 pub struct ChapterStep {
-    /// What to type, and what it will show.
+    /// The instruction: what to type, and what it will show.
     pub says: &'static str,
-    /// What there is to see, for those who can't.
+    /// A description of the step's picture, for those who can't see it.
     pub seen: &'static str,
-    /// What the chapter's text has instead by then.
+    /// The edits, `right→wrong`, that turn the whole chapter into the step; none for the last step.
     edits: &'static [&'static str],
 }
 
 impl ChapterStep {
-    /// The chapter's program as far as it is written by then.
+    /// Returns a chapter's program as far as it is typed after the step; the whole program if the
+    /// edits of the step don't fit it.
     pub fn applied_to(&self, program: &ChapterProgram) -> ChapterProgram {
         let edits: Vec<Edit> = self.edits.iter().map(|it| Edit::parse(it)).collect();
         program.with_any(&edits).unwrap_or_else(|| program.clone())
     }
 }
 
-/// The steps that lead to the picture of `chapter`, which the last of them shows.
+/// Returns the steps of a chapter in their order; the last one shows the chapter's picture. Chapter
+/// 6 has none.
 pub fn of_chapter(chapter: Chapter) -> &'static [ChapterStep] {
     STEPS.get(chapter as usize).copied().unwrap_or_default()
 }
 
+/// The last step of a chapter, but for its words: the program is whole.
 const LAST: ChapterStep = ChapterStep {
     says: "",
     seen: "",
     edits: &[],
 };
 
-/// Those of each chapter.
+/// The steps of each chapter of the book.
 const STEPS: [&[ChapterStep]; 6] = [
     &[ChapterStep {
         says: "Red grows to the right and green grows downwards, from 0 to 1.",

@@ -3,7 +3,7 @@
 use common::rtweekend::*;
 use interpreter::{TracedValue, format_number};
 
-use crate::program::Output;
+use crate::output::Output;
 
 /// A line of a [trace](Output::trace): a number's name and its value.
 pub struct TraceRow {
