@@ -1,4 +1,6 @@
-//! What a picture comes to: a table of programs, and of ways in which their pictures change.
+//! The verdicts on pictures: a table of programs with slips, and of changes of their pictures.
+
+mod changes;
 
 use std::{slice, thread};
 
@@ -11,68 +13,61 @@ use check::text::{MOST_LINES, Style, lines};
 use check::verdict::Verdict;
 use check::{guess, judge, judge_file, judge_guessed, png};
 use common::rtweekend::*;
-use slips::{Chapter, ChapterProgram, Edit, Edition, Slip};
+use slips::Chapter::{self, *};
+use slips::{ChapterProgram, Edit, Edition, Slip};
 
-/// Each way is a function of a picture.
+use changes::{black, ellipse, gray, green_box, mirrored, odd, raised, row, same};
+
+/// A way to change a picture.
 type Way = fn(&Picture) -> Picture;
 
-/// Chapter, slips (or none), what happened to the picture, and what is said of it.
+/// A chapter, slips made in it (or none), a change of the picture, and the verdict in short.
 const ANSWERS: [(Chapter, &str, Way, &str); 19] = [
-    (Chapter::Normals, "", same, "right"),
-    (Chapter::Normals, "", odd::<1>, "right but for 1"),
-    (Chapter::HittableList, "", odd::<30>, "right but for 30"),
-    (Chapter::Gradient, "", row, "right but for 90"),
-    (Chapter::HalfBSphere, "", green_box, "right but for 64"),
-    (Chapter::Normals, "far-root", same, "far-root"),
-    (Chapter::Normals, "far-root", odd::<5>, "far-root but for 5"),
+    (Normals, "", same, "right"),
+    (Normals, "", odd::<1>, "right but for 1"),
+    (HittableList, "", odd::<30>, "right but for 30"),
+    (Gradient, "", row, "right but for 90"),
+    (HalfBSphere, "", green_box, "right but for 64"),
+    (Normals, "far-root", same, "far-root"),
+    (Normals, "far-root", odd::<5>, "far-root but for 5"),
+    (HittableList, "times-255", odd::<5>, "times-255 but for 5"),
     (
-        Chapter::HittableList,
-        "times-255",
-        odd::<5>,
-        "times-255 but for 5",
-    ),
-    (
-        Chapter::HittableList,
+        HittableList,
         "grid-not-inset",
         odd::<5>,
         "grid-not-inset but for 5",
     ),
-    (Chapter::Normals, "a-from-length", same, "a-from-length"),
+    (Normals, "a-from-length", same, "a-from-length"),
     (
-        Chapter::HittableList,
+        HittableList,
         "rows-from-below far-root",
         same,
         "rows-from-below and far-root; viewport-upside-down and far-root",
     ),
     (
-        Chapter::HittableList,
+        HittableList,
         "minus-h range-not-tested",
         same,
         "oc-reversed and range-not-tested; minus-h and range-not-tested; h-sign and range-not-tested",
     ),
     (
-        Chapter::Gradient,
+        Gradient,
         "viewport-upside-down",
         same,
         "rows-from-below; viewport-upside-down; white-and-blue-swapped; direction-reversed",
     ),
     (
-        Chapter::BuildTest,
+        BuildTest,
         "green-upwards",
         same,
         "rows-from-below; green-upwards",
     ),
-    (Chapter::Normals, "", raised, "unknown: "),
+    (Normals, "", raised, "unknown: "),
+    (Normals, "direction-reversed", same, "direction-reversed"),
+    (Normals, "", mirrored, "viewport-mirrored"),
+    (Gradient, "", black, "ray-arguments-swapped"),
     (
-        Chapter::Normals,
-        "direction-reversed",
-        same,
-        "direction-reversed",
-    ),
-    (Chapter::Normals, "", mirrored, "viewport-mirrored"),
-    (Chapter::Gradient, "", black, "ray-arguments-swapped"),
-    (
-        Chapter::Normals,
+        Normals,
         "",
         gray,
         "unknown: The picture has no color: red, green and blue are equal in each pixel.",
@@ -111,8 +106,8 @@ fn the_picture_of_each_slip_is_named_in_each_chapter_in_few_lines() {
     assert!(unnamed.is_empty(), "\n{unnamed}");
 }
 
-/// Returns what is wrong, if the slip is not among those that are named. Where it changes only a
-/// few pixels more than are odd, these are counted with them; a shape of its own is said to be one.
+/// Says what is wrong if the verdict does not name the slip; empty if it does. A slip that changes
+/// few pixels may be left unnamed, or one that changes the shape.
 fn unnamed_in(slip: &'static Slip, chapter: Chapter, width: u32, way: Way) -> String {
     let drawn = slip.program(chapter).run(width);
     let right = chapter.picture(width);
@@ -152,7 +147,7 @@ fn unnamed_in(slip: &'static Slip, chapter: Chapter, width: u32, way: Way) -> St
     )
 }
 
-/// The answer as it is read in a terminal that is 80 characters wide.
+/// Lays out the answer in a terminal of 80 characters.
 fn laid_out(chapter: Chapter, verdict: Verdict) -> Vec<String> {
     let attempt = Attempt {
         task: task(chapter),
@@ -186,7 +181,7 @@ fn each_edition_is_right_and_known_by_its_picture_alone() {
     }
 }
 
-/// A picture that nobody has called a mistake is described, and never right.
+/// A picture of other colors is described, and never right.
 #[test]
 fn other_colors_are_described() {
     let above = Edit::new("Color::new(0.5, 0.7, 1.0)", "Color::new(0.2, 0.3, 0.55)");
@@ -229,7 +224,7 @@ fn an_egg_is_not_right() {
     }
 }
 
-/// Another thing in the sky is nothing that is known, and so is a shape that is no sphere.
+/// A further sphere, or another shape, is described: no known mistake draws it.
 #[test]
 fn what_is_not_in_a_scene_is_not_right() {
     let three = with(
@@ -326,7 +321,7 @@ fn answer(chapter: Chapter, picture: &Picture) -> Verdict {
     )
 }
 
-/// Returns what is said, in short.
+/// Returns the verdict in short.
 fn said(verdict: &Verdict) -> String {
     if let Verdict::Right(_) = verdict {
         return "right".to_owned();
@@ -354,81 +349,4 @@ fn task(chapter: Chapter) -> Task {
 
 fn slip(name: &str) -> &'static Slip {
     slips::find(name).unwrap_or_else(|| panic!("there is no slip {name}"))
-}
-
-fn same(picture: &Picture) -> Picture {
-    changed(picture, |_, _, color| color)
-}
-
-/// With so many pixels changed, spread over the picture.
-fn odd<const COUNT: u32>(picture: &Picture) -> Picture {
-    let total = picture.width() * picture.height();
-    let is_odd = |n: u32| (0..COUNT).any(|k| n == (k * 2_654_435 + 77) % total);
-    let width = picture.width();
-    changed(picture, |i, j, [r, g, b]| {
-        if is_odd(j * width + i) {
-            [r ^ 0x5a, g ^ 0x33, b ^ 0x11]
-        } else {
-            [r, g, b]
-        }
-    })
-}
-
-fn row(picture: &Picture) -> Picture {
-    changed(picture, |_, j, color| if j == 7 { [0; 3] } else { color })
-}
-
-fn green_box(picture: &Picture) -> Picture {
-    let is_in = |n: u32, from: u32| (from..from + 8).contains(&n);
-    changed(picture, |i, j, color| {
-        if is_in(i, 30) && is_in(j, 20) {
-            [0, 255, 0]
-        } else {
-            color
-        }
-    })
-}
-
-fn black(picture: &Picture) -> Picture {
-    changed(picture, |_, _, _| [0; 3])
-}
-
-fn gray(picture: &Picture) -> Picture {
-    changed(picture, |_, _, color| {
-        let sum: u16 = color.into_iter().map(u16::from).sum();
-        [(sum / 3) as u8; 3]
-    })
-}
-
-fn mirrored(picture: &Picture) -> Picture {
-    let width = picture.width();
-    changed(picture, |i, j, _| pixel(picture, width - 1 - i, j))
-}
-
-fn ellipse(picture: &Picture) -> Picture {
-    changed(picture, |i, j, color| {
-        let (x, y) = (f64::from(i) - 44.5, f64::from(j) - 24.5);
-        if (x / 15.0).hypot(y / 7.0) < 1.0 {
-            [255, 0, 0]
-        } else {
-            color
-        }
-    })
-}
-
-/// A row higher.
-fn raised(picture: &Picture) -> Picture {
-    let last = picture.height() - 1;
-    changed(picture, |i, j, _| pixel(picture, i, last.min(j + 1)))
-}
-
-fn changed(picture: &Picture, change: impl Fn(u32, u32, [u8; 3]) -> [u8; 3]) -> Picture {
-    let (width, height) = (picture.width(), picture.height());
-    let places = (0..height).flat_map(|j| (0..width).map(move |i| (i, j)));
-    let rgb = places.flat_map(|(i, j)| change(i, j, pixel(picture, i, j)));
-    Picture::from_rgb(width, height, rgb.collect()).expect("its size")
-}
-
-fn pixel(picture: &Picture, i: u32, j: u32) -> [u8; 3] {
-    picture.rgb().as_chunks().0[(j * picture.width() + i) as usize]
 }
