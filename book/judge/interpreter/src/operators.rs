@@ -2,6 +2,7 @@
 
 use std::cmp::Ordering;
 
+/// An arithmetic operator between two values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ArithOp {
     Plus,
@@ -11,7 +12,7 @@ pub(crate) enum ArithOp {
     Remainder,
 }
 
-/// How two values are compared.
+/// A comparison of two values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum CompareOp {
     Equal,
@@ -22,16 +23,17 @@ pub(crate) enum CompareOp {
     AtLeast,
 }
 
-/// An operator: of arithmetic, which may change its left side, of a comparison or of truths.
+/// An operator between two expressions.
 #[derive(Clone, Copy)]
 pub(crate) enum Operator {
+    /// An arithmetic operator, and true if it assigns, as `+=`.
     Arithmetic(ArithOp, bool),
     Compare(CompareOp),
     And,
     Or,
 }
 
-/// Returns what the operator with that sign does, if chapters have it.
+/// Returns the operator with that text; `None` for one that chapters don't have.
 pub(crate) fn operator(sign: &str) -> Option<Operator> {
     let order = CompareOp::ALL.iter().find(|it| it.1 == sign);
     match sign {
@@ -47,7 +49,7 @@ pub(crate) fn operator(sign: &str) -> Option<Operator> {
 }
 
 impl ArithOp {
-    /// Each with how it is written, its trait, and the compiler's verb.
+    /// Each operator with its text, its trait, and the compiler's verb.
     const ALL: [(Self, &str, &str, &str); 5] = [
         (Self::Plus, "+", "Add", "add"),
         (Self::Minus, "-", "Sub", "subtract"),
@@ -56,22 +58,23 @@ impl ArithOp {
         (Self::Remainder, "%", "Rem", "calculate the remainder of"),
     ];
 
-    /// Returns the sign that a trait of the standard library has.
+    /// Returns the operator of a trait of the standard library, as `Add`.
     pub(crate) fn of_trait(name: &str) -> Option<Self> {
         Self::ALL.iter().find(|it| it.2 == name).map(|it| it.0)
     }
 
+    /// Returns the compiler's verb for the operator.
     fn verb(self) -> &'static str {
         let own = Self::ALL.iter().find(|it| it.0 == self);
         own.expect("all are listed").3
     }
 
-    /// Returns what the compiled program says where the result does not fit.
+    /// Returns the panic message for a result that does not fit its type.
     pub(crate) fn overflow(self) -> String {
         format!("attempt to {} with overflow", self.verb())
     }
 
-    /// Returns what the compiler says where these two do not go together.
+    /// Returns the compiler's message for two types that have no such operator.
     pub(crate) fn refused(self, is_assignment: bool, one: &str, other: &str) -> String {
         let verb = if is_assignment {
             format!("{}-assign", self.verb())
@@ -88,6 +91,7 @@ impl ArithOp {
 }
 
 impl CompareOp {
+    /// Each comparison with its text.
     const ALL: [(Self, &str); 6] = [
         (Self::Equal, "=="),
         (Self::Unequal, "!="),
@@ -97,12 +101,13 @@ impl CompareOp {
         (Self::AtLeast, ">="),
     ];
 
+    /// Returns the text of the comparison.
     pub(crate) fn sign(self) -> &'static str {
         let own = Self::ALL.iter().find(|it| it.0 == self);
         own.expect("all are listed").1
     }
 
-    /// Finds whether two values that are ordered so are compared truly.
+    /// Returns true if the comparison holds for values in this order; `None` means that one is NaN.
     #[inline]
     pub(crate) fn holds(self, found: Option<Ordering>) -> bool {
         match self {

@@ -8,11 +8,12 @@ use syn::spanned::Spanned;
 use crate::nesting::{self, DEEPEST};
 use crate::refusal::{Refusal, Span};
 
-/// Returns where a part of a tree stands.
+/// Returns the span of a part of a syntax tree.
 pub(crate) fn at(file: u32, it: &impl Spanned) -> Span {
     at_span(file, it.span())
 }
 
+/// Converts a span of a file's token.
 pub(crate) fn at_span(file: u32, span: proc_macro2::Span) -> Span {
     at_bytes(file, span.byte_range())
 }
@@ -25,7 +26,7 @@ fn at_bytes(file: u32, bytes: Range<usize>) -> Span {
     }
 }
 
-/// Returns where an expression stands, without making its words anew as `span` would.
+/// Returns the span of an expression, faster than by its tokens.
 pub(crate) fn at_expr(file: u32, it: &syn::Expr) -> Span {
     let end = |outer: Span, last: proc_macro2::Span| Span {
         end: at_span(file, last).end,
@@ -75,7 +76,7 @@ pub(crate) fn at_expr(file: u32, it: &syn::Expr) -> Span {
     }
 }
 
-/// Returns where a statement stands.
+/// Returns the span of a statement; of a `let`, to its `;`.
 pub(crate) fn at_statement(file: u32, it: &syn::Stmt) -> Span {
     match it {
         syn::Stmt::Local(it) => Span {
@@ -87,7 +88,10 @@ pub(crate) fn at_statement(file: u32, it: &syn::Stmt) -> Span {
     }
 }
 
-/// Parses a file.
+/// Parses the text of the file with that number.
+///
+/// # Errors
+/// The first fault, in the compiler's words where it has some.
 pub(crate) fn parse(file: usize, text: &str) -> Result<syn::File, Refusal> {
     let file = file as u32;
     let code = plain(text);
@@ -101,8 +105,8 @@ pub(crate) fn parse(file: usize, text: &str) -> Result<syn::File, Refusal> {
     syn::parse2(tokens).map_err(|error| no_tree(file, text, &error))
 }
 
-/// Returns the text with each byte in its place, but for comments that become attributes, since to
-/// parse these takes longer than the rest, and for blanks that are none in Rust.
+/// Replaces doc comments by blanks, since parsing them takes longer than the rest, and blanks that
+/// Rust does not know by signs that it refuses. Each byte keeps its place.
 fn plain(text: &str) -> String {
     let has_blocks = text.contains("/*");
     let line = |line: &str| {
@@ -117,7 +121,7 @@ fn plain(text: &str) -> String {
     text.split_inclusive('\n').map(line).collect()
 }
 
-/// Says what stands where a token should begin.
+/// Makes the refusal of a place where no token begins.
 fn no_token(file: u32, text: &str, code: &str, span: proc_macro2::Span) -> Refusal {
     let at = at_span(file, span);
     let sign = text[at.start as usize..].chars().next().unwrap_or(' ');
@@ -144,7 +148,7 @@ fn no_token(file: u32, text: &str, code: &str, span: proc_macro2::Span) -> Refus
     Refusal::new(place, message, "", help)
 }
 
-/// Says that a bracket closes another than the last open one, which is named, or none.
+/// Makes the refusal of a closing bracket that no open one fits.
 fn no_bracket(sign: char, place: Span, before: &str) -> Refusal {
     let open: Result<TokenStream, LexError> = before.parse();
     let Err(open) = open else {
@@ -156,7 +160,7 @@ fn no_bracket(sign: char, place: Span, before: &str) -> Refusal {
     Refusal::new(at_bytes(place.file, start..start + 1), message, "", "")
 }
 
-/// Says why the tokens are no tree.
+/// Makes the refusal of tokens that are no syntax tree.
 fn no_tree(file: u32, text: &str, error: &syn::Error) -> Refusal {
     let message = error.to_string();
     let found = at_span(file, error.span());
@@ -177,7 +181,7 @@ fn no_tree(file: u32, text: &str, error: &syn::Error) -> Refusal {
     Refusal::new(found, message, "", help)
 }
 
-/// Signs that look like others, as books and word processors write them.
+/// Characters of word processors that look like others, each with what is meant.
 const LOOKALIKES: [(char, &str); 14] = [
     ('−', "-"),
     ('–', "-"),

@@ -1,18 +1,19 @@
 //! Declared types: what parameters, results, fields and variables are said to be. Nothing is
 //! inferred: a value shows what it is when it gets there.
 
-/// A type, and those that it is made of.
+/// A type: its constructor and the types to which that is applied, as `Option` and `f64`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Type(pub(crate) Ctor, pub(crate) Vec<Type>);
 
-/// A type apart from those that it is made of.
+/// A type constructor: `Option` in `Option<f64>`, or a whole type without parameters.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Ctor {
-    /// Nothing says what it is: it fits whatever there is.
+    /// An unknown type, which fits every value.
     #[default]
     Unknown,
     Never,
     Bool,
+    /// Both `str` and `String`.
     Str,
     F64,
     F32,
@@ -22,7 +23,7 @@ pub(crate) enum Ctor {
     Picture,
     Ordering,
     Option,
-    /// A `Box`, an `Rc` or an `Arc`: they hold one value.
+    /// A `Box`, an `Rc` or an `Arc`, which hold one value.
     Box,
     Vec,
     Slice,
@@ -32,20 +33,20 @@ pub(crate) enum Ctor {
     Iterator,
     Ref,
     RefMut,
-    /// The parameters, and then the result.
+    /// A function: applied to its parameters, and then to its result.
     Fn,
-    /// A struct of the reader's.
+    /// A struct of the text, by its number.
     Own(u32),
-    /// Anything that has a trait of the reader's, behind a pointer or as a parameter.
+    /// Any type that has a trait of the text, by the trait's number: `dyn` or `impl`.
     Dyn(usize),
-    /// The type of the value that a method of the library is called on.
+    /// The type of the receiver, in the signature of a library method.
     Like,
 }
 
 /// An integer type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Int {
-    /// The type of a number without a point of which nothing more is said.
+    /// The type of an integer literal of which nothing more is known.
     Any,
     U8,
     U16,
@@ -56,8 +57,8 @@ pub(crate) enum Int {
     I64,
 }
 
-/// Each with its name and its ends. `usize` is that of a machine with 64 bits, also where a
-/// page has 32.
+/// Each integer type with its name and its least and greatest number. `usize` has 64 bits, also
+/// where a page has 32.
 const INTEGERS: [(Int, &str, i128, i128); 7] = [
     (Int::U8, "u8", 0, u8::MAX as i128),
     (Int::U16, "u16", 0, u16::MAX as i128),
@@ -69,36 +70,41 @@ const INTEGERS: [(Int, &str, i128, i128); 7] = [
 ];
 
 impl Int {
+    /// Returns the integer type of that name.
     pub(crate) fn named(name: &str) -> Option<Self> {
         INTEGERS.iter().find(|it| it.1 == name).map(|it| it.0)
     }
 
+    /// Returns the type's row in the table.
     fn row(self) -> Option<&'static (Self, &'static str, i128, i128)> {
         INTEGERS.iter().find(|it| it.0 == self)
     }
 
+    /// Returns the name of the type.
     pub(crate) fn name(self) -> &'static str {
         self.row().map_or("{integer}", |it| it.1)
     }
 
-    /// Returns the least number and the greatest.
+    /// Returns the least and the greatest number of the type.
     pub(crate) fn ends(self) -> (i128, i128) {
         self.row()
             .map_or((i64::MIN.into(), i64::MAX.into()), |it| (it.2, it.3))
     }
 
+    /// Returns true if the number is one of the type's.
     pub(crate) fn has(self, number: i128) -> bool {
         let (least, most) = self.ends();
         (least..=most).contains(&number)
     }
 
-    /// Returns what is left of a number that does not fit.
+    /// Wraps a number around the ends of the type, as `as` does.
     pub(crate) fn wrapped(self, number: i128) -> i128 {
         let (least, most) = self.ends();
         (number - least).rem_euclid(most - least + 1) + least
     }
 
-    /// Returns which of two it is, if a number without a type gives way.
+    /// Returns the one type of two integers: a literal takes that of the other. `None` if they
+    /// differ.
     pub(crate) fn joined(self, other: Self) -> Option<Self> {
         match (self, other) {
             (Self::Any, it) | (it, Self::Any) => Some(it),
@@ -119,10 +125,12 @@ impl Type {
     pub(crate) const BOOL: Self = Self(Ctor::Bool, Vec::new());
     pub(crate) const NEVER: Self = Self(Ctor::Never, Vec::new());
 
+    /// Makes a type of a constructor and one parameter.
     pub(crate) fn of(ctor: Ctor, of: Self) -> Self {
         Self(ctor, vec![of])
     }
 
+    /// Returns true if this is the type's constructor.
     pub(crate) fn is(&self, ctor: Ctor) -> bool {
         self.0 == ctor
     }
@@ -131,18 +139,19 @@ impl Type {
         self.is(Ctor::Unknown)
     }
 
-    /// Returns what an `Option`, a `Box`, a list or a reference is of.
+    /// Returns the type's first parameter: the value of an `Option`, a `Box`, a list or a
+    /// reference. Unknown if there is none.
     pub(crate) fn inner(&self) -> &Self {
         static NOTHING: Type = Type::UNKNOWN;
         self.1.first().unwrap_or(&NOTHING)
     }
 
-    /// Returns the type of a function of so many parameters.
+    /// Returns the type of a function with that many parameters of unknown types.
     pub(crate) fn function(parameters: usize) -> Self {
         Self(Ctor::Fn, vec![Self::UNKNOWN; parameters + 1])
     }
 
-    /// Returns the type with another in the place of what a method is called on.
+    /// Replaces [`Ctor::Like`] by the type of a method's receiver.
     pub(crate) fn with(&self, like: &Self) -> Self {
         match self.0 {
             Ctor::Like => like.clone(),
@@ -150,7 +159,7 @@ impl Type {
         }
     }
 
-    /// Returns the type without its references and boxes.
+    /// Returns the type behind references and boxes.
     pub(crate) fn stripped(&self) -> &Self {
         match (self.0, self.1.first()) {
             (Ctor::Ref | Ctor::RefMut | Ctor::Box, Some(inner)) => inner.stripped(),

@@ -12,9 +12,11 @@ use crate::refusal::Span;
 use crate::types::Ctor::{self, Unknown};
 use crate::types::{Int, Type};
 
+/// The type `usize`.
 const USIZE: Ctor = Ctor::Int(Int::Usize);
 
-/// Returns what gives the values of a list or a range, one after the other.
+/// Makes an iterator over a list, a range, another iterator or a mutable reference to one of these;
+/// stops at any other value.
 pub(crate) fn iterator(m: &mut Machine<'_>, of: &Value, at: Span) -> Eval<Iter> {
     Ok(match &of.data {
         Data::List(list) => Iter::List(Rc::clone(list), 0, of.lent.min(1)),
@@ -42,12 +44,13 @@ pub(crate) fn iterator(m: &mut Machine<'_>, of: &Value, at: Span) -> Eval<Iter> 
     })
 }
 
-/// Returns what gives the numbers from one to before another.
+/// Makes an iterator over the numbers from `from` to before `to`.
 fn numbered(from: i128, to: i128, int: Int) -> Iter {
     let mut numbers = from..to;
     Iter::new(move |_| Ok(numbers.next().map(|it| Value::whole(it, int))))
 }
 
+/// Stops since a value can't be iterated over.
 fn no_iterator<T>(m: &mut Machine<'_>, of: &Value, at: Span) -> Eval<T> {
     match of.data {
         Data::Some(_) | Data::None => m.unread(at, "loops over an `Option`"),
@@ -58,7 +61,7 @@ fn no_iterator<T>(m: &mut Machine<'_>, of: &Value, at: Span) -> Eval<T> {
     }
 }
 
-/// Returns all values that are left.
+/// Returns all values that an iterator has left, within the budget of memory.
 pub(super) fn rest(m: &mut Machine<'_>, each: &mut Iter, at: Span) -> Eval<Vec<Value>> {
     let mut all = Vec::new();
     while let Some(value) = each.next(m)? {
@@ -69,7 +72,8 @@ pub(super) fn rest(m: &mut Machine<'_>, each: &mut Iter, at: Span) -> Eval<Vec<V
     Ok(all)
 }
 
-/// Returns the first value, and its number, of which the function says that.
+/// Returns the first value for which a predicate comes to `wanted`, and its number from 0. The
+/// predicate gets the value with `lent` more `&`.
 fn found(
     m: &mut Machine<'_>,
     a: &[Value],
@@ -88,7 +92,8 @@ fn found(
     Ok(None)
 }
 
-/// Returns the value that is on that side of all others, of equal ones the first or the last.
+/// Returns the least or the greatest value by a comparison: of equal ones the first for the least,
+/// the last for the greatest, as the standard library does.
 fn extreme(m: &mut Machine<'_>, a: &[Value], is_least: bool, at: Span) -> Eval {
     let mut each = iterator(m, &a[0], at)?;
     let Some(mut best) = each.next(m)? else {
@@ -106,7 +111,7 @@ fn extreme(m: &mut Machine<'_>, a: &[Value], is_least: bool, at: Span) -> Eval {
     Ok(Some(best).into())
 }
 
-/// Returns what all values come to, one after the other, from a beginning.
+/// Folds all values that an iterator has left into one, from `start`.
 fn folded(m: &mut Machine<'_>, each: &mut Iter, start: Value, f: &Value, at: Span) -> Eval {
     let mut sum = start;
     while let Some(value) = each.next(m)? {
@@ -116,7 +121,7 @@ fn folded(m: &mut Machine<'_>, each: &mut Iter, start: Value, f: &Value, at: Spa
     Ok(sum)
 }
 
-/// Returns the sum or the product of all values.
+/// Returns the sum or the product of all values, added or multiplied from the first on.
 fn total(m: &mut Machine<'_>, of: &Value, sign: ArithOp, at: Span) -> Eval {
     let mut each = iterator(m, of, at)?;
     let Some(first) = each.next(m)? else {
@@ -131,7 +136,8 @@ fn total(m: &mut Machine<'_>, of: &Value, sign: ArithOp, at: Span) -> Eval {
     Ok(total)
 }
 
-/// Makes an iterator of another: of what gives its next value, what gives that of the new one.
+/// Makes an iterator from another: `next` computes each value of the new one with the old one at
+/// hand.
 fn made(
     m: &mut Machine<'_>,
     of: &Value,
@@ -142,7 +148,7 @@ fn made(
     Ok(Value::iter(Iter::new(move |m| next(m, &mut of))))
 }
 
-/// Makes an iterator of another that leaves values out, or puts others in their places.
+/// Makes an iterator from another: `choose` replaces each value, or leaves it out by `None`.
 fn chosen_of(
     m: &mut Machine<'_>,
     of: &Value,

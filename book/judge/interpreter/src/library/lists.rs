@@ -10,7 +10,7 @@ use crate::refusal::Span;
 use crate::types::Ctor::{self, Unknown};
 use crate::types::{Int, Type};
 
-/// Adds values to a list that is changed in its place.
+/// Appends values to the list behind a mutable reference, which checks that all are of one type.
 fn added(m: &mut Machine<'_>, to: &Value, all: Vec<Value>, at: Span) -> Eval {
     let list = m.end_of(to).list();
     let (of, mut first) = (list.of.clone(), list.all.first().cloned());
@@ -29,7 +29,7 @@ fn added(m: &mut Machine<'_>, to: &Value, all: Vec<Value>, at: Span) -> Eval {
     Ok(Value::default())
 }
 
-/// Changes a list in its place.
+/// Changes the list behind a mutable reference in its place.
 fn changed(m: &mut Machine<'_>, list: &Value, mut change: impl FnMut(&mut Vec<Value>)) {
     m.change(list, |it| {
         if let Data::List(list) = &mut it.data {

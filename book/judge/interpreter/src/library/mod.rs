@@ -29,25 +29,26 @@ static ALL: LazyLock<Vec<Native>> = LazyLock::new(|| {
     tables.iter().flat_map(|table| table()).collect()
 });
 
-/// Returns the function of that name before which the type's name stands, or of a name that is
-/// no type's: these are those of `!`.
+/// Returns the library's function `Type::name` by its type and name. A function without a type, as
+/// `sky`, has the type `!` here.
 pub(crate) fn function(ctor: Ctor, name: &str) -> Option<&'static Native> {
     ALL.iter().find(|it| it.name == name && (it.owner)(ctor))
 }
 
-/// Returns all methods of that name.
+/// Returns all methods of the library with that name, for whatever type.
 pub(crate) fn methods(name: &str) -> impl Iterator<Item = &'static Native> {
     ALL.iter()
         .filter(move |it| it.on.is_some() && it.name == name)
 }
 
-/// Returns the names of all methods.
+/// Returns the names of all methods of the library.
 pub(crate) fn names() -> impl Iterator<Item = &'static str> {
     ALL.iter().filter(|it| it.on.is_some()).map(|it| it.name)
 }
 
-/// Lists functions: whose each is, its name, what it is called on and takes, and what it does.
-/// `self` is a method's, `mut` one that changes it, and `_` stands for a function.
+/// Defines a table of functions: in brackets their types, then for each its name, how it takes its
+/// receiver, the types of its other parameters, and what it does. A receiver `self` is a value,
+/// `mut` the address of one, and `_` means that there is none.
 macro_rules! library {
     ($name:ident: $(
         [$owner:pat] { $($function:ident $on:tt ($($take:expr),*) => $run:expr;)* }

@@ -7,7 +7,7 @@ use crate::refusal::Span;
 use crate::types::Ctor::{Like, Unknown};
 use crate::types::{Ctor, Int, Type};
 
-/// Computes with one, two or three floats that are equally wide.
+/// Computes a result from one, two or three floats: in `f32` if all are, else in `f64`.
 macro_rules! float {
     ($a:ident: $x:ident => $result:expr) => {
         match $a[0].data {
@@ -34,7 +34,8 @@ macro_rules! float {
     };
 }
 
-/// Lists functions of one float or two that come to a float, or to a truth.
+/// Defines the functions of floats: those of one float or two by their names alone, as they are in
+/// the standard library, and then the rest.
 macro_rules! floats {
     ({ $($one:ident)* } { $($two:ident)* } { $($is:ident)* } $($rest:tt)*) => {
         library! { floats:
@@ -90,13 +91,15 @@ floats! {
     }
 }
 
+/// Stops since `from` has no conversion of this value, in the compiler's words.
 fn no_conversion(m: &mut Machine<'_>, to: &str, from: &Value, at: Span) -> Eval {
     let from = m.named(from);
     let message = format!("the trait bound `{to}: From<{from}>` is not satisfied");
     m.wrong(at, message, &format!("`… as {to}`"))
 }
 
-/// Lists the questions that an order answers.
+/// Defines the functions of an `Ordering` by their names alone, and then those of integers, truths
+/// and texts.
 macro_rules! others {
     ({ $($is:ident)* } $($rest:tt)*) => {
         library! { others:

@@ -9,13 +9,13 @@ use crate::refusal::Span;
 use crate::types::Ctor::{self, Unknown};
 use crate::types::Type;
 
-/// Calls a function that comes to an option.
+/// Calls a function that must come to an option.
 pub(super) fn chosen(m: &mut Machine<'_>, f: &Value, given: &mut [Value], at: Span) -> Eval {
     let value = m.applied(f, given, at)?;
     m.as_declared(value, &Type::of(Ctor::Option, Type::UNKNOWN), at.into())
 }
 
-/// Returns the value behind one reference.
+/// Returns the value with one `&` less, if it has one.
 pub(super) fn copied(value: Value) -> Value {
     Value {
         lent: value.lent.saturating_sub(1),
@@ -23,7 +23,7 @@ pub(super) fn copied(value: Value) -> Value {
     }
 }
 
-/// Returns what an option has, without that of the reference to it.
+/// Returns the value inside of `Some`, without the `&` of the option itself.
 fn inside(value: &Value) -> Option<Value> {
     match &value.data {
         Data::Some(it) => Some((**it).clone()),

@@ -11,11 +11,12 @@ use crate::types::{Ctor, Int, Type};
 
 const U32: Ctor = Ctor::Int(Int::U32);
 
-/// Returns a picture whose pixels are colored when they are asked for.
+/// Makes a picture, `size` pixels wide and high, whose pixels are colored when they are asked for.
 fn painted(size: (u32, u32), brush: Brush) -> Eval {
     Ok(Data::Picture(Rc::new((size, Rc::new(brush)))).into())
 }
 
+/// Returns a width as a `u32`.
 fn size(value: &Value) -> u32 {
     value.int().clamp(0, u32::MAX.into()) as u32
 }
@@ -35,7 +36,7 @@ library! { table:
     }
 }
 
-/// Returns the picture that a text has printed as a P3 file.
+/// Parses a text that was printed as a P3 file of 255 levels; `None` if it is none.
 pub(crate) fn printed(text: &str) -> Option<Picture> {
     let mut words = text
         .strip_prefix("P3")?

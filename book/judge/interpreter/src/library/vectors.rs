@@ -9,7 +9,8 @@ use crate::machine::value::{Data, Value};
 use crate::types::Ctor::{F64, Vec3 as Vector};
 use crate::types::{Ctor, Type};
 
-/// Lists functions of one vector or two that come to a vector, a number or a truth.
+/// Defines the functions of vectors and rays: those of one vector or two by their names alone, as
+/// glam has them, and then the rest.
 macro_rules! vectors {
     ({ $($one:ident)* } { $($two:ident)* } $($rest:tt)*) => {
         library! { table:

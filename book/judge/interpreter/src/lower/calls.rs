@@ -14,6 +14,7 @@ use crate::refusal::{Refusal, Span};
 use crate::types::{Ctor, Type};
 
 impl Lowerer<'_> {
+    /// Lowers a call by a path or of a value that is a function.
     pub(super) fn call(&mut self, it: &syn::ExprCall) -> Lowered {
         let at = Span {
             end: self.at_span(it.paren_token.span.close()).end,
@@ -64,6 +65,7 @@ impl Lowerer<'_> {
         }
     }
 
+    /// Lowers a call of one of the text's own functions.
     fn call_own(&mut self, function: usize, it: &syn::ExprCall, at: Span) -> Lowered {
         let own = &self.names.functions[function];
         if own.is_constant {
@@ -75,7 +77,7 @@ impl Lowerer<'_> {
         Ok(Expr::new(at, move |m| m.called(function, &given, at)))
     }
 
-    /// Lowers a call of a function of the library by its path.
+    /// Lowers a call of a library function by its path.
     pub(super) fn call_native<'s>(
         &mut self,
         native: &'static Native,
@@ -96,6 +98,7 @@ impl Lowerer<'_> {
         }))
     }
 
+    /// Lowers a call of a value that is a function, such as a closure in a variable.
     fn call_value(&mut self, it: &syn::ExprCall, at: Span) -> Lowered {
         let function = self.expr(&it.func)?;
         if function.spot.form == ExprForm::Open {
@@ -110,7 +113,8 @@ impl Lowerer<'_> {
         }))
     }
 
-    /// Lowers arguments that are checked where they arrive.
+    /// Lowers the arguments of a call whose callee is known only when it runs, and which checks
+    /// their types then.
     pub(super) fn arguments<'s>(
         &mut self,
         all: impl IntoIterator<Item = &'s syn::Expr>,
@@ -124,7 +128,7 @@ impl Lowerer<'_> {
     }
 }
 
-/// Checks how many arguments a call has.
+/// Checks that a call has as many arguments as wanted.
 fn counted(wanted: usize, call: &syn::ExprCall, at: Span) -> Lowered<()> {
     match call.args.len() {
         count if count == wanted => Ok(()),
@@ -132,7 +136,8 @@ fn counted(wanted: usize, call: &syn::ExprCall, at: Span) -> Lowered<()> {
     }
 }
 
-/// Makes a struct of its fields by their numbers, and of a value that has the others.
+/// Makes an expression for a struct: its fields by their numbers, and the others from the value
+/// behind `..`, if there is one.
 pub(super) fn made(kind: u32, fields: Vec<(usize, Thunk)>, base: Option<Thunk>, at: Span) -> Expr {
     Expr::new(at, move |m| {
         let base = base.as_ref().map(|base| base.eval(m)).transpose()?;

@@ -7,7 +7,8 @@ use crate::machine::Closure;
 use crate::types::Type;
 
 impl Lowerer<'_> {
-    /// Lowers a closure. Where it is no argument, the compiler asks what it takes.
+    /// Lowers a closure. If it is no argument of a call, its parameters without a type count as of
+    /// unknown type, which the compiler refuses to use.
     pub(super) fn closure(&mut self, it: &syn::ExprClosure, is_argument: bool) -> Lowered {
         let at = self.at_any(it);
         let result = match &it.output {

@@ -8,7 +8,8 @@ use crate::refusal::Span;
 use crate::types::{Ctor, Type};
 
 impl Lowerer<'_> {
-    /// Lowers an expression whose value is to have that type.
+    /// Lowers an expression whose value should be of type `ty`, which is passed on to where the
+    /// value arises and checked there.
     pub(super) fn given(&mut self, value: &syn::Expr, ty: &Type) -> Lowered {
         let made = match value {
             syn::Expr::Paren(it) => return self.given(&it.expr, ty),
@@ -37,7 +38,7 @@ impl Lowerer<'_> {
         Ok(checked(made, ty))
     }
 
-    /// Lowers several expressions, each of its type.
+    /// Lowers several expressions, each with its expected type.
     pub(super) fn all_given<'s>(
         &mut self,
         all: impl IntoIterator<Item = &'s syn::Expr>,
@@ -48,7 +49,7 @@ impl Lowerer<'_> {
     }
 }
 
-/// Checks a value when it runs, unless it shows what it is.
+/// Adds a check of the type to an expression, unless its form shows that the value fits.
 pub(super) fn checked(made: Expr, ty: &Type) -> Expr {
     let is_certain = match made.spot.form {
         ExprForm::Never => true,
@@ -67,10 +68,12 @@ pub(super) fn checked(made: Expr, ty: &Type) -> Expr {
     Expr { run: check, spot }
 }
 
+/// Makes an expression `Some(…)`.
 pub(super) fn some(of: Expr, at: Span) -> Expr {
     Expr::new(at, move |m| Ok(Some(of.run.eval(m)?).into()))
 }
 
+/// Makes an expression for a tuple; for `()` if there are no parts.
 pub(super) fn tuple(all: Vec<Expr>, at: Span) -> Expr {
     if all.is_empty() {
         return Expr::new(at, |_| Ok(crate::machine::value::Value::default()));
@@ -82,11 +85,12 @@ pub(super) fn tuple(all: Vec<Expr>, at: Span) -> Expr {
     })
 }
 
-/// Finds whether it is `Default::default()`, whose type is that of its place.
+/// Returns true for `Default::default()`, whose type is that of its place.
 fn is_default(it: &syn::ExprCall) -> bool {
     matches!(&*it.func, syn::Expr::Path(it) if names(&it.path) == ["Default", "default"])
 }
 
+/// Returns true for `Some(…)`.
 fn is_some(it: &syn::ExprCall) -> bool {
     matches!(&*it.func, syn::Expr::Path(path) if path.path.is_ident("Some")) && it.args.len() == 1
 }

@@ -12,6 +12,7 @@ use crate::refusal::Span;
 use crate::types::{Ctor, Int, Type};
 
 impl Lowerer<'_> {
+    /// Lowers an expression of which no type is expected.
     pub(super) fn expr(&mut self, expr: &syn::Expr) -> Lowered {
         let at = || self.at(expr);
         match expr {
@@ -111,7 +112,7 @@ impl Lowerer<'_> {
         Ok(Expr::new(at, move |m| m.borrowed(&place)))
     }
 
-    /// Lowers values of one type.
+    /// Lowers the elements of an array or `vec!`, and adds a check that they are of one type.
     pub(super) fn listed<'s>(
         &mut self,
         all: impl IntoIterator<Item = &'s syn::Expr>,
@@ -135,7 +136,7 @@ impl Lowerer<'_> {
         }))
     }
 
-    /// Lowers a value that is there so many times.
+    /// Lowers `[value; count]`, also of a `vec!`.
     pub(super) fn repeated(&mut self, it: &syn::ExprRepeat, is_array: bool, at: Span) -> Lowered {
         let value = self.expr(&it.expr)?.run;
         let count = self.given(&it.len, &Ctor::Int(Int::Usize).into())?.run;
@@ -185,6 +186,7 @@ impl Lowerer<'_> {
         })
     }
 
+    /// Returns the type that the suffix of a number names; `None` for an empty one.
     fn suffix(&self, suffix: &str, what: &str, at: Span) -> Lowered<Option<Ctor>> {
         if suffix.is_empty() {
             return Ok(None);
@@ -222,6 +224,7 @@ impl Lowerer<'_> {
         }))
     }
 
+    /// Lowers `…?` on an option.
     fn tried(&mut self, it: &syn::ExprTry) -> Lowered {
         let of = self.expr(&it.expr)?.run;
         let at = self.at_any(&it.question_token);
@@ -291,6 +294,7 @@ impl Lowerer<'_> {
         }
     }
 
+    /// Lowers `+=` and the like.
     fn update(&mut self, it: &syn::ExprBinary, sign: ArithOp, at: Span) -> Lowered {
         let Expr { run, spot } = self.expr(&it.right)?;
         let Some(place) = self.place(&it.left)? else {
@@ -303,7 +307,8 @@ impl Lowerer<'_> {
         }))
     }
 
-    /// Lowers `&&` and `||`, where the left side may be enough.
+    /// Lowers `&&` and `||`. The right side is not evaluated if the left one is `enough`: false for
+    /// `&&`, true for `||`.
     fn logical(&mut self, it: &syn::ExprBinary, enough: bool) -> Lowered {
         let one = self.given(&it.left, &Type::BOOL)?;
         let mut other = self.given(&it.right, &Type::BOOL)?;
@@ -326,7 +331,8 @@ impl Lowerer<'_> {
     }
 }
 
-/// Makes an expression of an operator between two others.
+/// Makes an expression that applies an operator to two others. `sign` is its text, for operators
+/// that chapters don't have.
 fn operation(operator: Option<Operator>, sign: &str, [left, right]: [Expr; 2], at: Span) -> Expr {
     let spot = right.spot;
     let forms = [left.spot.form, spot.form];
@@ -370,7 +376,7 @@ fn operation(operator: Option<Operator>, sign: &str, [left, right]: [Expr; 2], a
     }
 }
 
-/// Makes a number with a point; of some nothing says how wide they are.
+/// Makes an expression for a number with a point. If `is_any`, it takes the width of what it meets.
 fn float(number: f64, is_any: bool, at: Span) -> Expr {
     let run = Thunk::Float(number);
     let form = if is_any {
@@ -382,7 +388,7 @@ fn float(number: f64, is_any: bool, at: Span) -> Expr {
     Expr { run, spot }.shown(form)
 }
 
-/// Leaves a function or a loop with a value.
+/// Makes an expression that leaves a function or a loop with a value.
 pub(super) fn leave_with(value: Expr, stop: EarlyExit) -> Expr {
     let leave = Expr::new(value.spot.at, move |m| {
         m.left = value.run.eval(m)?;

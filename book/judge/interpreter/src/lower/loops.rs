@@ -80,7 +80,7 @@ impl Lowerer<'_> {
         Ok(Expr::new(at, |_| Err(EarlyExit::Continue)).shown(ExprForm::Never))
     }
 
-    /// Lowers the body of a loop, and finds whether it ever leaves the loop.
+    /// Lowers the body of a loop. The boolean is true if a `break` in it leaves the loop.
     fn looped(&mut self, body: &syn::Block, label: Option<&syn::Label>) -> Lowered<(Thunk, bool)> {
         if let Some(label) = label {
             return self.unread(self.at_any(label), "labels of loops");
@@ -90,6 +90,7 @@ impl Lowerer<'_> {
         Ok((body.run, self.loops.pop().unwrap_or_default()))
     }
 
+    /// Checks that `break` or `continue` stands in a loop and has no label.
     fn inside_a_loop(&self, at: Span, word: &str, label: Option<&syn::Lifetime>) -> Lowered<()> {
         if self.loops.is_empty() {
             return self.refused(at, format!("`{word}` outside of a loop"));

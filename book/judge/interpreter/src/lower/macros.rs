@@ -55,8 +55,8 @@ impl Lowerer<'_> {
         }
     }
 
-    /// Lowers an expression and the mutants that may run in its place, behind the number of the
-    /// first. One that is refused is lost, and no other with it.
+    /// Lowers `mutants!(n, right, one, other, …)`: the mutant `n` is `one`, `n + 1` is `other`, and
+    /// `right` runs for any other number. A mutant that is refused stops when it runs.
     fn mutants(&mut self, arguments: &[syn::Expr], at: Span) -> Lowered {
         let number = |it: &syn::Expr| match it {
             syn::Expr::Lit(it) => match &it.lit {
@@ -88,7 +88,7 @@ impl Lowerer<'_> {
         Ok(Expr { run, spot }.shown(ExprForm::Other))
     }
 
-    /// Lowers what is added to a text.
+    /// Lowers `write!` and `writeln!`, whose text ends with `end`.
     fn written(&mut self, arguments: &[syn::Expr], end: &str, at: Span) -> Lowered {
         let Some((to, rest)) = arguments.split_first() else {
             return self.refused(at, "requires at least a format string argument");
@@ -115,8 +115,8 @@ impl Lowerer<'_> {
         Ok(some(write, at))
     }
 
-    /// Lowers a text with values in its brackets: `{}` and `{name}`. How they are to look,
-    /// after a colon, is passed over.
+    /// Lowers a format string with `{}` and `{name}`, and adds `end`. A format behind a colon is
+    /// ignored.
     fn formatted(&mut self, arguments: &[syn::Expr], end: &str, at: Span) -> Lowered {
         let (text, values) = match arguments.split_first() {
             None => (String::new(), arguments),
@@ -162,6 +162,7 @@ impl Lowerer<'_> {
         }))
     }
 
+    /// Lowers the variable that a `{name}` in a format string names.
     fn inline(&mut self, name: &str, at: Span) -> Lowered {
         if name.starts_with(|it: char| it.is_ascii_digit()) {
             return self.unread(at, &format!("`{{{name}}}` in a text"));
@@ -176,11 +177,12 @@ impl Lowerer<'_> {
     }
 }
 
+/// Makes an expression that panics.
 fn panic(message: &'static str, at: Span) -> Expr {
     Expr::new(at, move |m| m.panic(at, message)).shown(ExprForm::Never)
 }
 
-/// Returns a value as text, as `{}` has it.
+/// Formats a value as `{}` does, without its format.
 fn shown(m: &Machine<'_>, value: &Value) -> String {
     match &value.data {
         Data::Float(it) => it.to_string(),
@@ -194,14 +196,15 @@ fn shown(m: &Machine<'_>, value: &Value) -> String {
     }
 }
 
-/// Parses the `value; count` of a list.
+/// Parses the `value; count` in a `vec!`.
 fn repeated(tokens: &proc_macro2::TokenStream) -> Option<syn::ExprRepeat> {
     let tokens = tokens.clone();
     let group = proc_macro2::Group::new(proc_macro2::Delimiter::Bracket, tokens);
     syn::parse2(proc_macro2::TokenTree::from(group).into()).ok()
 }
 
-/// Returns what is before the first bracket, in it, and after it.
+/// Splits a text at its first `{…}` into the parts before, inside and after; `None` if there is
+/// none.
 fn bracket(text: &str) -> Option<(&str, &str, &str)> {
     let (before, after) = text.split_once('{')?;
     let (inside, after) = after.split_once('}')?;

@@ -5,6 +5,7 @@ use super::{Expr, Lowered, Lowerer};
 use crate::machine::Thunk;
 use crate::types::Type;
 
+/// An arm of a `match`, ready to be run.
 struct Arm {
     pattern: Matcher,
     guard: Option<Thunk>,
@@ -12,7 +13,7 @@ struct Arm {
 }
 
 impl Lowerer<'_> {
-    /// Lowers `match`, whose arms come to a value of that type.
+    /// Lowers `match`, whose arms should come to type `ty`.
     pub(super) fn matching(&mut self, it: &syn::ExprMatch, ty: &Type) -> Lowered {
         let of = self.expr(&it.expr)?.run;
         let (mut arms, mut is_left) = (Vec::new(), !it.arms.is_empty());
@@ -47,7 +48,7 @@ impl Lowerer<'_> {
         Ok(made.ending(is_left))
     }
 
-    /// Lowers an arm, and finds whether nothing comes after it.
+    /// Lowers an arm of a `match`. The boolean is true if the arm's body never ends.
     fn arm(&mut self, arm: &syn::Arm, ty: &Type) -> Lowered<(Arm, bool)> {
         let (pattern, guard) = match &arm.pat {
             syn::Pat::Guard(it) => (&*it.pat, Some(&it.guard)),
@@ -72,8 +73,8 @@ impl Lowerer<'_> {
     }
 }
 
-/// Finds what no arm matches, where that is plain: of options, of what is true or not, of
-/// numbers. Of each arm it is known whether it has no guard.
+/// Returns a pattern that no arm covers; `None` if all is covered, or if only running can tell.
+/// Options, booleans and numbers are judged. Each arm comes with true if it has no guard.
 fn missing(arms: &[(&Coverage, bool)]) -> Option<&'static str> {
     fn flat<'s>(shape: &'s Coverage, is_sure: bool, all: &mut Vec<(&'s Coverage, bool)>) {
         match shape {

@@ -9,21 +9,21 @@ use crate::names::words::there_is;
 use crate::refusal::{Refusal, Span};
 use crate::types::Ctor;
 
-/// A name after a point, before brackets: what may be meant, and what it is given.
+/// A method call, ready to be run: all methods that the name may mean, and the arguments.
 struct MethodCall {
     name: String,
     at: Span,
-    /// The reader's functions, and whose they are; private ones are left out.
+    /// The text's own methods of that name that are visible: the type of each and its number.
     own: Vec<(Ctor, usize)>,
     natives: Vec<&'static Native>,
     runs: Vec<Thunk>,
     given: Given,
 }
 
-/// The methods of a name: the reader's, and whose they are, and the library's.
+/// The methods of a name: the text's own, each with its type and number, and the library's.
 type Candidates = (Vec<(Ctor, usize)>, Vec<&'static Native>);
 
-/// The method that a name means.
+/// The method that a call turns out to mean.
 enum MethodTarget {
     Own(usize),
     Native(&'static Native),
@@ -50,7 +50,7 @@ impl Lowerer<'_> {
         Ok(made)
     }
 
-    /// Lowers a method by its name. That stands at one place, the whole call at another.
+    /// Lowers a method call by its name, which stands at `at` within the `whole` call.
     pub(super) fn method(
         &mut self,
         on: &syn::Expr,
@@ -98,7 +98,7 @@ impl Lowerer<'_> {
         })
     }
 
-    /// Checks that some of what may be meant takes so many arguments.
+    /// Checks that one of the candidates takes as many arguments as are given.
     fn counted(
         &self,
         own: &[(Ctor, usize)],
@@ -118,7 +118,7 @@ impl Lowerer<'_> {
         }
     }
 
-    /// Returns all methods of that name that may be called here.
+    /// Returns all methods of that name that may be called here; refuses a name that has none.
     fn candidates(&self, name: &str, at: Span) -> Lowered<Candidates> {
         let names = self.names;
         let methods = names.methods(name).filter(|it| {
@@ -135,7 +135,7 @@ impl Lowerer<'_> {
         }
     }
 
-    /// Says that there is no such method, or that it is not read here, and which was meant.
+    /// Says that no method has that name, or that it is not read here, and suggests a similar name.
     fn no_method(&self, name: &str, at: Span) -> Refusal {
         let names = self.names;
         let message = format!("no method named `{name}` found");
@@ -159,7 +159,7 @@ impl Lowerer<'_> {
     }
 }
 
-/// Refuses a method of a number of which nothing says what it is.
+/// Refuses a method of a literal whose type nothing says, as the compiler does.
 fn not_ambiguous(form: ExprForm, name: &str, at: Span) -> Lowered<()> {
     let kind = match form {
         ExprForm::Float => "{float}",
@@ -171,7 +171,8 @@ fn not_ambiguous(form: ExprForm, name: &str, at: Span) -> Lowered<()> {
 }
 
 impl MethodCall {
-    /// Calls what is meant: by the value, or by what that leads to.
+    /// Calls the method that the receiver's type selects. If its own type has none, references and
+    /// boxes are followed.
     fn called(&self, m: &mut Machine<'_>, on: Value, place: Option<(Address, &PlaceExpr)>) -> Eval {
         // Most are of the library, and are found at once.
         if self.own.is_empty()
@@ -202,7 +203,7 @@ impl MethodCall {
         }
     }
 
-    /// Returns the method that a value itself has.
+    /// Returns the method for the type of a value, references and boxes not followed.
     #[inline]
     fn found(&self, m: &Machine<'_>, on: &Value) -> Option<MethodTarget> {
         let ctor = on.data.ctor();
@@ -221,7 +222,8 @@ impl MethodCall {
             .map(|it| MethodTarget::Native(it))
     }
 
-    /// Calls a method on what it wants: a value, a reference to it, or its place.
+    /// Calls a method on what its receiver declares: a value, a shared reference, or an address to
+    /// change it by.
     fn called_as(
         &self,
         m: &mut Machine<'_>,
@@ -258,6 +260,7 @@ impl MethodCall {
         }
     }
 
+    /// Calls a library method, whose count of arguments is checked before.
     #[inline]
     fn native(&self, m: &mut Machine<'_>, native: &Native, on: Value) -> Eval {
         let (wanted, count) = (native.takes.len(), self.runs.len());
@@ -267,6 +270,7 @@ impl MethodCall {
         m.called_native(native, Some(on), &self.runs, &self.given)
     }
 
+    /// Stops since the value has no such method.
     fn none(&self, m: &mut Machine<'_>, on: &Value) -> Eval {
         let ty = m.ty(on);
         let (name, stripped) = (&self.name, ty.stripped());

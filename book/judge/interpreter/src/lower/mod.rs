@@ -28,27 +28,30 @@ use crate::read::{at, at_expr, at_span};
 use crate::refusal::{Refusal, Span};
 use crate::types::{Ctor, Type};
 
+/// The result of lowering a part of a text.
 type Lowered<T = Expr> = Result<T, Refusal>;
 
-/// An expression, ready to be run, and its place.
+/// An expression that was lowered, and what its text shows.
 struct Expr {
     run: Thunk,
     spot: ExprInfo,
 }
 
 impl Expr {
+    /// Makes an expression that runs `act`.
     fn new(at: Span, act: impl Fn(&mut Machine<'_>) -> Eval + Send + Sync + 'static) -> Self {
         let (run, spot) = (Thunk::new(act), at.into());
         Self { run, spot }
     }
 
+    /// Sets the form of the expression.
     fn shown(self, form: ExprForm) -> Self {
         let at = self.spot.at;
         let spot = ExprInfo { at, form };
         Self { spot, ..self }
     }
 
-    /// Notes that nothing comes after it, if that is so.
+    /// Marks the expression as one after which nothing runs, if `never_ends`.
     fn ending(self, never_ends: bool) -> Self {
         match never_ends {
             true => self.shown(ExprForm::Never),
@@ -56,12 +59,14 @@ impl Expr {
         }
     }
 
+    /// Returns true if nothing runs after the expression, as after `return`.
     fn never_ends(&self) -> bool {
         self.spot.form == ExprForm::Never
     }
 }
 
-/// Makes a function of its tree that can be run. Its file has that text.
+/// Lowers a function or constant to one that can be run. `text` is that of its file. A function
+/// without a body, as in a trait, comes to nothing.
 pub(crate) fn lower(
     names: &Names,
     text: &str,
@@ -106,6 +111,7 @@ pub(crate) fn lower(
     })
 }
 
+/// Returns the function's name and text; `None` for a constant.
 fn written(
     names: &Names,
     text: &str,
@@ -127,35 +133,47 @@ fn written(
     })
 }
 
+/// A variable in scope.
 struct Variable {
     name: String,
+    /// The place in the function's frame.
     slot: usize,
     is_mut: bool,
-    /// True if nothing says what it is, and the compiler wants to know before it is used.
+    /// True if nothing says the variable's type, which the compiler wants to know before it is
+    /// used.
     is_open: bool,
 }
 
+/// The state while one function is lowered.
 struct Lowerer<'n> {
     names: &'n Names,
+    /// The text of the file, for operators.
     text: &'n str,
     /// The name of the function.
     name: &'n str,
     file: u32,
     context: TypeScope,
-    /// The body of the function, whose items are declared.
+    /// The outermost block of the function, whose items are declared already.
     top: Option<*const syn::Block>,
+    /// The variables in scope, the innermost last.
     locals: Vec<Variable>,
-    /// The first name of a pattern that has other ways to match.
+    /// Within a pattern with `|`, the count of variables before it: alternatives share the later
+    /// ones.
     alternatives: Option<usize>,
+    /// The count of slots in the frame so far.
     slots: usize,
+    /// The variable's name of each slot.
     slot_names: Vec<String>,
-    /// Of each loop around whether it is ever left.
+    /// For each loop around, the innermost last: true if a `break` leaves it.
     loops: Vec<bool>,
+    /// The declared result, of the function or of the closure that is being lowered.
     result: Type,
+    /// All statements and expressions that note when they run.
     marks: Vec<Arc<CoveragePoint>>,
 }
 
 impl Lowerer<'_> {
+    /// Lowers the parameters and the body of a function.
     fn function(
         &mut self,
         signature: &Signature,
@@ -216,12 +234,12 @@ impl Lowerer<'_> {
         Err(Refusal::unread(at, what))
     }
 
-    /// Looks a variable up.
+    /// Returns the variable of that name in scope, the innermost if there are several.
     fn variable(&self, name: &str) -> Option<&Variable> {
         self.locals.iter().rev().find(|it| it.name == name)
     }
 
-    /// Looks up the variable that an expression names.
+    /// Returns the variable that an expression names, if it is one name.
     fn variable_of(&self, it: &syn::Expr) -> Option<&Variable> {
         match it {
             syn::Expr::Path(it) => self.variable(&it.path.get_ident()?.to_string()),
@@ -229,6 +247,7 @@ impl Lowerer<'_> {
         }
     }
 
+    /// Declares a variable in a new slot, and returns the slot.
     fn local(&mut self, name: &str, is_mut: bool) -> usize {
         let slot = self.slots;
         self.slots += 1;
@@ -236,6 +255,7 @@ impl Lowerer<'_> {
         slot
     }
 
+    /// Declares a variable in a given slot.
     fn named(&mut self, name: &str, slot: usize, is_mut: bool) {
         let slots = self.slot_names.len().max(slot + 1);
         self.slot_names.resize(slots, String::new());
@@ -248,7 +268,7 @@ impl Lowerer<'_> {
         });
     }
 
-    /// Lowers something whose variables are over at its end.
+    /// Lowers a part of the text at whose end its variables go out of scope.
     fn scoped<T>(&mut self, lower: impl FnOnce(&mut Self) -> Lowered<T>) -> Lowered<T> {
         let outside = self.locals.len();
         let lowered = lower(self);
@@ -256,7 +276,7 @@ impl Lowerer<'_> {
         lowered
     }
 
-    /// Makes an expression note that it has run.
+    /// Makes an expression note when it runs.
     fn marked(&mut self, it: Expr, at: Span) -> Expr {
         let mark = self.mark(at);
         let Expr { run, spot } = it;
@@ -267,6 +287,7 @@ impl Lowerer<'_> {
         Expr { run, spot }
     }
 
+    /// Makes a coverage point for a span.
     fn mark(&mut self, at: Span) -> Arc<CoveragePoint> {
         let mark = Arc::new(CoveragePoint::at(at));
         self.marks.push(Arc::clone(&mark));

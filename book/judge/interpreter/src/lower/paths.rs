@@ -15,20 +15,22 @@ use crate::names::{Meaning, names, standard};
 use crate::refusal::{Refusal, Span};
 use crate::types::{Ctor, Type};
 
-/// A function that is called by its path.
+/// A function that a path names.
 pub(super) enum Callee {
+    /// A function or constant of the text, by its number.
     Own(usize),
+    /// A function of the library.
     Native(&'static Native),
-    /// A method of a trait.
+    /// A method of a trait of the text; the type of its first argument decides which.
     OfTrait,
-    /// The `default` of a type without its own.
+    /// The `default` of a type that the text does not define.
     Default(Type),
-    /// A struct whose fields have numbers.
+    /// The constructor of a tuple struct or unit struct, by its number.
     Struct(u32),
 }
 
 impl Lowerer<'_> {
-    /// Lowers a name that is a value: a variable, a constant, a function.
+    /// Lowers a path as a value: a variable, a constant, a function.
     pub(super) fn path(&mut self, it: &syn::ExprPath) -> Lowered {
         let path = names(&it.path);
         let at = self.at_any(it);
@@ -74,7 +76,8 @@ impl Lowerer<'_> {
         }
     }
 
-    /// Returns the type before the last `::`, if a type is there, and what comes after.
+    /// Splits a path at its last `::` into the type before it, if the path before it names a type,
+    /// and the name behind it.
     pub(super) fn owner(&self, path: &[String], at: Span) -> Lowered<(Option<Type>, String)> {
         let (name, before) = path.split_last().expect("a path has a name");
         if before.is_empty() {
@@ -94,7 +97,7 @@ impl Lowerer<'_> {
         Ok((owner, name.clone()))
     }
 
-    /// Returns the function that a path names.
+    /// Returns the function that a path names. `what` says in a refusal what was expected there.
     pub(super) fn callee(
         &self,
         owner: Option<&Type>,
@@ -127,6 +130,7 @@ impl Lowerer<'_> {
         }
     }
 
+    /// Returns the function of that name that a type has.
     fn callee_of(&self, owner: &Type, name: &str, at: Span) -> Lowered<Callee> {
         if let Ctor::Dyn(of) = owner.0 {
             let mut methods = self.names.traits[of].methods.iter();
@@ -156,7 +160,7 @@ impl Lowerer<'_> {
         }
     }
 
-    /// Says why a function may not be called here.
+    /// Makes the refusal of a function that is private, or whose trait is not in scope.
     pub(super) fn hidden(&self, function: usize, at: Span) -> Refusal {
         let own = &self.names.functions[function];
         let name = &own.name;
@@ -172,14 +176,14 @@ impl Lowerer<'_> {
         }
     }
 
-    /// Refuses what is asked of a variable of unknown type.
+    /// Refuses a use of a variable whose type nothing says.
     pub(super) fn needs_a_type<T>(&self, at: Span) -> Lowered<T> {
         let help = "say its type where it begins: `let x: …`, or `|x: …|`";
         self.fault(at, "type annotations needed", "cannot infer type", help)
     }
 }
 
-/// Makes a function without parameters that comes to that.
+/// Makes an expression for a function without parameters that evaluates the given one.
 fn function_of(Expr { run, spot }: Expr) -> Expr {
     let closure = Arc::new(Closure {
         parameters: 0,
@@ -188,11 +192,12 @@ fn function_of(Expr { run, spot }: Expr) -> Expr {
     Expr::new(spot.at, move |m| m.closure(&closure, false, spot.at))
 }
 
+/// Returns the compiler's message for a type without the named function.
 pub(super) fn no_function(name: &str, ty: &str) -> String {
     format!("no function or associated item named `{name}` found for `{ty}` in the current scope")
 }
 
-/// Returns a constant of a type of the library.
+/// Returns a constant of a library type, as `f64::MAX` or `Vec3::ZERO`; `None` if there is none.
 fn constant(owner: Ctor, name: &str, at: Span) -> Option<Expr> {
     let plain = |run| Expr {
         run,
@@ -227,6 +232,7 @@ fn constant(owner: Ctor, name: &str, at: Span) -> Option<Expr> {
     })
 }
 
+/// The constants of a vector.
 const VECTORS: [(&str, Vec3); 8] = [
     ("ZERO", Vec3::ZERO),
     ("ONE", Vec3::ONE),

@@ -8,17 +8,20 @@ use crate::names::Meaning;
 use crate::refusal::{Refusal, Span};
 use crate::types::{Ctor, Type};
 
+/// A function that returns true if a value matches a pattern, and then sets the pattern's
+/// variables.
 type MatchFn = dyn Fn(&mut Machine<'_>, &Value) -> Eval<bool> + Send + Sync;
 
-/// A pattern, ready to be matched: it gives the parts of a value their names.
+/// A pattern that was lowered.
 pub(super) struct Matcher {
     bind: Box<MatchFn>,
+    /// The values that it certainly matches.
     pub(super) shape: Coverage,
-    /// The slot of its name, if it is a name alone.
+    /// The slot of its variable, if the pattern is one name.
     pub(super) slot: Option<usize>,
 }
 
-/// The values that match a pattern, as far as its text shows them.
+/// The values that a pattern matches, as far as its text shows.
 #[derive(PartialEq)]
 pub(super) enum Coverage {
     Any,
@@ -42,14 +45,14 @@ impl Matcher {
         }
     }
 
-    /// Finds whether a value matches; if so, its parts have their names.
+    /// Returns true if a value matches, and then sets the pattern's variables.
     pub(super) fn binds(&self, m: &mut Machine<'_>, value: &Value) -> Eval<bool> {
         (self.bind)(m, value)
     }
 }
 
 impl Lowerer<'_> {
-    /// Lowers a pattern that must match each value.
+    /// Lowers a pattern, and refuses one that a value may not match.
     pub(super) fn irrefutable(&mut self, it: &syn::Pat) -> Lowered<Matcher> {
         let pattern = self.pattern(it, false)?;
         if matches!(pattern.shape, Coverage::Any) {
@@ -60,7 +63,8 @@ impl Lowerer<'_> {
         self.fault(self.at_any(it), message, "", help)
     }
 
-    /// Lowers a pattern. Its names are variables from now on, which may get their values later.
+    /// Lowers a pattern and declares its variables. If `is_late`, they get their values by later
+    /// assignments.
     pub(super) fn pattern(&mut self, it: &syn::Pat, is_late: bool) -> Lowered<Matcher> {
         let at = self.at_any(it);
         Ok(match it {
@@ -109,6 +113,7 @@ impl Lowerer<'_> {
         })
     }
 
+    /// Lowers the patterns of parts, with their numbers.
     fn all<'p>(
         &mut self,
         all: impl IntoIterator<Item = &'p syn::Pat>,
@@ -119,7 +124,7 @@ impl Lowerer<'_> {
             .collect()
     }
 
-    /// Lowers a name for what is there, or that of a constant.
+    /// Lowers a name: a new variable, `None`, or a constant.
     fn name(&mut self, it: &syn::PatIdent, is_late: bool) -> Lowered<Matcher> {
         let at = self.at_any(it);
         let name = it.ident.to_string();
@@ -160,7 +165,7 @@ impl Lowerer<'_> {
         })
     }
 
-    /// Lowers several patterns with the same names.
+    /// Lowers a pattern with `|`, whose alternatives share their variables.
     fn alternatives(&mut self, it: &syn::PatOr) -> Lowered<Matcher> {
         let outer = self.alternatives;
         self.alternatives = outer.or(Some(self.locals.len()));
@@ -178,7 +183,7 @@ impl Lowerer<'_> {
         }))
     }
 
-    /// Lowers a pattern of numbers from one to another.
+    /// Lowers a pattern that is a range of numbers.
     fn within(&mut self, it: &syn::PatRange) -> Lowered<Matcher> {
         let mut end = |it: &Option<Box<syn::Expr>>| match it {
             Some(it) => self.expr(it).map(Some),
@@ -206,6 +211,7 @@ impl Lowerer<'_> {
         }))
     }
 
+    /// Lowers `Some(…)` or the pattern of a tuple struct.
     fn tuple_struct_pattern(&mut self, it: &syn::PatTupleStruct, at: Span) -> Lowered<Matcher> {
         if it.path.is_ident("Some") && it.elems.len() == 1 {
             let of = self.pattern(&it.elems[0], false)?;
@@ -224,8 +230,8 @@ impl Lowerer<'_> {
     }
 }
 
-/// Makes a pattern of those of some parts. Of a value it is asked whether it matches, if it is
-/// of the right type.
+/// Makes a matcher of those of a value's parts. `is_it` returns `None` for a value of another type
+/// than `found`, and else true if it has these parts.
 fn parts(
     all: Vec<(usize, Matcher)>,
     found: Type,
@@ -264,7 +270,7 @@ fn parts(
     })
 }
 
-/// Makes a pattern of one that what is there matches, or of nothing.
+/// Makes a matcher for `Some` of what `of` matches, or for `None`.
 fn option(of: Option<Matcher>, at: Span) -> Matcher {
     let shape = if of.is_some() {
         Coverage::Some
@@ -282,6 +288,7 @@ fn option(of: Option<Matcher>, at: Span) -> Matcher {
     Matcher { shape, ..pattern }
 }
 
+/// Makes a matcher for an array or a slice of just these elements.
 fn list(all: Vec<(usize, Matcher)>, at: Span) -> Matcher {
     let count = all.len();
     let found = Type::of(Ctor::Array(count), Type::UNKNOWN);
@@ -292,13 +299,14 @@ fn list(all: Vec<(usize, Matcher)>, at: Span) -> Matcher {
     })
 }
 
+/// Makes a matcher for a struct by some of its fields.
 fn structure(ctor: Ctor, fields: Vec<(usize, Matcher)>, at: Span) -> Matcher {
     parts(fields, ctor.into(), at, move |it| {
         (it.ctor() == ctor).then_some(true)
     })
 }
 
-/// Makes a pattern of what is equal to a value.
+/// Makes a matcher for a value that is equal to an expression.
 fn equal(of: Expr, shape: Coverage) -> Matcher {
     Matcher::new(shape, move |m, value| {
         let wanted = of.run.eval(m)?.owned();
@@ -308,6 +316,7 @@ fn equal(of: Expr, shape: Coverage) -> Matcher {
     })
 }
 
+/// Returns the values that a literal matches.
 fn literal_shape(it: &syn::Lit) -> Coverage {
     match it {
         syn::Lit::Bool(it) => Coverage::Bool(it.value),
@@ -316,7 +325,7 @@ fn literal_shape(it: &syn::Lit) -> Coverage {
     }
 }
 
-/// Returns what the reference that a `&` in a pattern wants leads to.
+/// Returns the value behind one `&`, which a pattern with `&` wants; stops if it has none.
 fn without_reference(m: &mut Machine<'_>, value: &Value, at: Span) -> Eval {
     if let Some(lent) = value.lent.checked_sub(1) {
         let data = value.data.clone();

@@ -11,7 +11,7 @@ use crate::refusal::{Refusal, Span};
 use crate::types::Type;
 
 impl Lowerer<'_> {
-    /// Returns the place that an expression names, if it names one.
+    /// Lowers an expression as a place that can be assigned to; `None` if it is none, as a sum.
     pub(super) fn place(&mut self, it: &syn::Expr) -> Lowered<Option<PlaceExpr>> {
         let at = self.at(it);
         Ok(match it {
@@ -52,8 +52,8 @@ impl Lowerer<'_> {
         })
     }
 
-    /// Makes a place one that is changed. Whether its variable is a mutable reference is seen
-    /// when it runs.
+    /// Prepares a place for a change: notes the refusal in case its variable is not `mut`. Only the
+    /// running program shows if the variable holds a mutable reference, which needs no `mut`.
     pub(super) fn mutable(&self, place: PlaceExpr) -> PlaceExpr {
         let Some(slot) = place.root else {
             return place;
@@ -68,6 +68,7 @@ impl Lowerer<'_> {
         PlaceExpr { fixed, ..place }
     }
 
+    /// Lowers `… = …`.
     pub(super) fn assignment(&mut self, it: &syn::ExprAssign) -> Lowered {
         let at = self.at(&it.right);
         if let syn::Expr::Tuple(all) = &*it.left {
@@ -86,7 +87,7 @@ impl Lowerer<'_> {
         }))
     }
 
-    /// Lowers an assignment to several places, whose values come from one.
+    /// Lowers an assignment to a tuple of places.
     fn assignments(&mut self, all: &syn::ExprTuple, value: &syn::Expr, at: Span) -> Lowered {
         let places = all.elems.iter().map(|it| match it {
             syn::Expr::Infer(_) => Ok(None),
@@ -106,6 +107,7 @@ impl Lowerer<'_> {
         }))
     }
 
+    /// Lowers the left side of an assignment.
     fn assigned(&mut self, left: &syn::Expr) -> Lowered<PlaceExpr> {
         let at = self.at(left);
         let Some(place) = self.place(left)? else {
@@ -127,6 +129,7 @@ impl Lowerer<'_> {
         }
     }
 
+    /// Lowers the access to a field.
     pub(super) fn field(&mut self, it: &syn::ExprField) -> Lowered {
         let Expr { run, spot } = self.expr(&it.base)?;
         if spot.form == ExprForm::Open {
@@ -146,6 +149,7 @@ impl Lowerer<'_> {
         })
     }
 
+    /// Finds the fields of that name in all types; refuses a name that no type has.
     fn field_named(&mut self, it: &syn::ExprField) -> Lowered<Arc<FieldAccess>> {
         let at = self.at_any(&it.member);
         let name = member(&it.member);
@@ -181,6 +185,7 @@ impl Lowerer<'_> {
         })
     }
 
+    /// Lowers `…[…]`.
     pub(super) fn index(&mut self, it: &syn::ExprIndex) -> Lowered {
         let at = self.at_any(it);
         if matches!(&*it.index, syn::Expr::Range(_)) {
@@ -195,6 +200,7 @@ impl Lowerer<'_> {
     }
 }
 
+/// Makes a place of the function that finds its address.
 fn place(
     at: Span,
     local: Option<usize>,
@@ -210,7 +216,7 @@ fn place(
     }
 }
 
-/// Returns the name of a field, or its number.
+/// Returns the name of a field, or the number of a tuple's part as text.
 pub(super) fn member(it: &syn::Member) -> String {
     match it {
         syn::Member::Named(name) => name.to_string(),

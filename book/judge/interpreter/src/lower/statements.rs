@@ -10,14 +10,14 @@ use crate::read::at_statement;
 use crate::refusal::Refusal;
 use crate::types::Type;
 
-/// A statement, and the mark of its lines.
+/// A statement that was lowered, and its coverage point.
 struct LoweredStatement {
     run: Thunk,
     mark: Arc<CoveragePoint>,
 }
 
 impl Lowerer<'_> {
-    /// Lowers a block that is to come to a value of that type.
+    /// Lowers a block that should come to type `ty`.
     pub(super) fn block_given(&mut self, block: &syn::Block, ty: &Type) -> Lowered {
         let (mut steps, has_value, is_left) = self.scoped(|own| own.statements(block, ty))?;
         if !has_value && !is_left && !ty.is_unknown() && *ty != Type::UNIT {
@@ -39,7 +39,7 @@ impl Lowerer<'_> {
         Ok(made.ending(is_left))
     }
 
-    /// Refuses a block without a value where one is declared.
+    /// Refuses a block without a value where type `ty` is expected.
     fn no_value<T>(&self, block: &syn::Block, ty: &Type) -> Lowered<T> {
         let refusal = |at| self.names.mismatch(ty, &Type::UNIT, "`()`", at);
         Err(match block.stmts.last() {
@@ -57,7 +57,8 @@ impl Lowerer<'_> {
         })
     }
 
-    /// Returns false for what is done only for its effect, whatever stands behind it.
+    /// Returns false for an expression that is evaluated only for its effect, so that a `;` behind
+    /// it is no mistake.
     fn may_be_value(&self, it: &syn::Expr) -> bool {
         match it {
             syn::Expr::Assign(_) => false,
@@ -70,12 +71,13 @@ impl Lowerer<'_> {
         }
     }
 
+    /// Returns true for the outermost block of the function.
     fn is_top(&self, block: &syn::Block) -> bool {
         self.top.is_some_and(|top| std::ptr::eq(top, block))
     }
 
-    /// Lowers the statements of a block. Finds whether the last is its value, and whether its
-    /// end is ever reached.
+    /// Lowers the statements of a block. The first boolean is true if the last one is the block's
+    /// value, the second if the block's end is never reached.
     fn statements(
         &mut self,
         block: &syn::Block,
@@ -101,7 +103,7 @@ impl Lowerer<'_> {
         Ok((steps, has_value, is_left))
     }
 
-    /// Lowers a statement, and finds whether it is the value of its block.
+    /// Lowers a statement. The boolean is true if it is the value of its block.
     fn statement(&mut self, it: &syn::Stmt, is_last: bool, ty: &Type) -> Lowered<(Expr, bool)> {
         Ok(match it {
             syn::Stmt::Local(it) => (self.declaration(it)?, false),
@@ -121,6 +123,7 @@ impl Lowerer<'_> {
         })
     }
 
+    /// Lowers `let`.
     fn declaration(&mut self, it: &syn::Local) -> Lowered {
         let (pattern, written) = match &it.pat {
             syn::Pat::Type(it) => (&*it.pat, Some(self.names.ty(&self.context, &it.ty)?)),
@@ -165,7 +168,7 @@ impl Lowerer<'_> {
         Ok(made.ending(never_ends))
     }
 
-    /// Lowers `if`, whose ways come to a value of that type.
+    /// Lowers `if`, whose branches should come to type `ty`.
     pub(super) fn condition(&mut self, it: &syn::ExprIf, ty: &Type) -> Lowered {
         let at = self.at_span(it.if_token.span);
         let (condition, then) = self.scoped(|own| {
@@ -203,8 +206,8 @@ impl Lowerer<'_> {
     }
 }
 
-/// Returns true for an `if` without `else` that ends with `return`: after it comes what the
-/// function returns otherwise.
+/// Returns true for an `if` without `else` that ends with `return`: a function that ends with one
+/// lacks its other result.
 fn returns_early(it: &syn::Stmt) -> bool {
     let syn::Stmt::Expr(syn::Expr::If(it), None) = it else {
         return false;

@@ -13,6 +13,7 @@ use crate::refusal::{Refusal, Span};
 use crate::types::{Ctor, Type};
 
 impl Lowerer<'_> {
+    /// Lowers the initializer of a struct.
     pub(super) fn structure(&mut self, it: &syn::ExprStruct) -> Lowered {
         let ty = self.struct_named(&it.path)?;
         let mut fields = self.fields_given(it, &ty)?;
@@ -33,7 +34,7 @@ impl Lowerer<'_> {
         }))
     }
 
-    /// Returns the type that a path names, which has fields.
+    /// Returns the type with fields that a path names.
     pub(super) fn struct_named(&self, path: &syn::Path) -> Lowered<Type> {
         let (path, at) = (names(path), self.at_any(path));
         let what = "struct, variant or union type";
@@ -43,7 +44,7 @@ impl Lowerer<'_> {
         }
     }
 
-    /// Returns the number and the type of a field of a struct, or of a vector or a ray.
+    /// Returns the number and the type of a field of a struct, a vector or a ray.
     pub(super) fn field_of(&self, ty: &Type, name: &str, at: Span) -> Lowered<(usize, Type)> {
         let fields = self.names.fields(ty);
         let n = fields.iter().position(|it| *it == name);
@@ -63,7 +64,7 @@ impl Lowerer<'_> {
         Ok((n, of))
     }
 
-    /// Lowers the fields of an initializer, by their numbers.
+    /// Lowers the fields of an initializer, each with its number.
     fn fields_given(&mut self, it: &syn::ExprStruct, ty: &Type) -> Lowered<Vec<(usize, Thunk)>> {
         let mut fields: Vec<(usize, Thunk)> = Vec::new();
         for field in &it.fields {
@@ -87,7 +88,7 @@ impl Lowerer<'_> {
         }
     }
 
-    /// Lowers what `Default` gives for a type, if it gives something.
+    /// Lowers `Default::default()` of a type; refuses a type that has none.
     pub(super) fn default_of(&self, ty: &Type, at: Span) -> Lowered {
         let has_none = match ty.0 {
             Ctor::Own(kind) => {

@@ -13,19 +13,22 @@ use crate::limits::DEEPEST;
 use crate::refusal::{Refusal, Span};
 use crate::types::{Ctor, Type};
 
-/// The places of a call: those of its arguments, as far as they are written, and its own.
+/// Where a call and its arguments stand in the text, for the words about a wrong one.
 pub(crate) struct Given {
+    /// What is known of each argument; empty if they are not written at the call.
     pub(crate) spots: Vec<ExprInfo>,
+    /// The whole call.
     pub(crate) at: Span,
 }
 
 impl Given {
+    /// Returns what is known of argument `n`; the whole call if that is not written.
     fn spot(&self, n: usize) -> ExprInfo {
         self.spots.get(n).copied().unwrap_or(self.at.into())
     }
 }
 
-/// A call of which only the place is known.
+/// Makes a call whose arguments are not written, such as one by an iterator.
 impl From<Span> for Given {
     fn from(at: Span) -> Self {
         let spots = Vec::new();
@@ -34,7 +37,11 @@ impl From<Span> for Given {
 }
 
 impl Machine<'_> {
-    /// Calls a function from outside; what stops it is a refusal.
+    /// Calls a function from outside of the program, with each value lent where a reference is
+    /// declared.
+    ///
+    /// # Errors
+    /// The refusal that stops the program.
     pub(crate) fn call(&mut self, function: usize, given: &[Value]) -> Result<Value, Refusal> {
         let wanted = &self.code.names.functions[function].parameters;
         let as_wanted = given.iter().zip(wanted).map(|(value, ty)| {
@@ -47,7 +54,10 @@ impl Machine<'_> {
             .map_err(|_| self.fault())
     }
 
-    /// Returns the color that a function gives to a pixel; what stops it is a refusal.
+    /// Returns the color to which a function comes for a pixel or a ray.
+    ///
+    /// # Errors
+    /// The refusal that stops the program, or the one of a value that is no vector.
     pub(crate) fn colored(
         &mut self,
         color: &Value,
@@ -59,8 +69,10 @@ impl Machine<'_> {
         value.map(|it| it.vec3()).map_err(|_| self.fault())
     }
 
-    /// Returns what becomes of a value of which a method takes each of these, one after the
-    /// other.
+    /// Calls the method `add` on a value once for each element of `with`, and returns the value.
+    ///
+    /// # Errors
+    /// The refusal that stops the program.
     pub(crate) fn filled(
         &mut self,
         add: usize,
@@ -75,7 +87,7 @@ impl Machine<'_> {
         Ok(self.stack.pop().unwrap_or_default())
     }
 
-    /// Runs a function with values that are checked where they arrive.
+    /// Calls a function with values, whose types are checked first.
     pub(crate) fn run(&mut self, function: usize, given: &[Value], at: Span) -> Eval {
         let start = self.stack.len();
         self.stack.extend_from_slice(given);
@@ -83,7 +95,7 @@ impl Machine<'_> {
         self.enter(function, start, at)
     }
 
-    /// Runs a function with what these come to, which is checked already.
+    /// Evaluates arguments that check their own types, and calls a function with them.
     pub(crate) fn called(&mut self, function: usize, given: &[Thunk], at: Span) -> Eval {
         let start = self.stack.len();
         for run in given {
@@ -93,7 +105,8 @@ impl Machine<'_> {
         self.enter(function, start, at)
     }
 
-    /// Runs a method of the reader's with what these come to.
+    /// Evaluates arguments, checks their count and types, and calls a method of the text on a
+    /// value.
     pub(crate) fn called_on(
         &mut self,
         function: usize,
@@ -115,8 +128,8 @@ impl Machine<'_> {
         self.enter(function, start, given.at)
     }
 
-    /// Checks the arguments of a function that are on the stack. If not all have their places,
-    /// the first is a receiver.
+    /// Checks the types of a function's arguments on the stack, from slot `start` on. If the
+    /// arguments are written, the first is a receiver that is checked already.
     fn arrive(&mut self, function: usize, start: usize, given: &Given) -> Eval<()> {
         let code = self.code;
         let wanted = &code.names.functions[function].parameters;
@@ -130,7 +143,7 @@ impl Machine<'_> {
         Ok(())
     }
 
-    /// Runs a function whose arguments are on the stack.
+    /// Runs a function whose arguments are on the stack, from slot `start` on.
     fn enter(&mut self, function: usize, start: usize, at: Span) -> Eval {
         let code = self.code;
         let caller = mem::replace(&mut self.function, function);
@@ -141,7 +154,8 @@ impl Machine<'_> {
         result
     }
 
-    /// Runs a body in a frame of its own.
+    /// Runs a body in its own frame of the stack, from `start` to `end`, within the limits of depth
+    /// and turns.
     fn in_frame(
         &mut self,
         start: usize,
@@ -165,6 +179,7 @@ impl Machine<'_> {
         self.returned(result)
     }
 
+    /// Turns the early exit of a `return` into its value, which is added to the trace.
     fn returned(&mut self, result: Eval) -> Eval {
         let Err(EarlyExit::Return) = result else {
             return result;
@@ -174,7 +189,7 @@ impl Machine<'_> {
         Ok(value)
     }
 
-    /// Returns the value of a constant, which is a function that runs once.
+    /// Returns the value of a constant, which is computed once.
     pub(crate) fn constant(&mut self, function: usize, at: Span) -> Eval {
         if let Some(Some(known)) = self.constants.get(function) {
             return Ok(known.clone());
@@ -185,7 +200,7 @@ impl Machine<'_> {
         Ok(value)
     }
 
-    /// Runs a function of the library with what these come to, on a value if that is known.
+    /// Evaluates arguments and calls a library function, on a receiver if there is one.
     pub(crate) fn called_native(
         &mut self,
         native: &Native,
@@ -214,7 +229,7 @@ impl Machine<'_> {
         }
     }
 
-    /// Checks that the first value has a method of the library.
+    /// Checks that the first value has the library method that is called by its path.
     fn receives(&mut self, native: &Native, values: &[Value], at: Span) -> Eval<()> {
         match values.first() {
             Some(on) if native.on.is_some() && !(native.owner)(on.data.ctor()) => {
@@ -226,7 +241,8 @@ impl Machine<'_> {
         }
     }
 
-    /// Runs a function of the library, on the first value if it is a method.
+    /// Checks the types of all values but the receiver, the first of a method, and calls a library
+    /// function with them.
     #[inline]
     pub(crate) fn native(&mut self, native: &Native, values: &mut [Value], given: &Given) -> Eval {
         let first = usize::from(native.on.is_some());
@@ -245,7 +261,7 @@ impl Machine<'_> {
         self.run_native(native, values, given.at)
     }
 
-    /// Checks what a function of the library is given for one of its parameters.
+    /// Checks the value for the library function's parameter `n`.
     #[inline(never)]
     fn take_as(
         &mut self,
@@ -264,7 +280,7 @@ impl Machine<'_> {
         Ok(())
     }
 
-    /// Runs a function of the library, or that of the text which takes its place.
+    /// Runs a library function, or the function of the text that takes its place.
     #[inline]
     fn run_native(&mut self, native: &Native, values: &mut [Value], at: Span) -> Eval {
         if self.code.instead.is_empty() {
@@ -273,6 +289,8 @@ impl Machine<'_> {
         self.run_instead(native, values, at)
     }
 
+    /// Runs the function of the text that takes a library function's place; if there is none,
+    /// rounds the library's result to an `f32` where the program runs in single precision.
     #[inline(never)]
     fn run_instead(&mut self, native: &Native, values: &mut [Value], at: Span) -> Eval {
         let is_of_vectors = (native.owner)(Ctor::Vec3) || (native.owner)(Ctor::Ray);
@@ -287,7 +305,7 @@ impl Machine<'_> {
         })
     }
 
-    /// Calls a value that is a function.
+    /// Calls a value that is a function, with values whose count is checked already.
     pub(crate) fn applied(&mut self, function: &Value, given: &mut [Value], at: Span) -> Eval {
         match &function.data {
             Data::Function(function) => self.run(*function, given, at),
@@ -309,13 +327,14 @@ impl Machine<'_> {
         }
     }
 
-    /// Finds whether a function says so of what it is given.
+    /// Calls a predicate, and returns its truth.
     pub(crate) fn asked(&mut self, f: &Value, given: &mut [Value], at: Span) -> Eval<bool> {
         let value = self.applied(f, given, at)?;
         Ok(self.as_declared(value, &Type::BOOL, at.into())?.truth())
     }
 
-    /// Returns how many arguments a function takes, if the value is one.
+    /// Returns the word for a function value, `closure` or `function`, and the count of its
+    /// parameters; `None` for any other value.
     pub(super) fn parameters(&self, function: &Value) -> Option<(&'static str, usize)> {
         Some(match &function.data {
             Data::Closure(it, _) => ("closure", it.parameters),
@@ -326,7 +345,7 @@ impl Machine<'_> {
         })
     }
 
-    /// Calls a value that is a function, with as many arguments as are written.
+    /// Calls a value that is a function, and checks the count of its arguments.
     pub(crate) fn applied_to(&mut self, function: &Value, given: &mut [Value], at: Span) -> Eval {
         let function = self.end_of(function);
         match self.parameters(&function) {
@@ -337,6 +356,7 @@ impl Machine<'_> {
         }
     }
 
+    /// Runs a closure with the variables that it captured.
     fn in_its_frame(
         &mut self,
         closure: &Closure,
@@ -366,7 +386,8 @@ impl Machine<'_> {
         }
     }
 
-    /// Makes a closure, which may take the variables of its function along.
+    /// Makes a value of a closure. With `move`, it takes a copy of all variables of the current
+    /// frame.
     pub(crate) fn closure(&mut self, closure: &Arc<Closure>, is_moved: bool, at: Span) -> Eval {
         let slots = self.stack.len() - self.base;
         let frame = if is_moved {
@@ -378,7 +399,8 @@ impl Machine<'_> {
         Ok(Data::Closure(Arc::clone(closure), frame).into())
     }
 
-    /// Returns a function that may be called when the one that made it is over.
+    /// Returns a function value that outlives the current frame: a closure gets a copy of its
+    /// variables.
     pub(crate) fn kept(&self, function: &Value) -> Value {
         match &function.data {
             Data::Closure(closure, Captures::Borrowed(base, slots)) => {

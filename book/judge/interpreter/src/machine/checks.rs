@@ -8,7 +8,8 @@ use crate::refusal::{Refusal, Span};
 use crate::types::{Ctor, Int, Type};
 
 impl Machine<'_> {
-    /// Returns a value as what is declared.
+    /// Checks that a value fits a declared type, and converts it as the compiler's inference would:
+    /// an integer literal to its type, `&mut` to `&`, an empty `Vec` to one of its elements.
     #[inline]
     pub(crate) fn as_declared(&mut self, value: Value, ty: &Type, spot: ExprInfo) -> Eval {
         if is_plainly(&value, ty) {
@@ -18,6 +19,7 @@ impl Machine<'_> {
         }
     }
 
+    /// Does the rarer half of `as_declared`.
     #[inline(never)]
     fn converted(&mut self, value: Value, ty: &Type, spot: ExprInfo) -> Eval {
         if let (Data::Float(it), Ctor::F32, ExprForm::Float) = (&value.data, ty.0, spot.form) {
@@ -51,7 +53,7 @@ impl Machine<'_> {
         })
     }
 
-    /// Checks that a function takes so many arguments, as the one that calls it wants.
+    /// Checks that a function value takes as many arguments as its declared type.
     fn takes_as_many(&mut self, function: &Value, count: usize, at: Span) -> Eval<()> {
         let function = self.end_of(function);
         let Some((what, takes)) = self.parameters(&function).filter(|it| it.1 != count) else {
@@ -66,11 +68,12 @@ impl Machine<'_> {
         self.wrong(at, message, "")
     }
 
-    /// Finds whether a value may be where that type is declared.
+    /// Returns true if a value may stand where this type is declared.
     pub(super) fn fits(&self, value: &Value, ty: &Type) -> bool {
         self.lent_fits(value.lent, &value.data, ty)
     }
 
+    /// Returns true if data behind that many `&` may stand where this type is declared.
     fn lent_fits(&self, lent: u8, data: &Data, ty: &Type) -> bool {
         match (lent, ty.0) {
             (_, Ctor::Unknown) => true,
@@ -84,7 +87,8 @@ impl Machine<'_> {
         }
     }
 
-    /// Finds whether that is what a reference leads to, boxes and lists being seen through.
+    /// Returns true if data may stand behind a reference to this type: through boxes, and lists for
+    /// slices.
     fn fits_behind(&self, data: &Data, ty: &Type) -> bool {
         match (data, ty.0) {
             (Data::List(list), Ctor::Slice) => self.parts_fit(list, ty.inner()),
@@ -93,6 +97,7 @@ impl Machine<'_> {
         }
     }
 
+    /// Returns true if data that is not lent may stand where this type is declared.
     fn data_fits(&self, data: &Data, ty: &Type) -> bool {
         match (data, ty.0) {
             (Data::Int(_, one), Ctor::Int(other)) => one.joined(other).is_some(),
@@ -115,11 +120,12 @@ impl Machine<'_> {
         }
     }
 
+    /// Returns true if the elements of a list are of this type, as the first shows.
     fn parts_fit(&self, list: &ListValue, ty: &Type) -> bool {
         list.of == *ty || list.all.first().is_none_or(|it| self.fits(it, ty))
     }
 
-    /// Stops since something else is declared.
+    /// Stops since a value has another type than the expected one, in the compiler's words.
     pub(crate) fn mismatch<T>(&mut self, value: &Value, ty: &Type, spot: ExprInfo) -> Eval<T> {
         if let (Data::Float(_) | Data::Single(_), Ctor::F32 | Ctor::F64) = (&value.data, ty.0)
             && value.lent == 0
@@ -141,7 +147,7 @@ impl Machine<'_> {
         )
     }
 
-    /// Stops unless two values are of one type, so that they may be in one place.
+    /// Stops unless a value has the type of a known one, so that both may be in one place.
     pub(crate) fn must_be_like(
         &mut self,
         value: &Value,
@@ -155,7 +161,8 @@ impl Machine<'_> {
         self.mismatch(value, &wanted, spot)
     }
 
-    /// Returns the type of a value, as far as it shows that.
+    /// Returns the type of a value, as far as the value shows it: the elements of an empty list are
+    /// unknown.
     pub(crate) fn ty(&self, value: &Value) -> Type {
         let of = |it: Option<&Value>| it.map_or(Type::UNKNOWN, |it| self.ty(it));
         let ctor = value.data.ctor();
@@ -180,12 +187,12 @@ impl Machine<'_> {
         (0..value.lent).fold(ty, |ty, _| Type::of(Ctor::Ref, ty))
     }
 
-    /// Returns the name of a value's type.
+    /// Returns the name of a value's type, for a message.
     pub(crate) fn named(&self, value: &Value) -> String {
         self.ty(value).name(&self.code.names)
     }
 
-    /// Returns what `Default` gives for a type.
+    /// Computes the `Default` of a type.
     pub(crate) fn default(&mut self, ty: &Type, at: Span) -> Eval {
         let code = self.code;
         Ok(match ty.0 {
@@ -222,7 +229,7 @@ impl Machine<'_> {
     }
 }
 
-/// Returns a reference as far as the declared one goes: others and boxes are followed.
+/// Follows the references and boxes that a value has beyond those of the declared type.
 fn reborrowed(mut value: Value, ty: &Type) -> Value {
     let (mut lent, mut of) = (0, ty);
     while of.is(Ctor::Ref) {
@@ -238,7 +245,8 @@ fn reborrowed(mut value: Value, ty: &Type) -> Value {
     Value { lent, ..value }
 }
 
-/// Finds whether a value is what is declared without more ado, as most are.
+/// Returns true if a value certainly has the declared type: the fast path of most checks. False
+/// says nothing.
 #[inline]
 pub(super) fn is_plainly(value: &Value, ty: &Type) -> bool {
     let is_same = |ty: &Type| match (&value.data, ty.0) {

@@ -6,23 +6,25 @@ use std::rc::Rc;
 use super::value::{ListValue, Value};
 use super::{Eval, Machine};
 
-/// An iterator: it gives one value after the other.
+/// An iterator, which makes its values when it is asked for them.
 pub(crate) enum Iter {
-    /// The parts of a list from a number on, each with so many more `&`.
+    /// The elements of a list, the number of the next one, and how many `&` are added to each.
     List(Rc<ListValue>, usize, u8),
-    /// An iterator that is somebody else's, too.
+    /// An iterator that another value has, too, as after `by_ref`.
     Shared(Rc<RefCell<Iter>>),
-    Function(Box<NextOf>),
+    /// A function that makes the next value.
+    Function(Box<NextFn>),
 }
 
-type NextOf = dyn FnMut(&mut Machine<'_>) -> Eval<Option<Value>>;
+/// A function that makes the next value; `None` at the end.
+type NextFn = dyn FnMut(&mut Machine<'_>) -> Eval<Option<Value>>;
 
 impl Iter {
     pub(crate) fn new(next: impl FnMut(&mut Machine<'_>) -> Eval<Option<Value>> + 'static) -> Self {
         Self::Function(Box::new(next))
     }
 
-    /// Returns the next value.
+    /// Returns the next value; `None` at the end.
     pub(crate) fn next(&mut self, machine: &mut Machine<'_>) -> Eval<Option<Value>> {
         match self {
             Self::List(list, n, lent) => {

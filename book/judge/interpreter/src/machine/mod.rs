@@ -28,19 +28,21 @@ pub(crate) use operators::alike;
 pub(crate) use places::{FieldAccess, PlaceExpr};
 use value::{Data, Value};
 
-/// A program that is ready to be run.
+/// A program that was lowered, with the settings under which it runs.
 #[derive(Clone)]
 pub(crate) struct Code {
     pub(crate) names: Arc<Names>,
     pub(crate) functions: Vec<Arc<CompiledFunction>>,
+    /// The text of each file.
     pub(crate) texts: Arc<Vec<String>>,
-    /// True if floats have 24 bits.
+    /// True if every float is rounded to 24 bits, as an `f32`.
     pub(crate) is_single: bool,
-    /// The number of the mutant that runs, or 0.
+    /// The number of the mutant that runs; 0 for none.
     pub(crate) mutant: u32,
-    /// Functions of the text that are called in place of those of the library.
+    /// Names of library methods, each with the number of the text's function that is called in its
+    /// place.
     pub(crate) instead: Vec<(&'static str, usize)>,
-    /// Other texts of functions that were read before.
+    /// The cache of functions that were patched in before.
     pub(crate) read: Arc<Mutex<FunctionCache>>,
 }
 
@@ -50,30 +52,32 @@ impl fmt::Debug for Code {
     }
 }
 
-/// Functions by their numbers and texts.
+/// Functions that were lowered, by their number and text.
 pub(crate) type FunctionCache = HashMap<(usize, String), Arc<CompiledFunction>>;
 
-/// A function, ready to be run.
+/// A function that was lowered.
 #[derive(Default)]
 pub(crate) struct CompiledFunction {
+    /// The count of variables in its frame; parameters come first.
     pub(crate) slots: usize,
-    /// The names of the slots.
+    /// The name of each slot's variable.
     pub(crate) names: Vec<String>,
     pub(crate) body: Thunk,
+    /// Its statements, each with a note if it ever ran.
     pub(crate) marks: Vec<Arc<CoveragePoint>>,
-    /// The function as it is written, unless it is a constant or only promised.
+    /// Its name and text; `None` for a constant, or a method that a trait only declares.
     pub(crate) written: Option<FunctionSource>,
 }
 
-/// A function as it is written.
+/// A function as it stands in the text.
 pub(crate) struct FunctionSource {
-    /// Its name, behind that of its type if it has one: `Sphere::hit`.
+    /// The name, behind that of the type if it is a method: `Sphere::hit`.
     pub(crate) name: String,
-    /// Its text from `fn` to its closing bracket.
+    /// The text from `fn` to the closing bracket.
     pub(crate) text: String,
 }
 
-/// Lines that run together, and whether they ever did.
+/// A part of the text that runs as a whole, with a note if it ever ran.
 pub(crate) struct CoveragePoint {
     pub(crate) at: Span,
     pub(crate) has_run: AtomicBool,
@@ -85,52 +89,60 @@ impl CoveragePoint {
         Self { at, has_run }
     }
 
+    /// Notes that the part ran.
     pub(crate) fn notes_that_it_runs(&self) {
         self.has_run.store(true, Relaxed);
     }
 }
 
-/// How many parameters a closure has, and what binds them and runs its body.
+/// A closure that was lowered.
 pub(crate) struct Closure {
+    /// The count of parameters.
     pub(crate) parameters: usize,
+    /// The function that binds the arguments to the parameters and runs the body.
     pub(crate) body: Box<Body>,
 }
 
+/// The function behind a closure: from its arguments to its value.
 type Body = dyn Fn(&mut Machine<'_>, &[Value]) -> Eval + Send + Sync;
 
-/// A function of the library.
+/// A function of the library, written in Rust.
 pub(crate) struct Native {
-    /// Finds whether it is called on values of a type, or the type's name stands before it.
+    /// Returns true for a type that has this method, or before whose `::` it stands.
     pub(crate) owner: fn(Ctor) -> bool,
     pub(crate) name: &'static str,
-    /// If it is a method, how it takes the value that it is called on.
+    /// How a method takes its receiver; `None` for a function without one.
     pub(crate) on: Option<Receiver>,
-    /// The types of its other parameters.
+    /// The types of its parameters, without the receiver.
     pub(crate) takes: Vec<Type>,
+    /// The function itself, given the receiver and the arguments.
     pub(crate) run: fn(&mut Machine<'_>, &mut [Value], Span) -> Eval,
 }
 
-/// How a method of the library takes the value that it is called on.
+/// How a library method takes the value on which it is called.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Receiver {
+    /// As a value.
     Value,
-    /// By its address, to change it.
+    /// As the address of a place, to change it.
     Place,
 }
 
 impl Native {
-    /// Finds whether it changes what it is called on.
+    /// Returns true for a method that changes its receiver.
     pub(crate) fn changes(&self) -> bool {
         self.on == Some(Receiver::Place)
     }
 
-    /// Returns how many arguments it takes where it is called by its path.
+    /// Returns how many arguments the function takes where it is called by its path, the receiver
+    /// included.
     pub(crate) fn count(&self) -> usize {
         self.takes.len() + usize::from(self.on.is_some())
     }
 }
 
-/// Why what follows is not run. What is brought along is kept by the machine.
+/// A reason why evaluation does not go on: a jump, or a refusal. The machine keeps the value of a
+/// jump, or the refusal.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum EarlyExit {
     Return,
@@ -139,15 +151,20 @@ pub(crate) enum EarlyExit {
     Fault,
 }
 
+/// The result of running a part of a program.
 pub(crate) type Eval<T = Value> = Result<T, EarlyExit>;
 
-/// An expression, ready to be run.
+/// A part of a program that can be run: constants and variables need no call.
 pub(crate) enum Thunk {
+    /// A number with a point.
     Float(f64),
+    /// The variable in a slot of the current frame.
     Local(usize),
+    /// A function that runs the part.
     Act(Box<Act>),
 }
 
+/// The function behind a thunk.
 type Act = dyn Fn(&mut Machine<'_>) -> Eval + Send + Sync;
 
 impl Thunk {
@@ -155,7 +172,8 @@ impl Thunk {
         Self::Act(Box::new(act))
     }
 
-    /// Returns what it comes to. It is called for each part of each expression, from many places.
+    /// Runs the part, and returns its value. Inlined everywhere: each part of each expression runs
+    /// so.
     #[inline(always)]
     pub(crate) fn eval(&self, machine: &mut Machine<'_>) -> Eval {
         match self {
@@ -165,7 +183,8 @@ impl Thunk {
         }
     }
 
-    /// Returns the number that it is without a call, as most operands of operators are.
+    /// Returns the number of a constant or of a variable that holds an `f64`, as most operands are;
+    /// `None` for anything that must be run.
     #[inline(always)]
     pub(crate) fn number(&self, machine: &Machine<'_>) -> Option<f64> {
         match self {
@@ -188,28 +207,29 @@ impl Default for Thunk {
     }
 }
 
-/// The place of an expression, and what its text shows before it runs.
+/// The span of an expression, and the form that its text shows.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct ExprInfo {
     pub(crate) at: Span,
     pub(crate) form: ExprForm,
 }
 
-/// A form of expression that the compiler's words depend on.
+/// A form of expression on which the compiler's words depend.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum ExprForm {
     #[default]
     Other,
-    /// A number with a point, of which nothing says how wide it is.
+    /// A number with a point and without a type.
     Float,
-    /// A number without one, of which nothing says what it is.
+    /// A number without a point and without a type.
     Int,
+    /// A comparison or another truth.
     Bool,
-    /// A reference that is made there.
+    /// A `&…` that is written at this place.
     Lend,
-    /// A variable of which the compiler wants to know the type.
+    /// A variable whose type nothing says.
     Open,
-    /// One after which nothing comes.
+    /// An expression after which nothing runs.
     Never,
 }
 
@@ -229,28 +249,34 @@ pub(crate) struct Binding {
     pub(crate) value: Value,
 }
 
-/// The state of a program that runs: the values of all functions that are being called.
+/// The state of a running program: a stack of variables, the frames of open calls, and the budgets
+/// that are left.
 pub(crate) struct Machine<'c> {
     pub(crate) code: &'c Code,
+    /// The variables of all open calls, the innermost last.
     stack: Vec<Value>,
+    /// The first slot of the current frame.
     base: usize,
+    /// The count of open calls.
     depth: u32,
-    /// How many more turns of loops and calls there may be.
+    /// How many turns of loops and calls are left.
     turns: u32,
     /// How many bytes are left.
     memory: usize,
-    /// The value that `return` or `break` brings along.
+    /// The value of the `return` or `break` that is on its way.
     pub(crate) left: Value,
+    /// The refusal that stops the program.
     fault: Option<Refusal>,
+    /// The constants by their function's number, as far as they are computed.
     constants: Vec<Option<Value>>,
-    /// The function that runs, by its number.
+    /// The number of the current function.
     function: usize,
     /// The values that were bound so far; `None` if no trace is kept.
     pub(crate) trace: Option<Vec<Binding>>,
 }
 
 impl<'c> Machine<'c> {
-    /// Makes a machine that takes so many turns for what it is asked.
+    /// Makes a machine with a budget of turns of loops and calls.
     pub(crate) fn new(code: &'c Code, turns: u32) -> Self {
         Self {
             code,
@@ -267,12 +293,12 @@ impl<'c> Machine<'c> {
         }
     }
 
-    /// Returns what has stopped the text.
+    /// Takes the refusal that has stopped the program.
     pub(crate) fn fault(&mut self) -> Refusal {
         self.fault.take().expect("functions catch what leaves them")
     }
 
-    /// Returns the value of a variable.
+    /// Returns a copy of the variable in a slot of the current frame.
     #[inline]
     pub(crate) fn local(&self, slot: usize) -> Value {
         let value = &self.stack[self.base + slot];
@@ -285,13 +311,13 @@ impl<'c> Machine<'c> {
         Value { lent, data }
     }
 
-    /// Gives a variable its value.
+    /// Sets the variable in a slot of the current frame.
     #[inline]
     pub(crate) fn set_local(&mut self, slot: usize, value: Value) {
         self.stack[self.base + slot] = value;
     }
 
-    /// Gives a variable that a `let` declares its value, and notes that.
+    /// Sets the variable that a `let` declares, and adds its value to the trace.
     #[inline]
     pub(crate) fn bind(&mut self, slot: usize, value: Value) {
         self.note(Some(slot), &value);
@@ -311,28 +337,29 @@ impl<'c> Machine<'c> {
         }
     }
 
-    /// Stops with what the compiler refuses, or what is not read here.
+    /// Stops the program with a refusal.
     pub(crate) fn refused<T>(&mut self, refusal: Refusal) -> Eval<T> {
         self.fault = Some(refusal);
         Err(EarlyExit::Fault)
     }
 
-    /// Stops with the compiler's words.
+    /// Stops the program with a message of the compiler.
     pub(crate) fn wrong<T>(&mut self, at: Span, message: impl Into<String>, help: &str) -> Eval<T> {
         self.refused(Refusal::new(at, message, "", help))
     }
 
-    /// Stops with what is not read here.
+    /// Stops the program at something that this interpreter does not read.
     pub(crate) fn unread<T>(&mut self, at: Span, what: &str) -> Eval<T> {
         self.refused(Refusal::unread(at, what))
     }
 
-    /// Stops as the compiled program would.
+    /// Stops the program as a panic would.
     pub(crate) fn panic<T>(&mut self, at: Span, message: &str) -> Eval<T> {
         self.refused(Refusal::stop(at, message, ""))
     }
 
-    /// Counts a turn of a loop, or a call.
+    /// Spends one turn of a loop or one call from the budget, and stops the program if none is
+    /// left.
     pub(crate) fn turn(&mut self, at: Span) -> Eval<()> {
         self.turns = self.turns.saturating_sub(1);
         if self.turns > 0 {
@@ -343,7 +370,7 @@ impl<'c> Machine<'c> {
         self.refused(Refusal::stop(at, message, help))
     }
 
-    /// Counts the bytes that a value takes.
+    /// Spends bytes from the budget, and stops the program if too few are left.
     pub(crate) fn take(&mut self, bytes: usize, at: Span) -> Eval<()> {
         if let Some(left) = self.memory.checked_sub(bytes) {
             self.memory = left;
@@ -354,7 +381,8 @@ impl<'c> Machine<'c> {
         self.refused(Refusal::stop(at, message, help))
     }
 
-    /// Counts what a value takes that is kept in another.
+    /// Spends the bytes of a value that is put into another one, and stops the program if the value
+    /// is nested too deeply.
     pub(crate) fn keep(&mut self, value: &Value, at: Span) -> Eval<()> {
         if matches!(value.data, Data::Float(_)) {
             return self.take(size_of::<Value>(), at);
@@ -365,7 +393,7 @@ impl<'c> Machine<'c> {
         self.take(value.size(), at)
     }
 
-    /// Runs the body of a loop; returns whether it has left the loop.
+    /// Runs the body of a loop once; returns true if a `break` left the loop.
     pub(crate) fn is_left(&mut self, body: &Thunk) -> Eval<bool> {
         self.left = Value::default();
         match body.eval(self) {
@@ -375,7 +403,7 @@ impl<'c> Machine<'c> {
         }
     }
 
-    /// Returns what a loop has left with.
+    /// Takes the value of the `break` or `return` that came last.
     pub(crate) fn brought(&mut self) -> Value {
         mem::take(&mut self.left)
     }

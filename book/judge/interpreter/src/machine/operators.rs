@@ -16,7 +16,7 @@ use crate::refusal::{Refusal, Span};
 use crate::types::{Ctor, Type};
 
 impl Machine<'_> {
-    /// Returns a result as floats have it here.
+    /// Rounds a result to an `f32` if the program runs in single precision.
     #[inline]
     pub(crate) fn rounded(&self, it: f64) -> f64 {
         if self.code.is_single {
@@ -26,6 +26,7 @@ impl Machine<'_> {
         }
     }
 
+    /// Rounds the components of a vector to `f32` if the program runs in single precision.
     #[inline]
     fn all_rounded(&self, it: Vec3) -> Vec3 {
         if self.code.is_single {
@@ -35,13 +36,13 @@ impl Machine<'_> {
         }
     }
 
-    /// Returns what comes out of an operator between two floats.
+    /// Applies an arithmetic operator to two floats.
     #[inline]
     pub(crate) fn of_floats(&self, sign: ArithOp, a: f64, b: f64) -> Value {
         self.rounded(combine(sign, a, b)).into()
     }
 
-    /// Returns what comes out of an operator between two values.
+    /// Applies an arithmetic operator to two values.
     #[inline]
     pub(crate) fn combined(&mut self, sign: ArithOp, left: Value, right: Value, at: Span) -> Eval {
         if let (Data::Float(a), Data::Float(b)) = (&left.data, &right.data) {
@@ -53,6 +54,7 @@ impl Machine<'_> {
         self.rarely_combined(sign, left, right, at)
     }
 
+    /// Applies an arithmetic operator to two values that are not both floats.
     #[inline(never)]
     fn rarely_combined(&mut self, sign: ArithOp, left: Value, right: Value, at: Span) -> Eval {
         let vector = |own: &Self, a, b| Ok(own.all_rounded(combine(sign, a, b)).into());
@@ -86,6 +88,8 @@ impl Machine<'_> {
         }
     }
 
+    /// Applies an arithmetic operator to two integers; the caller checks if the result fits its
+    /// type.
     fn integer(&mut self, sign: ArithOp, a: i128, b: i128, at: Span) -> Eval<i128> {
         Ok(match sign {
             ArithOp::Over if b == 0 => return self.panic(at, "attempt to divide by zero"),
@@ -98,7 +102,7 @@ impl Machine<'_> {
         })
     }
 
-    /// Returns the reader's function for an operator between these values.
+    /// Returns the number of the text's function for an operator between these values.
     fn operator(&self, sign: ArithOp, is_assignment: bool, values: [&Value; 2]) -> Option<usize> {
         let names = &self.code.names;
         let is_it = |it: &&(ArithOp, bool, usize)| {
@@ -114,7 +118,7 @@ impl Machine<'_> {
         names.operators.iter().find(is_it).map(|it| it.2)
     }
 
-    /// Stops since these two do not go together.
+    /// Stops since no operator takes these two values.
     fn no_operator<T>(
         &mut self,
         sign: ArithOp,
@@ -140,7 +144,7 @@ impl Machine<'_> {
         self.wrong(at, sign.refused(is_assignment, &one, &other), help)
     }
 
-    /// Changes a place, as `+=` and the like do.
+    /// Changes a place by `+=` or the like.
     pub(crate) fn updated(
         &mut self,
         place: &PlaceExpr,
@@ -177,7 +181,7 @@ impl Machine<'_> {
         Ok(Value::default())
     }
 
-    /// Adds to a text in its place.
+    /// Appends to the text behind a mutable reference.
     pub(crate) fn append(&mut self, text: &Value, more: &str, at: Span) -> Eval {
         self.take(more.len(), at)?;
         self.change(text, |text| {
@@ -188,7 +192,8 @@ impl Machine<'_> {
         Ok(Value::default())
     }
 
-    /// Returns what comes out of an operator on bits: a `^` is meant as a power.
+    /// Applies `&`, `|` or `^` to two booleans; stops at integers, since a `^` between them may be
+    /// meant as a power.
     pub(crate) fn bits(&mut self, sign: &str, values: [Value; 2], at: Span) -> Eval {
         if let [Data::Bool(one), Data::Bool(other)] = [&values[0].data, &values[1].data] {
             let truth = match sign {
@@ -209,7 +214,7 @@ impl Machine<'_> {
         )
     }
 
-    /// Returns the opposite of a truth.
+    /// Applies `!` to a boolean.
     pub(crate) fn not(&mut self, value: &Value, at: Span) -> Eval {
         match self.end_of(value).data {
             Data::Bool(it) => Ok((!it).into()),
@@ -218,7 +223,7 @@ impl Machine<'_> {
         }
     }
 
-    /// Returns a value with the other sign.
+    /// Applies `-` to a value.
     pub(crate) fn negated(&mut self, value: &Value, at: Span) -> Eval {
         Ok(match &value.data {
             Data::Float(it) => (-it).into(),
@@ -240,6 +245,7 @@ impl Machine<'_> {
         })
     }
 
+    /// Stops since a value has no such unary operator.
     fn no_unary(&mut self, sign: &str, value: &Value, at: Span) -> Eval {
         let name = self.named(value);
         let message = format!("cannot apply unary operator `{sign}` to type `{name}`");
@@ -262,7 +268,7 @@ impl Machine<'_> {
         }
     }
 
-    /// Compares two values, the second of which stands at a place of its own.
+    /// Compares two values. `spot` is that of the right one, which is to blame if the types differ.
     #[inline]
     pub(crate) fn compared(
         &mut self,
@@ -280,6 +286,7 @@ impl Machine<'_> {
         self.rarely_compared(order, [left, right], (at, spot))
     }
 
+    /// Compares two values that are not both floats.
     #[inline(never)]
     fn rarely_compared(
         &mut self,
@@ -329,7 +336,8 @@ impl Machine<'_> {
     }
 }
 
-/// Makes a number of which nothing says how wide it is as wide as the other one.
+/// Converts the one of two floats whose literal has no type, as `is_any` says, to an `f32` if the
+/// other is one.
 #[inline]
 pub(crate) fn alike(both: [Value; 2], is_any: [bool; 2]) -> [Value; 2] {
     if is_any == [false; 2] {
@@ -350,6 +358,7 @@ pub(crate) fn alike(both: [Value; 2], is_any: [bool; 2]) -> [Value; 2] {
     }
 }
 
+/// Applies an arithmetic operator to two numbers or vectors.
 fn combine<T>(sign: ArithOp, a: T, b: T) -> T
 where
     T: Add<Output = T> + Sub<Output = T> + Mul<Output = T> + Div<Output = T> + Rem<Output = T>,

@@ -5,34 +5,40 @@ use super::{Eval, ExprInfo, Machine};
 use crate::refusal::{Refusal, Span};
 use crate::types::{Ctor, Int, Type};
 
-/// Something that can be assigned to: a variable, or a part of one.
+/// An expression that can be assigned to: a variable, or a part of one.
 pub(crate) struct PlaceExpr {
-    /// The variable, if it is one by itself.
+    /// The slot of the variable, if the place is a whole variable.
     pub(crate) local: Option<usize>,
-    /// The variable that it is a part of.
+    /// The slot of the variable in which the place lies; `None` behind a `*`.
     pub(crate) root: Option<usize>,
-    /// The refusal if that is no mutable reference, since it is not `mut`.
+    /// The refusal of a change, if the variable is not `mut`; it applies unless the variable holds
+    /// a mutable reference.
     pub(crate) fixed: Option<Refusal>,
-    /// Finds where it is. Mutable references and boxes on the way are followed.
+    /// The function that finds the address, through mutable references and boxes on the way.
     pub(crate) address: Box<AddressFn>,
     pub(crate) at: Span,
 }
 
+/// A function that finds the address of a place.
 type AddressFn = dyn Fn(&mut Machine<'_>) -> Eval<Address> + Send + Sync;
 
-/// A name after a point: which of its fields that is of a value.
+/// The name behind a `.`: the number of the field with that name in each type.
 pub(crate) struct FieldAccess {
     pub(crate) name: String,
-    /// Of each of the reader's structs, if it may be seen.
+    /// The number of the field in each struct of the text; `None` if it has none that is visible
+    /// here.
     pub(crate) own: Box<[Option<u32>]>,
-    /// Of a vector, of a ray and of a tuple.
+    /// The number of the component of a vector.
     pub(crate) vec3: Option<usize>,
+    /// The number of the field of a ray.
     pub(crate) ray: Option<usize>,
+    /// The number of the part of a tuple.
     pub(crate) number: Option<usize>,
     pub(crate) at: Span,
 }
 
 impl FieldAccess {
+    /// Returns the number of the field in a value; `None` if it has no such field.
     fn of(&self, value: &Data) -> Option<usize> {
         match value {
             Data::Own(kind, _) => self.own[*kind as usize].map(|it| it as usize),
@@ -45,7 +51,7 @@ impl FieldAccess {
 }
 
 impl Machine<'_> {
-    /// Returns the value at the end of a mutable reference, or of several.
+    /// Returns the value at the end of mutable references; another value as it is.
     pub(crate) fn end_of(&self, value: &Value) -> Value {
         match &value.data {
             Data::Mut(address) => self.end_of(&self.read(address)),
@@ -53,7 +59,7 @@ impl Machine<'_> {
         }
     }
 
-    /// Returns what is behind mutable references and boxes.
+    /// Returns the value behind mutable references and boxes.
     fn unboxed(&self, value: &Value) -> Value {
         let mut value = self.end_of(value);
         while let Data::Box(inner) = &value.data {
@@ -62,7 +68,7 @@ impl Machine<'_> {
         value
     }
 
-    /// Returns the value at an address.
+    /// Returns a copy of the value at an address.
     pub(crate) fn read(&self, address: &Address) -> Value {
         let root = &self.stack[address.slot as usize];
         match address.steps.split_first() {
@@ -74,7 +80,7 @@ impl Machine<'_> {
         }
     }
 
-    /// Puts a value at an address.
+    /// Stores a value at an address.
     pub(super) fn write(&mut self, address: &Address, value: Value) {
         let mut value = Some(value);
         self.stack[address.slot as usize].reach(&address.steps, &mut |place| {
@@ -82,7 +88,7 @@ impl Machine<'_> {
         });
     }
 
-    /// Changes what a mutable reference leads to.
+    /// Changes the value at the end of a mutable reference in its place.
     pub(crate) fn change(&mut self, reference: &Value, mut change: impl FnMut(&mut Value)) {
         let Data::Mut(address) = &reference.data else {
             unreachable!("types are checked, and this is no address");
@@ -94,12 +100,12 @@ impl Machine<'_> {
         self.stack[address.slot as usize].reach(&address.steps, &mut change);
     }
 
-    /// Returns the address of a variable.
+    /// Returns the address of a slot of the current frame.
     pub(crate) fn address_of(&self, slot: usize) -> Address {
         Address::of(self.base + slot)
     }
 
-    /// Returns where a reference leads to that is to be changed.
+    /// Returns the address that a mutable reference holds; stops at any other value.
     pub(crate) fn address_behind(&mut self, reference: Value, at: Span) -> Eval<Address> {
         match reference.data {
             Data::Mut(address) => Ok(address),
@@ -109,7 +115,7 @@ impl Machine<'_> {
         }
     }
 
-    /// Returns the value behind a reference or in a box.
+    /// Returns the value behind a reference or in a box; stops at any other value.
     pub(crate) fn dereferenced(&mut self, value: Value, at: Span) -> Eval {
         match &value.data {
             _ if value.lent > 0 => Ok(Value {
@@ -122,12 +128,13 @@ impl Machine<'_> {
         }
     }
 
+    /// Stops since a value is no reference.
     fn no_reference<T>(&mut self, value: &Value, at: Span) -> Eval<T> {
         let name = self.named(value);
         self.wrong(at, format!("type `{name}` cannot be dereferenced"), "")
     }
 
-    /// Checks that a place may be changed: that its variable is `mut`, or a mutable reference.
+    /// Stops unless the place's variable is `mut` or holds a mutable reference.
     pub(crate) fn may_change(&mut self, place: &PlaceExpr) -> Eval<()> {
         let (Some(slot), Some(fixed)) = (place.root, &place.fixed) else {
             return Ok(());
@@ -140,7 +147,8 @@ impl Machine<'_> {
         }
     }
 
-    /// Returns what stands at an address that is to be changed, behind references and boxes.
+    /// Follows mutable references and boxes from an address to a value that has parts; returns the
+    /// address there, and the value. Stops at a shared reference.
     pub(crate) fn opened(&mut self, mut address: Address, at: Span) -> Eval<(Address, Value)> {
         loop {
             let value = self.read(&address);
@@ -155,7 +163,7 @@ impl Machine<'_> {
         }
     }
 
-    /// Stops since a shared reference does not let its value be changed.
+    /// Stops since a value behind a `&` can't be changed.
     pub(crate) fn behind<T>(&mut self, at: Span) -> Eval<T> {
         let message = "cannot change this, as it is behind a `&` reference";
         self.wrong(at, message, "`&mut` instead of `&`")
@@ -171,7 +179,7 @@ impl Machine<'_> {
         Ok(Data::Mut(address).into())
     }
 
-    /// Puts a value in the place of another of its type.
+    /// Assigns a value to a place, whose type it must have.
     pub(crate) fn put(&mut self, place: &PlaceExpr, new: Value, spot: ExprInfo) -> Eval {
         if let Some(slot) = place.local.map(|it| self.base + it)
             && new.is_like(&self.stack[slot])
@@ -190,7 +198,7 @@ impl Machine<'_> {
         Ok(Value::default())
     }
 
-    /// Returns the parts of a tuple of so many.
+    /// Returns the `count` parts of a tuple; stops at any other value.
     pub(crate) fn parted(&mut self, value: &Value, count: usize, at: Span) -> Eval<Vec<Value>> {
         match &value.data {
             Data::Tuple(all) if all.len() == count => Ok(all.to_vec()),
@@ -201,7 +209,7 @@ impl Machine<'_> {
         }
     }
 
-    /// Returns a part of a variable, without a copy of the whole.
+    /// Returns a field of the variable in a slot, without a copy of the whole variable.
     #[inline]
     pub(crate) fn field_of_local(&mut self, slot: usize, field: &FieldAccess) -> Eval {
         match plain_field(&self.stack[self.base + slot], field) {
@@ -210,7 +218,7 @@ impl Machine<'_> {
         }
     }
 
-    /// Returns a part of a value, behind references and boxes.
+    /// Returns a field of a value, behind references and boxes.
     pub(crate) fn field(&mut self, value: Value, field: &FieldAccess) -> Eval {
         if let Some(part) = plain_field(&value, field) {
             return Ok(part);
@@ -222,7 +230,7 @@ impl Machine<'_> {
         }
     }
 
-    /// Returns the number of a field of a value.
+    /// Returns the number of a field in a value; stops if it has no such field.
     pub(crate) fn number(&mut self, value: &Value, field: &FieldAccess) -> Eval<usize> {
         match field.of(&value.data) {
             Some(n) => Ok(n),
@@ -230,20 +238,21 @@ impl Machine<'_> {
         }
     }
 
+    /// Stops since a value has no such field.
     fn no_field<T>(&mut self, value: &Value, field: &FieldAccess) -> Eval<T> {
         let ty = self.ty(value);
         let refusal = self.code.names.no_field(&field.name, &ty, field.at);
         self.refused(refusal)
     }
 
-    /// Returns a part of a list by its number.
+    /// Returns the element of a list or the component of a vector at an index.
     pub(crate) fn indexed(&mut self, list: &Value, index: &Value, at: Span) -> Eval {
         let list = self.unboxed(list);
         let n = self.index(&list, index, at)?;
         Ok(list.part(n))
     }
 
-    /// Returns the number of a part of a list, if it has that one.
+    /// Checks an index into a list or a vector, and returns it.
     pub(crate) fn index(&mut self, list: &Value, index: &Value, at: Span) -> Eval<usize> {
         let length = match &list.data {
             Data::List(list) => list.all.len(),
@@ -271,6 +280,8 @@ impl Machine<'_> {
     }
 }
 
+/// Returns a field of a struct, a vector or a ray that is not behind a box; `None` for any other
+/// value.
 #[inline]
 fn plain_field(value: &Value, field: &FieldAccess) -> Option<Value> {
     match &value.data {

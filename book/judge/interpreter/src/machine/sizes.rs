@@ -4,7 +4,7 @@ use crate::limits::{DEEPEST_VALUE, VISITS};
 use crate::machine::value::{Data, Value};
 
 impl Value {
-    /// Returns how many bytes it takes with what it is made of, without what it shares.
+    /// Returns how many bytes a copy of the value takes, without the parts that it shares.
     pub(crate) fn size(&self) -> usize {
         let parts = match &self.data {
             Data::Own(_, all) | Data::Tuple(all) => all.len(),
@@ -14,8 +14,8 @@ impl Value {
         (1 + parts) * size_of::<Self>()
     }
 
-    /// Returns how deep its parts are nested, as far as that is not too deep. Of a list, the
-    /// first and the last tell.
+    /// Returns how deep the value is nested, counted up to just above the limit. In a list, the
+    /// first and the last element are visited.
     pub(crate) fn depth(&self) -> usize {
         self.depth_within(DEEPEST_VALUE + 1, &mut { VISITS })
     }

@@ -16,45 +16,51 @@ use super::{Closure, Native};
 use crate::refusal::Span;
 use crate::types::{Ctor, Int, Type};
 
+/// A value of a running program: data behind a count of shared references.
 #[derive(Clone, Default)]
 pub(crate) struct Value {
-    /// How many `&` lead to it.
+    /// How many `&` lead to the data.
     pub(crate) lent: u8,
     pub(crate) data: Data,
 }
 
+/// The data of a value, by its type.
 #[derive(Clone, Default)]
 pub(crate) enum Data {
     #[default]
     Unit,
     Bool(bool),
+    /// An integer and its type.
     Int(PackedInt, Int),
     Float(f64),
     Single(f32),
     Vec3(Vec3),
     Ray(Rc<Ray>),
-    /// Width and height, and what colors its pixels.
+    /// Width and height in pixels, and the function that colors the pixels.
     Picture(Rc<((u32, u32), Rc<Brush>)>),
     Str(Rc<String>),
     Ordering(Ordering),
     None,
     Some(Rc<Value>),
     Box(Rc<Value>),
-    /// One of the reader's structs, and its fields.
+    /// The number of one of the text's structs, and its fields.
     Own(u32, Rc<[Value]>),
     Tuple(Rc<[Value]>),
     List(Rc<ListValue>),
-    /// From there to there, or on and on, and whether the end is part of it.
+    /// The two ends of a range, the second `()` if there is none, and true if the second end is
+    /// included.
     Range(Rc<[Value; 2]>, bool),
     Iter(Rc<RefCell<Iter>>),
+    /// A mutable reference, as the address of its place.
     Mut(Address),
-    /// A closure, and the frame that it looks at or has taken along.
+    /// A closure, and the variables that it uses.
     Closure(Arc<Closure>, Captures),
+    /// A function of the text, by its number.
     Function(usize),
     Native(&'static Native),
 }
 
-/// A whole number that has room for those of all types, and takes no more of a value than a
+/// An integer of any type, packed so that a value with one takes no more space than one with a
 /// vector.
 #[derive(Clone, Copy)]
 #[repr(C, packed(8))]
@@ -66,15 +72,16 @@ impl PackedInt {
     }
 }
 
-/// A vector or an array, and of which type its parts are said to be.
+/// The elements of a `Vec` or an array.
 #[derive(Clone, Default)]
 pub(crate) struct ListValue {
     pub(crate) all: Vec<Value>,
+    /// The declared type of the elements; unknown until one is declared.
     pub(crate) of: Type,
     pub(crate) is_array: bool,
 }
 
-/// The place of a value: a slot of the stack, and the way from there to a part.
+/// The address of a value: a slot of the stack, and the numbers of the parts on the way from there.
 #[derive(Clone)]
 pub(crate) struct Address {
     pub(crate) slot: u32,
@@ -82,6 +89,7 @@ pub(crate) struct Address {
 }
 
 impl Address {
+    /// Returns the address of a slot of the stack.
     pub(crate) fn of(slot: usize) -> Self {
         Self {
             slot: slot as u32,
@@ -89,7 +97,7 @@ impl Address {
         }
     }
 
-    /// Returns the place of a part.
+    /// Returns the address of part `n`.
     pub(crate) fn part(&self, n: usize) -> Self {
         Self {
             slot: self.slot,
@@ -98,22 +106,25 @@ impl Address {
     }
 }
 
+/// The variables that a closure uses.
 #[derive(Clone)]
 pub(crate) enum Captures {
-    /// The first slot of its function's frame, and how many slots that has.
+    /// Those of a frame that is still open: its first slot, and its count of slots.
     Borrowed(u32, u32),
+    /// Copies of all variables of a frame.
     Moved(Rc<Vec<Value>>),
 }
 
-/// A function or a finished picture that colors pixels.
+/// The way in which the pixels of a picture get their colors.
 pub(crate) enum Brush {
-    /// A function of column and row, and where it is given.
+    /// A function value of column and row, and where it is given.
     Pixel(Value, Span),
-    /// A function of the ray that our camera casts.
+    /// The book's camera, a function value of its rays, and where that is given.
     Ray(Camera, Value, Span),
-    /// A reader's `ray_color`, with a world if it takes one.
+    /// The book's camera, the number of the text's `ray_color`, and the world that it takes, if it
+    /// takes one.
     Role(Camera, usize, Option<Value>),
-    /// One that is drawn already.
+    /// A picture that was printed as a P3 file.
     Printed(Picture),
 }
 
@@ -142,7 +153,7 @@ impl From<Option<Self>> for Value {
     }
 }
 
-/// Methods that return what only one type has, of which the checks have made sure.
+/// Defines accessors that return the data of one type. The type checks guarantee the variant.
 macro_rules! taken {
     ($name:ident, $variant:ident, $ty:ty) => {
         pub(crate) fn $name(&self) -> $ty {
@@ -162,6 +173,7 @@ impl Value {
     taken!(ordering, Ordering, Ordering);
     taken!(text, Str, Rc<String>);
 
+    /// Returns a number as an `f64`.
     pub(crate) fn float(&self) -> f64 {
         match self.data {
             Data::Float(it) => it,
@@ -171,6 +183,7 @@ impl Value {
         }
     }
 
+    /// Returns an integer.
     pub(crate) fn int(&self) -> i128 {
         match self.data {
             Data::Int(it, _) => it.get(),
@@ -178,18 +191,22 @@ impl Value {
         }
     }
 
+    /// Makes an integer of a type.
     pub(crate) fn whole(number: i128, int: Int) -> Self {
         Data::Int(PackedInt(number), int).into()
     }
 
+    /// Makes an integer of type `usize`.
     pub(crate) fn usize(number: usize) -> Self {
         Self::whole(number as i128, Int::Usize)
     }
 
+    /// Makes a text.
     pub(crate) fn str(text: impl Into<String>) -> Self {
         Data::Str(Rc::new(text.into())).into()
     }
 
+    /// Makes an array, or else a `Vec`.
     pub(crate) fn listed(all: Vec<Self>, is_array: bool) -> Self {
         let of = Type::UNKNOWN;
         Data::List(Rc::new(ListValue { all, of, is_array })).into()
@@ -211,6 +228,7 @@ impl Value {
         Data::Tuple(all.into()).into()
     }
 
+    /// Returns the value inside of `Some`, lent if the option is.
     pub(crate) fn option(&self) -> Option<Self> {
         match &self.data {
             Data::Some(it) => Some((**it).clone().more_lent(self.lent.min(1))),
@@ -218,7 +236,7 @@ impl Value {
         }
     }
 
-    /// Returns the value with so many more `&`.
+    /// Returns the value behind `more` further `&`.
     pub(crate) fn more_lent(self, more: u8) -> Self {
         Self {
             lent: self.lent.saturating_add(more),
@@ -226,16 +244,18 @@ impl Value {
         }
     }
 
+    /// Returns the value behind one further `&`.
     pub(crate) fn lent(self) -> Self {
         self.more_lent(1)
     }
 
-    /// Returns the value without any `&`.
+    /// Returns the value without its `&`.
     pub(crate) fn owned(self) -> Self {
         Self { lent: 0, ..self }
     }
 
-    /// Returns a part of a value by its number: what a box or `Some` holds is one.
+    /// Returns part `n` of a value: a field, an element, a component, or what a box or `Some`
+    /// holds, which has the number 0.
     pub(crate) fn part(&self, n: usize) -> Self {
         match &self.data {
             Data::Own(_, fields) | Data::Tuple(fields) => fields[n].clone(),
@@ -247,7 +267,8 @@ impl Value {
         }
     }
 
-    /// Changes the part that a path leads to.
+    /// Changes the part of a value to which a path of numbers leads; the value itself for an empty
+    /// path.
     pub(crate) fn reach(&mut self, path: &[u32], change: &mut dyn FnMut(&mut Self)) {
         let &[first, ref rest @ ..] = path else {
             return change(self);
@@ -274,7 +295,7 @@ impl Value {
         }
     }
 
-    /// Finds whether its type may be that of another, as far as they show it.
+    /// Returns true if both values may be of one type, as far as they show it.
     pub(crate) fn is_like(&self, other: &Self) -> bool {
         let is_same = match (self.data.ctor(), other.data.ctor()) {
             (Ctor::Int(one), Ctor::Int(other)) => one.joined(other).is_some(),
@@ -291,7 +312,7 @@ impl Value {
         self.lent == other.lent && is_same && parts
     }
 
-    /// Finds whether they are equal, as `derive(PartialEq)` has it.
+    /// Returns true if both values are equal, as by a derived `PartialEq`.
     pub(crate) fn equals(&self, other: &Self) -> bool {
         let all_equal = |one: &[Self], other: &[Self]| {
             one.len() == other.len() && one.iter().zip(other).all(|(one, other)| one.equals(other))
@@ -313,7 +334,7 @@ impl Value {
         }
     }
 
-    /// Compares numbers, unless one is none.
+    /// Compares two numbers or truths; `None` for other values, or if one is NaN.
     pub(crate) fn compared(&self, other: &Self) -> Option<Ordering> {
         match (&self.data, &other.data) {
             (Data::Float(one), Data::Float(other)) => one.partial_cmp(other),
@@ -325,8 +346,8 @@ impl Value {
         }
     }
 
-    /// Converts a number as `as` does: rounds towards zero, stays at the ends of integers, and
-    /// cuts integers off.
+    /// Converts a number as `as` does: a float is rounded towards zero and clamped to the integer's
+    /// range, an integer is wrapped. `None` for other values.
     pub(crate) fn cast(&self, ty: &Type) -> Option<Self> {
         Some(match (&self.data, ty.0) {
             (Data::Float(_) | Data::Single(_), Ctor::Int(int)) => {
@@ -345,7 +366,7 @@ impl Value {
 }
 
 impl Data {
-    /// Returns what its type is apart from those that it is made of.
+    /// Returns the type of the data, without the types of its parts.
     pub(crate) fn ctor(&self) -> Ctor {
         match self {
             Data::Bool(_) => Ctor::Bool,

@@ -5,7 +5,7 @@ use crate::refusal::Refusal;
 use crate::types::{Ctor, Type};
 
 impl Names {
-    /// Checks that each implementation of a trait has what that promises, and nothing else.
+    /// Checks that each implementation of a trait has exactly the methods that the trait declares.
     pub(super) fn are_traits_complete(&self) -> Resolved {
         let wrong = |at, message| Err(Refusal::new(at, message, "", ""));
         for own in &self.functions {
@@ -43,7 +43,7 @@ impl Names {
         Ok(())
     }
 
-    /// Checks that no struct is a part of itself.
+    /// Checks that no struct contains itself but through a box, a reference or a list.
     pub(super) fn do_structs_end(&self) -> Resolved {
         for (n, kind) in self.structs.iter().enumerate() {
             let (own, mut known) = (Ctor::Own(n as u32), Vec::new());
@@ -70,6 +70,7 @@ impl Names {
 }
 
 impl Signature {
+    /// Returns true if a method has the types that its trait declares.
     fn is_as_promised(&self, promised: &Self) -> bool {
         // A `self` may be the type itself, or be behind a reference.
         let on = |it: &Self| match it.parameters.first().filter(|_| it.has_self)?.0 {

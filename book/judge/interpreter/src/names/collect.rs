@@ -8,15 +8,22 @@ use crate::read::at;
 use crate::refusal::{Refusal, Span};
 use crate::types::{Ctor, Type};
 
-/// The tree of a function's body, or of a constant's value.
+/// The syntax tree of a function's signature and body, or of a constant's value.
 #[derive(Clone, Copy)]
 pub(crate) enum ItemBody<'a> {
     Function(&'a syn::Signature, &'a syn::Block),
     Constant(&'a syn::Expr),
 }
 
-/// Reads what the files declare, each with its name and its tree; the root is `lib.rs`, or the
-/// first. Of each function what is in it, if anything is.
+/// Collects all that the files declare, each given by its name and syntax tree. The root is the
+/// file whose name ends with `lib.rs`, or else the first. Beside the names stands the body of each
+/// function; `None` for one that a trait only declares.
+///
+/// # Errors
+/// All faults in declarations.
+///
+/// # Panics
+/// If there is no file.
 pub(crate) fn collect<'a>(
     files: &'a [(String, syn::File)],
 ) -> Result<(Names, Vec<Option<ItemBody<'a>>>), Vec<Refusal>> {
@@ -44,15 +51,18 @@ pub(crate) fn collect<'a>(
     }
 }
 
+/// The state of the passes over declarations.
 pub(super) struct Collector<'a> {
     pub(super) files: &'a [(String, syn::File)],
     pub(super) names: Names,
-    /// Each with its module.
+    /// All items, each with the number of its module.
     pub(super) items: Vec<(usize, &'a syn::Item)>,
-    /// The paths of all imports, each with its module and its place.
+    /// All imports: the number of the module, the path, and its span.
     pub(super) imports: Vec<(usize, Vec<String>, Span)>,
-    /// Functions that declare something, and the modules that they are.
+    /// The bodies of functions that declare items, each with the number of the module that it
+    /// forms.
     pub(super) blocks: Vec<(&'a syn::Block, usize)>,
+    /// The body of each function; `None` for one that a trait only declares.
     pub(super) bodies: Vec<Option<ItemBody<'a>>>,
     pub(super) faults: Vec<Refusal>,
 }
@@ -71,7 +81,7 @@ impl<'a> Collector<'a> {
         Refusal::unread(self.at(module, it), what)
     }
 
-    /// Finds what all names mean, now that all are known.
+    /// Resolves all types and paths in declarations, after all names are declared.
     fn define(&mut self) {
         let items = mem::take(&mut self.items);
         let each = |own: &mut Self, work: fn(&mut Self, usize, &'a syn::Item) -> Resolved| {
@@ -102,6 +112,7 @@ impl<'a> Collector<'a> {
         }
     }
 
+    /// Resolves a `type … = …`; it is called again for an alias of a later alias.
     fn alias(&mut self, module: usize, item: &'a syn::Item) -> Resolved {
         let syn::Item::Type(it) = item else {
             return Ok(());
@@ -113,7 +124,7 @@ impl<'a> Collector<'a> {
         Ok(())
     }
 
-    /// Reads the types of an item's parts.
+    /// Resolves the types in an item.
     fn item(&mut self, module: usize, item: &'a syn::Item) -> Resolved {
         let context = TypeScope::of(module);
         match item {
@@ -137,11 +148,13 @@ impl<'a> Collector<'a> {
         }
     }
 
+    /// Returns what a declared name means.
     fn declared(&self, module: usize, name: &syn::Ident) -> Meaning {
         let names = &self.names.modules[module].names;
         names[&name.to_string()].named.clone()
     }
 
+    /// Returns the number of a declared function.
     fn number(&self, module: usize, name: &syn::Ident) -> usize {
         match self.declared(module, name) {
             Meaning::Function(number) => number,
@@ -149,6 +162,7 @@ impl<'a> Collector<'a> {
         }
     }
 
+    /// Resolves the methods of a trait.
     fn promises(&mut self, context: TypeScope, it: &'a syn::ItemTrait) -> Resolved {
         let Meaning::Trait(own) = self.declared(context.module, &it.ident) else {
             return Ok(());
@@ -172,6 +186,7 @@ impl<'a> Collector<'a> {
         Ok(())
     }
 
+    /// Resolves the fields of a struct.
     fn fields(&mut self, context: &TypeScope, it: &syn::ItemStruct) -> Resolved {
         let Meaning::Type(Type(Ctor::Own(own), _)) = self.declared(context.module, &it.ident)
         else {
@@ -189,7 +204,7 @@ impl<'a> Collector<'a> {
         Ok(())
     }
 
-    /// Reads the signature of a function that has its number.
+    /// Resolves the signature of the function with a known number, and keeps its body.
     fn put(
         &mut self,
         number: usize,
@@ -209,6 +224,7 @@ impl<'a> Collector<'a> {
         Ok(())
     }
 
+    /// Numbers a method, and resolves its signature.
     fn method(
         &mut self,
         context: &TypeScope,
@@ -222,6 +238,7 @@ impl<'a> Collector<'a> {
         Ok(number)
     }
 
+    /// Resolves the type of a constant, which counts as a function without parameters.
     fn constant(
         &mut self,
         number: usize,
@@ -244,6 +261,7 @@ impl<'a> Collector<'a> {
         Ok(())
     }
 
+    /// Resolves the functions in an `impl`.
     fn implementation(&mut self, context: TypeScope, it: &'a syn::ItemImpl) -> Resolved {
         let module = context.module;
         self.no_generics(module, &it.generics)?;
@@ -295,6 +313,7 @@ impl<'a> Collector<'a> {
         Ok(())
     }
 
+    /// Makes the refusal of a `pub` in the `impl` of a trait.
     fn no_visibility(&self, module: usize, visibility: &syn::Visibility) -> Refusal {
         let message = "visibility qualifiers are not permitted here";
         let label = "trait items always share the visibility of their trait";
@@ -302,7 +321,8 @@ impl<'a> Collector<'a> {
         Refusal::new(at, message, label, "leave the `pub` out")
     }
 
-    /// Keeps by what they are for the functions that no name calls.
+    /// Finds the functions that no name calls: operators and defaults; and the text's own types of
+    /// rays and vectors.
     fn index(&mut self) {
         let names = &mut self.names;
         for (n, own) in names.functions.iter().enumerate() {
@@ -337,6 +357,7 @@ impl<'a> Collector<'a> {
         });
     }
 
+    /// Refuses type parameters.
     pub(super) fn no_generics(&self, module: usize, generics: &syn::Generics) -> Resolved {
         let mut parameters = generics.params.iter();
         match parameters.find(|it| !matches!(it, syn::GenericParam::Lifetime(_))) {
@@ -349,10 +370,12 @@ impl<'a> Collector<'a> {
     }
 }
 
+/// Returns true for any `pub`, also one with parentheses.
 pub(super) fn is_public(visibility: &syn::Visibility) -> bool {
     !matches!(visibility, syn::Visibility::Inherited)
 }
 
+/// Returns true for a module `tests`, which is not read.
 pub(super) fn is_test(item: &syn::Item) -> bool {
     matches!(item, syn::Item::Mod(it) if it.ident == "tests")
 }

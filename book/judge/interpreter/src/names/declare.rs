@@ -6,6 +6,7 @@ use crate::refusal::Refusal;
 use crate::types::{Ctor, Type};
 
 impl<'a> Collector<'a> {
+    /// Adds a module and declares its items; returns its number.
     pub(super) fn module(
         &mut self,
         module: Module,
@@ -23,6 +24,7 @@ impl<'a> Collector<'a> {
         own
     }
 
+    /// Declares the names of an item.
     fn declare(&mut self, module: usize, item: &'a syn::Item) -> Resolved {
         let (name, visibility, named) = match item {
             syn::Item::Struct(it) => {
@@ -64,7 +66,8 @@ impl<'a> Collector<'a> {
         self.name(module, name, visibility, named)
     }
 
-    /// Declares what is in a function, which is a module then that sees all around it.
+    /// Declares the items in a function's body, which forms a module then that sees all names
+    /// around it.
     fn block(&mut self, module: usize, block: &'a syn::Block) {
         let items = block.stmts.iter().filter_map(|it| match it {
             syn::Stmt::Item(it) => Some(it),
@@ -83,6 +86,7 @@ impl<'a> Collector<'a> {
         }
     }
 
+    /// Declares a name in a module; refuses one that is declared already.
     fn name(
         &mut self,
         module: usize,
@@ -107,13 +111,14 @@ impl<'a> Collector<'a> {
         }
     }
 
-    /// Makes a place for a function whose signature is read later.
+    /// Numbers a function whose signature is resolved later.
     pub(super) fn function(&mut self) -> Meaning {
         self.names.functions.push(Signature::default());
         self.bodies.push(None);
         Meaning::Function(self.names.functions.len() - 1)
     }
 
+    /// Adds the module of a `mod`, in braces or in its file.
     fn submodule(&mut self, module: usize, it: &'a syn::ItemMod) -> Resolved<Meaning> {
         let name = it.ident.to_string();
         let mut own = Module {
@@ -138,6 +143,7 @@ impl<'a> Collector<'a> {
         Ok(Meaning::Module(self.module(own, &files[file].1.items)))
     }
 
+    /// Numbers a struct whose fields are resolved later.
     fn kind(&mut self, module: usize, it: &syn::ItemStruct) -> Meaning {
         let mut derives = Vec::new();
         for derive in it.attrs.iter().filter(|it| it.path().is_ident("derive")) {
@@ -159,6 +165,7 @@ impl<'a> Collector<'a> {
         Meaning::Type(Ctor::Own(kind as u32).into())
     }
 
+    /// Declares the names of a `use`.
     fn import(
         &mut self,
         module: usize,

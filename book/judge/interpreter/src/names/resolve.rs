@@ -3,16 +3,16 @@
 use super::{Meaning, Names, PathError, Signature, TypeScope, module_key, standard};
 use crate::types::Ctor;
 
-/// So many imports may follow each other.
+/// How many imports may lead to each other.
 const LONGEST: u32 = 8;
 
 impl Names {
-    /// Finds whether a module is another one or is in it.
+    /// Returns true if a module is the other one, or lies within it.
     fn is_within(&self, module: usize, other: usize) -> bool {
         module == other || module != 0 && self.is_within(self.modules[module].parent, other)
     }
 
-    /// Returns the module that a function stands in.
+    /// Returns the module around a function's own module; another module as it is.
     fn file_module(&self, module: usize) -> usize {
         match &self.modules[module] {
             it if it.is_block => self.file_module(it.parent),
@@ -20,17 +20,17 @@ impl Names {
         }
     }
 
-    /// Finds whether what a module declares may be used in another.
+    /// Returns true if module `from` may use what `module` declares.
     pub(crate) fn sees(&self, from: usize, module: usize, is_public: bool) -> bool {
         is_public || self.is_within(from, module)
     }
 
-    /// Finds what a path means in the module.
+    /// Resolves a path in a module.
     pub(crate) fn found(&self, module: usize, path: &[String]) -> Result<Meaning, PathError> {
         self.resolved(module, path, 0)
     }
 
-    /// Finds what a path means where `Self` has a meaning, too.
+    /// Resolves a path in a scope, where `Self` may have a meaning.
     pub(crate) fn meant(&self, context: &TypeScope, path: &[String]) -> Result<Meaning, PathError> {
         match (path, &context.own) {
             ([name], Some(own)) if name == "Self" => Ok(Meaning::Type(own.clone())),
@@ -38,6 +38,7 @@ impl Names {
         }
     }
 
+    /// Resolves a path behind `depth` imports.
     fn resolved(&self, from: usize, path: &[String], depth: u32) -> Result<Meaning, PathError> {
         let lost = |part, is_private| PathError { part, is_private };
         if depth > LONGEST {
@@ -82,7 +83,8 @@ impl Names {
         Ok(named)
     }
 
-    /// Finds what a single name means, where nothing says where it is from.
+    /// Resolves the first name of a path: among the module's own names, those around a function,
+    /// and those that every file knows.
     fn seen(&self, from: usize, name: &str, depth: u32) -> Option<Meaning> {
         let own = self.member(from, from, name, depth).ok();
         let around = || match &self.modules[from] {
@@ -92,7 +94,8 @@ impl Names {
         own.or_else(around)
     }
 
-    /// Finds what a module has by that name; if nothing, whether it is there and private.
+    /// Resolves a name within a module; the error is true if the name is declared there but
+    /// private.
     fn member(&self, from: usize, module: usize, name: &str, depth: u32) -> Result<Meaning, bool> {
         let own = &self.modules[module];
         if let Some(entry) = own.names.get(name) {
@@ -117,14 +120,15 @@ impl Names {
         found.next().ok_or(false)
     }
 
-    /// Finds whether a module knows a trait by its name, so that its methods may be called.
+    /// Returns true if a module knows a trait by its name, so that the trait's methods may be
+    /// called there.
     fn has_in_scope(&self, module: usize, of: usize) -> bool {
         let name = &self.traits[of].name;
         matches!(self.seen(module, name, 0), Some(Meaning::Trait(it)) if it == of)
     }
 
-    /// Finds whether a method may be called in a module: it is public there, or its trait is
-    /// known by name.
+    /// Returns true if a method may be called in a module: it is visible there, or its trait is in
+    /// scope.
     pub(crate) fn shows(&self, module: usize, function: usize) -> bool {
         let own = &self.functions[function];
         match own.in_trait {
@@ -133,7 +137,7 @@ impl Names {
         }
     }
 
-    /// Finds whether what is of that type has the trait.
+    /// Returns true if a type has a trait.
     pub(crate) fn implements(&self, ctor: Ctor, of: usize) -> bool {
         ctor == Ctor::Dyn(of)
             || self.traits[of]
@@ -142,20 +146,20 @@ impl Names {
                 .any(|it| it.0 == ctor)
     }
 
-    /// Returns the number of a struct.
+    /// Returns the number of the struct of that name.
     pub(crate) fn kind(&self, name: &str) -> Option<u32> {
         let kind = self.structs.iter().position(|it| it.name == name)?;
         Some(kind as u32)
     }
 
-    /// Returns the function of that name in an `impl` for the type.
+    /// Returns the number of a type's function of that name.
     pub(crate) fn method(&self, ctor: Ctor, name: &str) -> Option<usize> {
         let is_it =
             |it: &Signature| it.name == name && it.of.as_ref().is_some_and(|of| of.0 == ctor);
         self.functions.iter().position(is_it)
     }
 
-    /// Lists all functions of that name in `impl`s, and whose they are.
+    /// Lists the functions of that name in all `impl`s and traits, each with its type.
     pub(crate) fn methods(&self, name: &str) -> impl Iterator<Item = (Ctor, usize)> {
         let all = self.functions.iter().enumerate();
         all.filter_map(move |(n, it)| Some((it.of.as_ref().filter(|_| it.name == name)?.0, n)))

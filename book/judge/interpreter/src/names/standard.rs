@@ -5,7 +5,7 @@ use std::f64::consts;
 use super::Meaning;
 use crate::types::{Ctor, Int, Type};
 
-/// The names that `use common::rtweekend::*` brings.
+/// The names that `use common::rtweekend::*` imports.
 pub(super) const PRELUDE: [(&str, Meaning); 7] = [
     ("Vec3", Meaning::Type(Type(Ctor::Vec3, Vec::new()))),
     ("Point3", Meaning::Type(Type(Ctor::Vec3, Vec::new()))),
@@ -16,13 +16,14 @@ pub(super) const PRELUDE: [(&str, Meaning); 7] = [
     ("render", Meaning::Library("render")),
 ];
 
+/// Resolves a name of `common::rtweekend`.
 pub(super) fn prelude(name: &str) -> Option<Meaning> {
     let mut all = PRELUDE.into_iter();
     let known = all.find(|it| it.0 == name).map(|it| it.1);
     known.or_else(|| (name == "Camera").then(|| Meaning::Standard(name.to_owned())))
 }
 
-/// Finds what every file knows by that name.
+/// Resolves a name that every file knows without an import.
 pub(super) fn everywhere(name: &str) -> Option<Meaning> {
     let plain = |ctor: Ctor| Some(Meaning::Type(ctor.into()));
     match name {
@@ -41,7 +42,7 @@ pub(super) fn everywhere(name: &str) -> Option<Meaning> {
     }
 }
 
-/// Finds what a path leads to that begins outside of the crate.
+/// Resolves a path that begins outside of the crate: with `common`, `std`, `core` or `f64::consts`.
 pub(super) fn by_path(path: &[String]) -> Option<Meaning> {
     let path: Vec<&str> = path.iter().map(String::as_str).collect();
     match path.as_slice() {
@@ -53,7 +54,7 @@ pub(super) fn by_path(path: &[String]) -> Option<Meaning> {
     }
 }
 
-/// Finds what a module of the standard library has by that name.
+/// Resolves a name in a module of the standard library.
 pub(super) fn within(module: &str, name: &str) -> Option<Meaning> {
     match module {
         "consts" => constant(name),
@@ -62,6 +63,7 @@ pub(super) fn within(module: &str, name: &str) -> Option<Meaning> {
     }
 }
 
+/// Resolves a path in the standard library.
 fn of_std(path: &[&str]) -> Option<Meaning> {
     match path {
         ["rc", "Rc"] | ["sync", "Arc"] | ["boxed", "Box"] => Some(Meaning::Generic(Ctor::Box)),
@@ -77,7 +79,7 @@ fn of_std(path: &[&str]) -> Option<Meaning> {
     }
 }
 
-/// Returns a constant of `f64`.
+/// Returns the constant of `f64` with that name.
 pub(crate) fn number(name: &str) -> Option<f64> {
     Some(match name {
         "INFINITY" => f64::INFINITY,
@@ -91,6 +93,7 @@ pub(crate) fn number(name: &str) -> Option<f64> {
     })
 }
 
+/// Resolves a name in `f64::consts`.
 fn constant(name: &str) -> Option<Meaning> {
     Some(Meaning::Number(match name {
         "PI" => consts::PI,

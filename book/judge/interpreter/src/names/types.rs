@@ -9,7 +9,8 @@ use crate::refusal::Refusal;
 use crate::types::{Ctor, Type};
 
 impl Names {
-    /// Reads a signature, whose type parameters stand for what has their traits.
+    /// Resolves the types in a function's signature. A type parameter means a value of any type
+    /// that has its traits.
     pub(crate) fn signature(
         &self,
         context: &TypeScope,
@@ -57,6 +58,7 @@ impl Names {
         })
     }
 
+    /// Resolves the type of a result.
     pub(crate) fn result(&self, context: &TypeScope, output: &syn::ReturnType) -> Resolved<Type> {
         match output {
             syn::ReturnType::Default => Ok(Type::UNIT),
@@ -64,7 +66,7 @@ impl Names {
         }
     }
 
-    /// Reads a type.
+    /// Resolves a type as it is written.
     pub(crate) fn ty(&self, context: &TypeScope, ty: &syn::Type) -> Resolved<Type> {
         let one = |ctor, of: &syn::Type| Ok(Type::of(ctor, self.ty(context, of)?));
         let place = || at(self.modules[context.module].file, ty);
@@ -94,6 +96,7 @@ impl Names {
         }
     }
 
+    /// Resolves the type of a function.
     fn function_type<'t>(
         &self,
         context: &TypeScope,
@@ -107,6 +110,7 @@ impl Names {
         Ok(Type(Ctor::Fn, types))
     }
 
+    /// Resolves a type that is a path.
     fn path(&self, context: &TypeScope, path: &syn::Path) -> Resolved<Type> {
         let place = at(self.modules[context.module].file, path);
         let last = path.segments.last().expect("a path has a name");
@@ -145,7 +149,8 @@ impl Names {
         }
     }
 
-    /// Reads the type of what has these traits: functions, and what has one of the reader's.
+    /// Resolves the type of a value with these traits, of which the first counts that is `Fn` or
+    /// one of the text.
     fn bounded(
         &self,
         context: &TypeScope,
@@ -179,6 +184,7 @@ impl Names {
     }
 }
 
+/// Returns the length of an array, if it is a plain number.
 fn literal(length: &syn::Expr) -> Option<usize> {
     match length {
         syn::Expr::Lit(syn::ExprLit {

@@ -7,7 +7,7 @@ use crate::refusal::{Refusal, Span};
 use crate::types::{Ctor, Int, Type};
 
 impl Names {
-    /// Says what is wrong with a path in a `use`.
+    /// Makes the refusal of a `use` whose path leads nowhere.
     pub(super) fn unresolved(&self, at: Span, path: &[String], lost: PathError) -> Refusal {
         let part = &path[lost.part];
         if lost.is_private {
@@ -26,7 +26,11 @@ impl Names {
         Refusal::new(at, message, &label, &help)
     }
 
-    /// Finds what a path means that should be the name of something, or says what is wrong.
+    /// Resolves a path that should name a `what`, such as a type or a function.
+    ///
+    /// # Errors
+    /// The compiler's words for a path that leads nowhere, or the refusal of a name of the standard
+    /// library that is not read here.
     pub(crate) fn expected(
         &self,
         context: &TypeScope,
@@ -41,7 +45,7 @@ impl Names {
         }
     }
 
-    /// Says that there is no such name, and which one was meant.
+    /// Makes the refusal of a path that leads nowhere, and suggests an import or a similar name.
     pub(crate) fn not_found(
         &self,
         module: usize,
@@ -84,7 +88,8 @@ impl Names {
         }
     }
 
-    /// Says that nothing has a field of that name, or that what is of this type has none.
+    /// Makes the refusal of a field that a type does not have, or no type at all if `ty` is
+    /// unknown.
     pub(crate) fn no_field(&self, name: &str, ty: &Type, at: Span) -> Refusal {
         let help = if self.methods(name).next().is_some() {
             format!("`{name}` is a method: `.{name}(…)`")
@@ -99,14 +104,15 @@ impl Names {
         Refusal::new(at, format!("no field `{name}`{on}"), "unknown field", &help)
     }
 
-    /// Says that something else is declared than is found, which is said in these words.
+    /// Makes the refusal of a value of another type than the expected one. `said` names what was
+    /// found.
     pub(crate) fn mismatch(&self, wanted: &Type, found: &Type, said: &str, at: Span) -> Refusal {
         let label = format!("expected {}, found {said}", wanted.said(self));
         Refusal::new(at, "mismatched types", &label, help(wanted, found))
     }
 }
 
-/// Says what to do where a type is not what is wanted.
+/// Returns the hint for a type that is not the wanted one; empty if there is none.
 fn help(wanted: &Type, found: &Type) -> &'static str {
     let is_like = |wanted: &Type| {
         wanted.is_unknown() || wanted.0 == found.0 || matches!(wanted.0, Ctor::Dyn(_))
@@ -130,7 +136,7 @@ fn help(wanted: &Type, found: &Type) -> &'static str {
 }
 
 impl Type {
-    /// Returns the type as the compiler says it in a label: in its quotes if it has a name.
+    /// Returns the type's name as the compiler has it in a label, mostly in quotes.
     pub(crate) fn said(&self, names: &Names) -> String {
         match self.0 {
             Ctor::Int(Int::Any) => "integer".to_owned(),
@@ -138,7 +144,7 @@ impl Type {
         }
     }
 
-    /// Returns the name of the type as the compiler has it in a message.
+    /// Returns the type's name as the compiler has it in a message.
     pub(crate) fn name(&self, names: &Names) -> String {
         let all: Vec<String> = self.1.iter().map(|it| it.name(names)).collect();
         let of = |name: &str| format!("{name}<{}>", all.join(", "));
@@ -180,25 +186,25 @@ impl Type {
     }
 }
 
-/// Says that a path means something else than it should.
+/// Makes the refusal of a path that means something else than `what`.
 pub(crate) fn unexpected(what: &str, path: &[String], at: Span) -> Refusal {
     let message = format!("expected {what}, found `{}`", path.join("::"));
     Refusal::new(at, message, &format!("not a {what}"), "")
 }
 
-/// Says that something is there, but not to be used here.
+/// Makes the refusal of something that is private.
 pub(crate) fn private(what: &str, name: &str, at: Span) -> Refusal {
     let message = format!("{what} `{name}` is private");
     let help = "`pub` before it shows it to other files";
     Refusal::new(at, message, &format!("private {what}"), help)
 }
 
-/// Says which name was meant, if one is like it.
+/// Returns a hint at the most similar name; empty if none is similar.
 pub(crate) fn there_is<'a>(name: &str, among: impl Iterator<Item = &'a str>) -> String {
     similar(name, among).map_or(String::new(), |it| format!("there is `{it}`"))
 }
 
-/// Finds the name that is most like this one, if one is.
+/// Finds the most similar name; `None` if none is similar enough.
 fn similar<'a>(name: &str, among: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     let near = |other: &&str| {
         let distance = levenshtein(name, other);
