@@ -2,7 +2,7 @@
 
 use common::rtweekend::*;
 
-/// The book's eye is at the origin, where a sign of it can't be seen.
+/// The book's eye is at the origin, where a wrong sign of its coordinates can't be seen.
 #[test]
 fn a_ray_starts_at_the_eye_wherever_that_is() {
     // 4 × 2 pixels are unit squares, so no number is rounded.
@@ -15,7 +15,7 @@ fn a_ray_starts_at_the_eye_wherever_that_is() {
     assert_eq!(ray.at(1.0), Point3::new(1.5, -0.5, -1.0));
 }
 
-/// Rounded to the nearest integer, as the notes say, it would be 226 at 401 wide.
+/// Rounded to the nearest integer, as the notes say, the height would be 226 at 401 wide.
 #[test]
 fn the_height_of_a_picture_is_rounded_down_and_at_least_1() {
     for width in (1..=2000).chain([16_384]) {
@@ -24,8 +24,8 @@ fn the_height_of_a_picture_is_rounded_down_and_at_least_1() {
     }
 }
 
-/// The book divides a vector by multiplying with the reciprocal. Dividing each
-/// component gives another last bit at some widths, these among them.
+/// The book divides a vector by multiplying with the reciprocal. To divide each component gives
+/// another last bit at some widths, these among them.
 #[test]
 fn the_steps_from_pixel_to_pixel_are_products_with_a_reciprocal() {
     for (width, height) in [(7_u32, 3_u32), (9, 5), (13, 7), (49, 27)] {

@@ -6,7 +6,7 @@
 mod pictures;
 mod quadratic;
 
-/// Where there is more to see of a chapter that is wrong, and the way back.
+/// Returns the commands that show more of a wrong chapter, and that bring the right one back.
 fn more(chapter: &str) -> String {
     format!(
         "more:     cargo rtrace check {chapter} -- cargo run -q -p {chapter}\n\

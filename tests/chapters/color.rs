@@ -37,7 +37,7 @@ fn the_sky_is_white_straight_down_blue_straight_up_and_half_way_between() {
     }
 }
 
-/// To the bit: the eight bits of a picture would hide another formula.
+/// Compares to the bit: the eight bits of a picture would hide another formula.
 #[test]
 fn the_sky_is_the_books_formula_for_a_direction_and_not_for_a_place() {
     let camera = Camera::new(31);
@@ -65,7 +65,7 @@ fn a_build_test_of_one_pixel_is_black() {
     );
 }
 
-/// The color of a ray, in the chapters that color a hit by its normal.
+/// Returns the color of a ray in each chapter that colors a hit by its normal.
 fn colors_by_normal(ray: &Ray) -> [Color; 3] {
     [
         normals::ray_color(ray),
@@ -84,8 +84,8 @@ fn what_is_behind_the_ray_is_not_drawn_from_chapter_3_on() {
     }
 }
 
-/// However near or far: the range of t starts at 0, not at 0.001, and has no end.
-/// The rays are oblique, so that near and far side have other normals.
+/// The range of t starts at 0, not at 0.001, and has no end. The rays are oblique, so that near and
+/// far side have other normals.
 #[test]
 fn what_is_close_to_the_eye_or_far_from_it_is_drawn() {
     let towards = Vec3::new(0.1, -0.2, -1.0);

@@ -30,7 +30,7 @@ proptest! {
         prop_assert_eq!(hit.map(|hit| hit.t), full, "{}", case);
     }
 
-    /// Each sphere in a list with all that follow it.
+    /// Each sphere lies in a list with the list of all that follow it.
     #[test]
     fn a_list_in_a_list_is_no_different(world in strategies::worlds()) {
         let nested = world.spheres.iter().rfold(HittableList::default(), |inner, &sphere| {
@@ -67,7 +67,7 @@ fn a_ray_at_a_right_angle_to_the_normal_counts_as_coming_from_inside() {
     assert_eq!(record.normal, -Vec3::Y);
 }
 
-/// As the book does. 49 · (1/49) is not 1.
+/// The book multiplies by 1/radius, and 49 · (1/49) is not 1.
 #[test]
 fn a_normal_is_a_product_with_the_reciprocal_of_the_radius() {
     let sphere = Sphere::new(Point3::ZERO, 49.0);
@@ -97,8 +97,7 @@ fn of_two_that_are_equally_near_the_first_is_hit() {
     assert_eq!((record.t, record.front_face), (0.5, true));
 }
 
-/// Answers of the chapters to input that is no ray or no sphere. None of it
-/// is checked for: a scene has no such things.
+/// No chapter checks its input: a scene has no such rays or spheres.
 #[test]
 fn nonsense_is_answered_without_a_panic() {
     let (center, ahead) = (Point3::NEG_Z, Ray::new(Point3::ZERO, Vec3::NEG_Z));

@@ -14,7 +14,7 @@ fn p3_with_threads(picture: &Picture, threads: usize) -> io::Result<String> {
     Ok(String::from_utf8(text).expect("text"))
 }
 
-/// The bytes of a pixel.
+/// Returns the three bytes of a pixel with this color.
 fn bytes_of(color: Color) -> [u8; 3] {
     let mut pixel = [0; 3];
     write_color(&mut pixel, color);
@@ -52,7 +52,7 @@ fn every_width_and_every_number_of_threads_gives_what_a_loop_over_pixels_gives()
     }
 }
 
-/// Where there are no threads to be had, as in a browser, one must do.
+/// In a browser there are no other threads: one must do.
 #[test]
 fn one_thread_starts_no_other_and_two_share_the_work() {
     let here = thread::current().id();
@@ -85,8 +85,8 @@ fn every_level_becomes_the_number_that_print_makes_of_it() {
     );
 }
 
-/// The components around each boundary between two levels; and NaN, infinities, and
-/// numbers far out of range.
+/// Tries components around each boundary between two levels; NaN, infinities, and numbers far out
+/// of range.
 #[test]
 fn many_components_become_the_levels_that_write_color_makes_of_them() {
     let mut components = vec![f64::NAN, -0.0, -1e-300, -1.0, 1e300, 1e-320];

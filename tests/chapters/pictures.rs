@@ -38,7 +38,7 @@ mod the_books_picture_is_drawn_by {
     }
 }
 
-/// As seen from this file.
+/// The folder of the snapshots, relative to this file.
 const SNAPSHOTS: &str = "../../book/notes/pictures";
 
 /// Compares the picture with its snapshot, and its text at many widths with the sums of
@@ -78,7 +78,7 @@ fn png(image: &RgbImage) -> Vec<u8> {
     file.into_inner()
 }
 
-/// Says what sets the picture apart from its snapshot, if there is one.
+/// Describes how the picture differs from its snapshot; `None` if there is no snapshot.
 fn difference(chapter: &str, drawn: &RgbImage) -> Option<String> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/notes/pictures");
     let right = image::open(format!("{folder}/{chapter}.snap.png")).ok()?;
@@ -132,7 +132,7 @@ fn assert_sums(chapter: &str, draw: fn(u32) -> Picture, is_asked: impl Fn(u32) -
     }
 }
 
-/// Sum, chapter and width.
+/// Lists the rows of the table: checksum, chapter and width in pixels.
 fn sums() -> impl Iterator<Item = (&'static str, &'static str, u32)> {
     let lines = include_str!("reference_sums.txt").lines();
     lines.filter(|line| !line.starts_with('#')).map(|line| {

@@ -74,13 +74,13 @@ fn assert_lawful(chapter: Chapter, attempt: impl Fn(&Trial) -> Outcome) {
     }
 }
 
-/// Every later chapter stands on these small functions, and every picture on the camera.
+/// Tries the small functions on which every later chapter stands, and the camera.
 pub(crate) fn rays_are_lawful(trial: &Trial) -> Outcome {
     trial.prelude(&Prelude::right())?;
     trial.pixel_ray(&|pixel: &CameraPixel| Camera::new(pixel.width).ray(pixel.i, pixel.j))
 }
 
-/// The cases of a file, each of which was once hard for somebody.
+/// Tries the cases of a file, each of which was once hard for some method.
 #[test]
 fn what_was_once_special_is_solved() {
     let on_the_line = |center, radius, ray: &Ray| {

@@ -131,7 +131,8 @@ fn a_prelude_of_ones_own_draws_the_picture_and_is_asked() {
     let mut files: Vec<(&str, String)> = files.collect();
     // An `impl` may be read before its trait.
     files.reverse();
-    files.push(("src/rtweekend.rs", OWN_PRELUDE.to_owned()));
+    let own_prelude = include_str!("texts/own_prelude.rs");
+    files.push(("src/rtweekend.rs", own_prelude.to_owned()));
     let program = program_of(&files).expect("rustc compiles it");
     assert_eq!(
         program.draw(16).expect("nothing stops it"),
@@ -147,8 +148,6 @@ fn a_prelude_of_ones_own_draws_the_picture_and_is_asked() {
         hit
     );
 }
-
-const OWN_PRELUDE: &str = include_str!("texts/own_prelude.rs");
 
 #[test]
 fn a_function_that_ends_with_an_early_return_so_far_is_unfinished() {
@@ -182,65 +181,62 @@ fn a_text_without_an_end_is_answered_at_once() {
     }
 }
 
-/// Each expression as its text, and as the compiler has it.
+/// A function of a number, two integers and a vector.
+type Expression = fn(f64, u32, i32, Vec3) -> f64;
+
+/// Lists expressions, each with its text and as the compiler has it.
 macro_rules! expressions {
     ($x:ident $n:ident $i:ident $v:ident: $($expression:expr),* $(,)?) => {
-        [$((
-            stringify!($expression),
-            (|$x: f64, $n: u32, $i: i32, $v: Vec3| $expression) as fn(f64, u32, i32, Vec3) -> f64,
-        )),*]
+        &[$((stringify!($expression), |$x, $n, $i, $v| $expression)),*]
     };
 }
 
-/// What people mistype, and what differs from language to language.
+/// Expressions that people mistype, and those that differ from language to language.
+#[allow(warnings, clippy::all, reason = "some look wrong on purpose")]
+const EXPRESSIONS: &[(&str, Expression)] = expressions! { x n i v:
+    x - 1.0 - 0.5,
+    x / 3.0 / 2.0,
+    -x * 2.0 + 1.0,
+    -x.powi(2),
+    (-x).powi(2),
+    1.0 / (x - 2.5),
+    -1.0 / (x - 2.5),
+    (x - 2.5) / (x - 2.5),
+    -(x - 2.5),
+    0.0 * -x,
+    (-x).sqrt(),
+    (-x).max(f64::NAN),
+    f64::NAN.min(x),
+    x.max(-x).min(1.0),
+    0.1 + 0.2,
+    0.1 + 0.2 + x,
+    x + 1e16 - 1e16,
+    f64::from(n / 2),
+    f64::from(i / 2),
+    f64::from(n) / 2.0,
+    (n as f64) / 2.0,
+    f64::from(-i / 2 * 2),
+    f64::from(x as u8),
+    f64::from((-x) as u8),
+    f64::from((x * 200.0) as u8),
+    f64::from(f64::NAN as i32),
+    f64::from(f64::INFINITY as i32),
+    f64::from((n + 250) as u8),
+    f64::from(i as u32),
+    if x < 3.0 && n > 6 || i > 0 { 1.0 } else { 2.0 },
+    if !(x < f64::NAN) { 1.0 } else { 2.0 },
+    (0..n).map(f64::from).fold(0.0, |sum, k| sum / 2.0 + k),
+    (1..=4).rev().fold(0.0, |sum, k| sum * 10.0 + f64::from(k)),
+    [x, -x, 1.0].into_iter().filter(|&t| t > 0.0).min_by(|a, b| a.total_cmp(b)).unwrap(),
+    v.dot(v) - v.length_squared() + (v / 3.0).x + (v * (1.0 / 3.0)).y,
+    (x * v - v * x).length() + v.cross(Vec3::Z).y,
+    { let mut w = v; w.x += 1.0; w.x - v.x },
+};
+
 #[test]
-#[allow(
-    warnings,
-    clippy::all,
-    reason = "some of it looks wrong, and is asked for that"
-)]
 fn expressions_come_to_what_the_compiler_makes_of_them() {
     let (x, n, i, v) = (2.5, 7, -7, Vec3::new(1.0, 2.0, 3.0));
-    let expressions = expressions! { x n i v:
-        x - 1.0 - 0.5,
-        x / 3.0 / 2.0,
-        -x * 2.0 + 1.0,
-        -x.powi(2),
-        (-x).powi(2),
-        1.0 / (x - 2.5),
-        -1.0 / (x - 2.5),
-        (x - 2.5) / (x - 2.5),
-        -(x - 2.5),
-        0.0 * -x,
-        (-x).sqrt(),
-        (-x).max(f64::NAN),
-        f64::NAN.min(x),
-        x.max(-x).min(1.0),
-        0.1 + 0.2,
-        0.1 + 0.2 + x,
-        x + 1e16 - 1e16,
-        f64::from(n / 2),
-        f64::from(i / 2),
-        f64::from(n) / 2.0,
-        (n as f64) / 2.0,
-        f64::from(-i / 2 * 2),
-        f64::from(x as u8),
-        f64::from((-x) as u8),
-        f64::from((x * 200.0) as u8),
-        f64::from(f64::NAN as i32),
-        f64::from(f64::INFINITY as i32),
-        f64::from((n + 250) as u8),
-        f64::from(i as u32),
-        if x < 3.0 && n > 6 || i > 0 { 1.0 } else { 2.0 },
-        if !(x < f64::NAN) { 1.0 } else { 2.0 },
-        (0..n).map(f64::from).fold(0.0, |sum, k| sum / 2.0 + k),
-        (1..=4).rev().fold(0.0, |sum, k| sum * 10.0 + f64::from(k)),
-        [x, -x, 1.0].into_iter().filter(|&t| t > 0.0).min_by(|a, b| a.total_cmp(b)).unwrap(),
-        v.dot(v) - v.length_squared() + (v / 3.0).x + (v * (1.0 / 3.0)).y,
-        (x * v - v * x).length() + v.cross(Vec3::Z).y,
-        { let mut w = v; w.x += 1.0; w.x - v.x },
-    };
-    for (expression, compiled) in expressions {
+    for (expression, compiled) in EXPRESSIONS {
         let function = format!(
             "use common::rtweekend::*;\n\n\
              pub fn hit_sphere(v: Point3, x: f64, _ray: &Ray) -> Option<f64> {{\n    \

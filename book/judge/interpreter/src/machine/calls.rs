@@ -15,7 +15,7 @@ use crate::types::{Ctor, Type};
 
 /// Where a call and its arguments stand in the text, for the words about a wrong one.
 pub(crate) struct Given {
-    /// What is known of each argument; empty if they are not written at the call.
+    /// The form and span of each argument; empty if the arguments are not written at the call.
     pub(crate) spots: Vec<ExprInfo>,
     /// The whole call.
     pub(crate) at: Span,

@@ -63,9 +63,9 @@ pub(crate) struct CompiledFunction {
     /// The name of each slot's variable.
     pub(crate) names: Vec<String>,
     pub(crate) body: Thunk,
-    /// Its statements, each with a note if it ever ran.
+    /// The statements of the function, each with a note if it ever ran.
     pub(crate) marks: Vec<Arc<CoveragePoint>>,
-    /// Its name and text; `None` for a constant, or a method that a trait only declares.
+    /// The function's name and text; `None` for a constant, or a method that a trait only declares.
     pub(crate) written: Option<FunctionSource>,
 }
 

@@ -55,14 +55,14 @@ pub(crate) struct Module {
     globs: Vec<(Vec<String>, bool)>,
 }
 
-/// What a declared name means, and if others may use it.
+/// The meaning of a declared name, and its visibility.
 #[derive(Clone, Debug)]
 struct Entry {
     named: Meaning,
     is_public: bool,
 }
 
-/// What a path means.
+/// A meaning of a path or name.
 #[derive(Clone, Debug)]
 pub(crate) enum Meaning {
     /// A module, by its number.
