@@ -133,11 +133,5 @@ impl Code {
 
 /// Makes the fault of a patch for which the program lacks something.
 fn missing(what: &str) -> Fault {
-    Fault {
-        place: None,
-        message: format!("there is no {what}"),
-        label: String::new(),
-        help: String::new(),
-        kind: FaultKind::Refused,
-    }
+    Fault::without_place(FaultKind::Refused, format!("there is no {what}"))
 }

@@ -186,13 +186,7 @@ impl Program {
 
 /// Makes the fault of a program that has nothing of this kind to draw.
 pub(crate) fn missing(what: &str) -> Fault {
-    Fault {
-        place: None,
-        message: format!("there is no {what} to draw"),
-        label: String::new(),
-        help: String::new(),
-        kind: FaultKind::Stopped,
-    }
+    Fault::without_place(FaultKind::Stopped, format!("there is no {what} to draw"))
 }
 
 impl Program {

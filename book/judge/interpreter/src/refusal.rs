@@ -85,27 +85,19 @@ impl Refusal {
 
     /// Makes a refusal of what the compiler may accept and this interpreter does not read.
     pub(crate) fn unread(at: Span, what: &str) -> Self {
+        let message = format!("this page does not read {what}");
         Self {
             kind: FaultKind::Unread,
-            ..Self::new(
-                at,
-                format!("this page does not read {what}"),
-                "",
-                "cargo may",
-            )
+            ..Self::new(at, message, "", "cargo may")
         }
     }
 
     /// Makes the refusal of a call with too many or too few arguments, in the compiler's words.
     pub(crate) fn miscounted(is_method: bool, wanted: usize, count: usize, at: Span) -> Self {
         let what = if is_method { "method" } else { "function" };
-        let several = |n: usize| if n == 1 { "argument" } else { "arguments" };
         let was = if count == 1 { "was" } else { "were" };
-        let message = format!(
-            "this {what} takes {wanted} {} but {count} {} {was} supplied",
-            several(wanted),
-            several(count)
-        );
+        let [wanted, count] = [wanted, count].map(arguments);
+        let message = format!("this {what} takes {wanted} but {count} {was} supplied");
         Self::new(at, message, "", "")
     }
 
@@ -142,6 +134,12 @@ impl Refusal {
     }
 }
 
+/// Returns a count of arguments in words.
+pub(crate) fn arguments(count: usize) -> String {
+    let plural = if count == 1 { "" } else { "s" };
+    format!("{count} argument{plural}")
+}
+
 /// Finds the line and the columns of a span, as far as its first line goes; `None` for no place.
 pub(crate) fn place(texts: &[String], at: Span) -> Option<SourceSpan> {
     let text = texts.get(at.file as usize).filter(|_| at.end > 0)?;
@@ -169,6 +167,19 @@ pub(crate) fn lines(texts: &[String], at: Span) -> Option<UncheckedLines> {
         file: first.file,
         lines: first.line..=last,
     })
+}
+
+impl Fault {
+    /// Makes a fault without a place in the text.
+    pub(crate) fn without_place(kind: FaultKind, message: String) -> Self {
+        Self {
+            place: None,
+            message,
+            label: String::new(),
+            help: String::new(),
+            kind,
+        }
+    }
 }
 
 impl fmt::Display for Fault {

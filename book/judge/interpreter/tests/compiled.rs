@@ -12,10 +12,6 @@ use interpreter::{Ball, Fault, FaultKind, Program, SourceFile};
 
 const WIDTHS: [u32; 3] = [40, 63, 100];
 
-fn program_of<T: AsRef<str>>(files: &[(&str, T)]) -> Result<Program, String> {
-    read(files).map_err(|fault| fault.to_string())
-}
-
 fn read<T: AsRef<str>>(files: &[(&str, T)]) -> Result<Program, Fault> {
     let files = files
         .iter()
@@ -33,14 +29,14 @@ fn replaced(chapter: Chapter, right: &str, wrong: &str) -> Vec<(&'static str, St
     files
 }
 
-fn with(chapter: Chapter, right: &str, wrong: &str) -> Result<Program, String> {
-    program_of(&replaced(chapter, right, wrong))
+fn with(chapter: Chapter, right: &str, wrong: &str) -> Result<Program, Fault> {
+    read(&replaced(chapter, right, wrong))
 }
 
 #[test]
 fn the_chapters_draw_their_pictures_from_their_texts() {
     for chapter in Chapter::OF_THE_BOOK {
-        let program = program_of(chapter.files()).expect("rustc compiles it");
+        let program = read(chapter.files()).expect("rustc compiles it");
         for width in WIDTHS {
             let drawn = program.draw(width).expect("nothing stops it");
             assert_eq!(drawn, chapter.picture(width), "{chapter:?} at {width}");
@@ -56,14 +52,14 @@ fn a_function_that_is_read_anew_draws_what_the_whole_text_does() {
         ("hit_sphere", "discriminant < 0.0", "discriminant > 0.0"),
         ("ray_color", "0.5 * (normal + Vec3::ONE)", "normal"),
     ];
-    let right = program_of(&[("src/lib.rs", text)]).expect("rustc compiles it");
+    let right = read(&[("src/lib.rs", text)]).expect("rustc compiles it");
     let (mut patched, mut text) = (right.clone(), text.to_owned());
     for (function, line, wrong) in mistakes {
         let old = patched.functions().find(|it| it.0 == function);
         let new = old.expect("it is there").1.replace(line, wrong);
         patched = patched.patched(function, &new).expect("rustc compiles it");
         text = text.replace(line, wrong);
-        let whole = program_of(&[("src/lib.rs", &text)]).expect("rustc compiles it");
+        let whole = read(&[("src/lib.rs", &text)]).expect("rustc compiles it");
         assert_eq!(patched.draw(63), whole.draw(63), "{function}");
         assert_ne!(patched.draw(63), right.draw(63), "{function}");
     }
@@ -87,10 +83,10 @@ fn a_mutant_runs_by_its_number_and_one_that_is_refused_is_lost_alone() {
     let text = Chapter::Gradient.files()[0].1;
     let text = text.replace("let a = 0.5 * (unit_direction.y + 1.0);", mutants);
     let text = text.replace(ROWS[1].0, sum);
-    let all = program_of(&[("src/lib.rs", &text)]).expect("it is read");
+    let all = read(&[("src/lib.rs", &text)]).expect("it is read");
     let is_same = |number, other: &Program| all.with_mutant(number).draw(40) == other.draw(40);
     let typed = |row: usize| with(Chapter::Gradient, ROWS[row].0, ROWS[row].1);
-    let right = program_of(Chapter::Gradient.files()).expect("rustc compiles it");
+    let right = read(Chapter::Gradient.files()).expect("rustc compiles it");
     for nothing in [0, 5, 8, 11] {
         assert!(is_same(nothing, &right), "{nothing}");
     }
@@ -106,7 +102,7 @@ fn what_the_compiler_reads_is_read() {
     let (_, normals) = Chapter::Normals.files()[0];
     let sky = "fn sky(ray: &Ray) -> Color {\n    Color::new(0.0, ray.direction.y, 1.0)\n}\n";
     let own_sky = format!("{normals}\n{sky}");
-    let program = program_of(&[("src/lib.rs", &own_sky)]).expect("its own name goes first");
+    let program = read(&[("src/lib.rs", &own_sky)]).expect("its own name goes first");
     let drawn = program.draw(40).expect("nothing stops it");
     assert_ne!(drawn, Chapter::Normals.picture(40));
 
@@ -133,12 +129,12 @@ fn a_prelude_of_ones_own_draws_the_picture_and_is_asked() {
     files.reverse();
     let own_prelude = include_str!("texts/own_prelude.rs");
     files.push(("src/rtweekend.rs", own_prelude.to_owned()));
-    let program = program_of(&files).expect("rustc compiles it");
+    let program = read(&files).expect("rustc compiles it");
     assert_eq!(
         program.draw(16).expect("nothing stops it"),
         chapter.picture(16)
     );
-    let right = program_of(chapter.files()).expect("rustc compiles it");
+    let right = read(chapter.files()).expect("rustc compiles it");
     let ray = Ray::new(Vec3::ZERO, Vec3::new(0.1, 0.2, -1.0));
     assert_eq!(program.ray_color(&ray), right.ray_color(&ray));
     let ball = Ball::new(0.0, 0.0, -1.0, 0.5);
@@ -243,7 +239,7 @@ fn expressions_come_to_what_the_compiler_makes_of_them() {
              let n = (x * 2.8) as u32;\n    let i = -(n as i32);\n    let _ = i;\n    \
              Some({expression})\n}}\n"
         );
-        let program = program_of(&[("src/lib.rs", &function)])
+        let program = read(&[("src/lib.rs", &function)])
             .unwrap_or_else(|fault| panic!("{expression}: {fault}"));
         let own = program
             .hit_sphere(v, x, &Ray::new(Vec3::ZERO, Vec3::X))

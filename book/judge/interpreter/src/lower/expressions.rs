@@ -378,14 +378,7 @@ fn operation(operator: Option<Operator>, sign: &str, [left, right]: [Expr; 2], a
 
 /// Makes an expression for a number with a point. If `is_any`, it takes the width of what it meets.
 fn float(number: f64, is_any: bool, at: Span) -> Expr {
-    let run = Thunk::Float(number);
-    let form = if is_any {
-        ExprForm::Float
-    } else {
-        ExprForm::Other
-    };
-    let spot = at.into();
-    Expr { run, spot }.shown(form)
+    Expr::of(Thunk::Float(number), at).shown_if(is_any, ExprForm::Float)
 }
 
 /// Makes an expression that leaves a function or a loop with a value.

@@ -7,7 +7,7 @@ use super::declared::some;
 use super::{Expr, Lowered, Lowerer};
 use crate::machine::value::{Data, Value};
 use crate::machine::{ExprForm, Machine, Thunk};
-use crate::refusal::{Refusal, Span};
+use crate::refusal::Span;
 use crate::types::Type;
 
 impl Lowerer<'_> {
@@ -167,13 +167,13 @@ impl Lowerer<'_> {
         if name.starts_with(|it: char| it.is_ascii_digit()) {
             return self.unread(at, &format!("`{{{name}}}` in a text"));
         }
-        let message = format!("cannot find value `{name}` in this scope");
-        let missing = Refusal::new(at, message, "not found in this scope", "");
-        let (run, spot) = match self.variable(name) {
-            Some(local) => (Thunk::Local(local.slot), at.into()),
-            None => return Err(missing),
-        };
-        Ok(Expr { run, spot })
+        match self.variable(name) {
+            Some(local) => Ok(Expr::of(Thunk::Local(local.slot), at)),
+            None => {
+                let message = format!("cannot find value `{name}` in this scope");
+                self.fault(at, &message, "not found in this scope", "")
+            }
+        }
     }
 }
 

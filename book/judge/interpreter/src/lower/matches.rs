@@ -33,12 +33,9 @@ impl Lowerer<'_> {
         let made = Expr::new(at, move |m| {
             let value = of.eval(m)?;
             for arm in &arms {
-                let is_it = arm.pattern.binds(m, &value)?;
-                if is_it
-                    && arm
-                        .guard
-                        .as_ref()
-                        .map_or(Ok(true), |it| Ok(it.eval(m)?.truth()))?
+                let guard = arm.guard.as_ref();
+                if arm.pattern.binds(m, &value)?
+                    && guard.map_or(Ok(true), |it| Ok(it.eval(m)?.truth()))?
                 {
                     return arm.body.eval(m);
                 }

@@ -40,7 +40,12 @@ struct Expr {
 impl Expr {
     /// Makes an expression that runs `act`.
     fn new(at: Span, act: impl Fn(&mut Machine<'_>) -> Eval + Send + Sync + 'static) -> Self {
-        let (run, spot) = (Thunk::new(act), at.into());
+        Self::of(Thunk::new(act), at)
+    }
+
+    /// Makes an expression of a thunk.
+    fn of(run: Thunk, at: Span) -> Self {
+        let spot = at.into();
         Self { run, spot }
     }
 
@@ -51,12 +56,14 @@ impl Expr {
         Self { spot, ..self }
     }
 
+    /// Sets the form of the expression, if `is_so`.
+    fn shown_if(self, is_so: bool, form: ExprForm) -> Self {
+        if is_so { self.shown(form) } else { self }
+    }
+
     /// Marks the expression as one after which nothing runs, if `never_ends`.
     fn ending(self, never_ends: bool) -> Self {
-        match never_ends {
-            true => self.shown(ExprForm::Never),
-            false => self,
-        }
+        self.shown_if(never_ends, ExprForm::Never)
     }
 
     /// Returns true if nothing runs after the expression, as after `return`.

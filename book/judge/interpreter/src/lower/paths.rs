@@ -37,20 +37,14 @@ impl Lowerer<'_> {
         if let [name] = path.as_slice()
             && let Some(local) = self.variable(name)
         {
-            let (run, spot) = (Thunk::Local(local.slot), at.into());
-            let made = Expr { run, spot };
-            return Ok(if local.is_open {
-                made.shown(ExprForm::Open)
-            } else {
-                made
-            });
+            let made = Expr::of(Thunk::Local(local.slot), at);
+            return Ok(made.shown_if(local.is_open, ExprForm::Open));
         }
         if path.last().is_some_and(|it| it == "None") {
             return Ok(Expr::new(at, |_| Ok(None.into())));
         }
         if let Ok(Meaning::Number(number)) = self.names.found(self.context.module, &path) {
-            let (run, spot) = (Thunk::Float(number), at.into());
-            return Ok(Expr { run, spot });
+            return Ok(Expr::of(Thunk::Float(number), at));
         }
         let (owner, name) = self.owner(&path, at)?;
         if let Some(owner) = &owner
@@ -199,12 +193,8 @@ pub(super) fn no_function(name: &str, ty: &str) -> String {
 
 /// Returns a constant of a library type, as `f64::MAX` or `Vec3::ZERO`; `None` if there is none.
 fn constant(owner: Ctor, name: &str, at: Span) -> Option<Expr> {
-    let plain = |run| Expr {
-        run,
-        spot: at.into(),
-    };
     Some(match owner {
-        Ctor::F64 => plain(Thunk::Float(standard::number(name)?)),
+        Ctor::F64 => Expr::of(Thunk::Float(standard::number(name)?), at),
         Ctor::F32 => {
             // The others differ.
             let number = standard::number(name).filter(|it| !it.is_finite())? as f32;

@@ -239,10 +239,9 @@ fn parts(
     is_it: impl Fn(&Data) -> Option<bool> + Send + Sync + 'static,
 ) -> Matcher {
     let is_any = all.iter().all(|it| matches!(it.1.shape, Coverage::Any));
-    let shape = if is_any {
-        Coverage::Any
-    } else {
-        Coverage::Other
+    let shape = match is_any {
+        true => Coverage::Any,
+        false => Coverage::Other,
     };
     Matcher::new(shape, move |m, value| {
         let whole = m.end_of(value);
@@ -272,12 +271,11 @@ fn parts(
 
 /// Makes a matcher for `Some` of what `of` matches, or for `None`.
 fn option(of: Option<Matcher>, at: Span) -> Matcher {
-    let shape = if of.is_some() {
-        Coverage::Some
-    } else {
-        Coverage::None
-    };
     let is_some = of.is_some();
+    let shape = match is_some {
+        true => Coverage::Some,
+        false => Coverage::None,
+    };
     let found = Type::of(Ctor::Option, Type::UNKNOWN);
     let all = of.into_iter().map(|it| (0, it)).collect();
     let pattern = parts(all, found, at, move |it| match it {
@@ -333,10 +331,6 @@ fn without_reference(m: &mut Machine<'_>, value: &Value, at: Span) -> Eval {
     }
     let said = m.ty(value).said(&m.code.names);
     let label = format!("expected {said}, found reference");
-    m.refused(Refusal::new(
-        at,
-        "mismatched types",
-        &label,
-        "leave the `&` out",
-    ))
+    let refusal = Refusal::new(at, "mismatched types", &label, "leave the `&` out");
+    m.refused(refusal)
 }

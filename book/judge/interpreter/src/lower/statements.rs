@@ -173,11 +173,8 @@ impl Lowerer<'_> {
         let at = self.at_span(it.if_token.span);
         let (condition, then) = self.scoped(|own| {
             let condition = own.given(&it.cond, &Type::BOOL)?.run;
-            let wanted = if it.else_branch.is_some() {
-                ty
-            } else {
-                &Type::UNIT
-            };
+            let unit = Type::UNIT;
+            let wanted = it.else_branch.as_ref().map_or(&unit, |_| ty);
             Ok((condition, own.block_given(&it.then_branch, wanted)))
         })?;
         let help = "`return …;`, or an `else` that gives the other value";

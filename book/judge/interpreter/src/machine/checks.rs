@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use super::value::{Data, ListValue, Value};
 use super::{Eval, ExprForm, ExprInfo, Machine};
-use crate::refusal::{Refusal, Span};
+use crate::refusal::{Refusal, Span, arguments};
 use crate::types::{Ctor, Int, Type};
 
 impl Machine<'_> {
@@ -59,12 +59,8 @@ impl Machine<'_> {
         let Some((what, takes)) = self.parameters(&function).filter(|it| it.1 != count) else {
             return Ok(());
         };
-        let several = |n: usize| if n == 1 { "argument" } else { "arguments" };
-        let message = format!(
-            "{what} is expected to take {count} {}, but it takes {takes} {}",
-            several(count),
-            several(takes)
-        );
+        let [wanted, takes] = [count, takes].map(arguments);
+        let message = format!("{what} is expected to take {wanted}, but it takes {takes}");
         self.wrong(at, message, "")
     }
 

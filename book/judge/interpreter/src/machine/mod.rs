@@ -7,6 +7,7 @@
 mod calls;
 mod checks;
 pub(crate) mod iter;
+mod natives;
 mod operators;
 mod places;
 mod sizes;
@@ -22,8 +23,8 @@ use std::sync::{Arc, Mutex};
 use crate::limits::{DEEPEST_VALUE, MEMORY};
 use crate::names::Names;
 use crate::refusal::{Refusal, Span};
-use crate::types::{Ctor, Type};
 pub(crate) use calls::Given;
+pub(crate) use natives::{Native, Receiver};
 pub(crate) use operators::alike;
 pub(crate) use places::{FieldAccess, PlaceExpr};
 use value::{Data, Value};
@@ -105,41 +106,6 @@ pub(crate) struct Closure {
 
 /// The function behind a closure: from its arguments to its value.
 type Body = dyn Fn(&mut Machine<'_>, &[Value]) -> Eval + Send + Sync;
-
-/// A function of the library, written in Rust.
-pub(crate) struct Native {
-    /// Returns true for a type that has this method, or before whose `::` it stands.
-    pub(crate) owner: fn(Ctor) -> bool,
-    pub(crate) name: &'static str,
-    /// How a method takes its receiver; `None` for a function without one.
-    pub(crate) on: Option<Receiver>,
-    /// The types of its parameters, without the receiver.
-    pub(crate) takes: Vec<Type>,
-    /// The function itself, given the receiver and the arguments.
-    pub(crate) run: fn(&mut Machine<'_>, &mut [Value], Span) -> Eval,
-}
-
-/// How a library method takes the value on which it is called.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Receiver {
-    /// As a value.
-    Value,
-    /// As the address of a place, to change it.
-    Place,
-}
-
-impl Native {
-    /// Returns true for a method that changes its receiver.
-    pub(crate) fn changes(&self) -> bool {
-        self.on == Some(Receiver::Place)
-    }
-
-    /// Returns how many arguments the function takes where it is called by its path, the receiver
-    /// included.
-    pub(crate) fn count(&self) -> usize {
-        self.takes.len() + usize::from(self.on.is_some())
-    }
-}
 
 /// A reason why evaluation does not go on: a jump, or a refusal. The machine keeps the value of a
 /// jump, or the refusal.

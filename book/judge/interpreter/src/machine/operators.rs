@@ -207,11 +207,8 @@ impl Machine<'_> {
             return self.unread(at, &format!("`{sign}`"));
         }
         let [one, other] = values.map(|it| self.named(&it));
-        self.wrong(
-            at,
-            format!("no implementation for `{one} {sign} {other}`"),
-            "",
-        )
+        let message = format!("no implementation for `{one} {sign} {other}`");
+        self.wrong(at, message, "")
     }
 
     /// Applies `!` to a boolean.
@@ -343,18 +340,11 @@ pub(crate) fn alike(both: [Value; 2], is_any: [bool; 2]) -> [Value; 2] {
     if is_any == [false; 2] {
         return both;
     }
-    match ([&both[0].data, &both[1].data], is_any) {
-        ([Data::Single(_), Data::Float(it)], [_, true]) => {
-            let right = (*it as f32).into();
-            let [left, _] = both;
-            [left, right]
-        }
-        ([Data::Float(it), Data::Single(_)], [true, _]) => {
-            let left = (*it as f32).into();
-            let [_, right] = both;
-            [left, right]
-        }
-        _ => both,
+    let [left, right] = both;
+    match (&left.data, &right.data) {
+        (Data::Single(_), &Data::Float(it)) if is_any[1] => [left, (it as f32).into()],
+        (&Data::Float(it), Data::Single(_)) if is_any[0] => [(it as f32).into(), right],
+        _ => [left, right],
     }
 }
 

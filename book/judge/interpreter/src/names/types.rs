@@ -133,11 +133,13 @@ impl Names {
             Meaning::Generic(ctor) if arguments.len() == 1 => Ok(Type(ctor, arguments)),
             Meaning::Generic(_) => {
                 let message = format!("missing generics for `{}`", last.ident);
-                let (label, help) = (
+                let help = format!("`{}<T>`", last.ident);
+                Err(Refusal::new(
+                    place,
+                    message,
                     "expected 1 generic argument",
-                    format!("`{}<T>`", last.ident),
-                );
-                Err(Refusal::new(place, message, label, &help))
+                    &help,
+                ))
             }
             Meaning::Trait(found) => {
                 let name = &self.traits[found].name;
