@@ -125,8 +125,7 @@ fn every_slip_makes_another_program() {
 /// Whoever follows version 3 has no such line as version 4's, in whatever language.
 #[test]
 fn a_slip_of_an_older_edition_is_said_in_its_words() {
-    let task = Task::new(Chapter::Gradient, None).expect("it has the book's scene");
-    let task = task.only_by_edition(Edition::V3);
+    let task = Task::of(Chapter::Gradient).only_by_edition(Edition::V3);
     for language in [
         None,
         Some(ReaderLanguage::Python(Edition::V4)),

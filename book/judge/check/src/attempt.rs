@@ -106,18 +106,13 @@ impl Attempt<'_> {
     fn judged(&self, verdict: &Verdict) -> Answer {
         match verdict {
             Verdict::Right(right) => self.right(right),
-            Verdict::AlmostRight(finding) => match (&finding.almost_right, finding.task.step()) {
-                (Some(almost_right), Some(step)) if almost_right.is_exact() => {
-                    self.step(step, finding)
+            Verdict::AlmostRight(finding) => {
+                let unexplained = finding.almost_right.unwrap_or_default();
+                match finding.task.step() {
+                    Some(step) if unexplained.is_nothing() => self.step(step, finding),
+                    _ => self.nearly_right(finding, &unexplained),
                 }
-                (almost_right, _) => {
-                    let unexplained = almost_right
-                        .as_ref()
-                        .map(|it| it.unexplained)
-                        .unwrap_or_default();
-                    self.nearly_right(finding, &unexplained)
-                }
-            },
+            }
             Verdict::Wrong(finding) => self.wrong(finding),
             Verdict::Another { cause, .. } => refused(&self.name, "wrong", cause),
             Verdict::WrongShape { cause, finding } => {

@@ -82,11 +82,9 @@ fn most_telling(own: &Task, drawn: u32, hidden: &[&'static Slip]) -> Option<Next
     // Of equals `max_by_key` takes the last one.
     let nexts: Vec<NextPicture> = nexts.collect();
     let most = nexts.into_iter().rev();
-    most.max_by_key(|next| {
-        (
-            shows_own(next),
-            if shows_own(next) { 0 } else { next.slips.len() },
-        )
+    most.max_by_key(|next| match shows_own(next) {
+        true => usize::MAX,
+        false => next.slips.len(),
     })
 }
 

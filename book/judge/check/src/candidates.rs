@@ -82,10 +82,9 @@ fn right(evidence: &Evidence, task: Task) -> Candidate {
     Candidate {
         task,
         slips: Vec::new(),
-        conversion: if evidence.has_no_levels {
-            Conversion::Printed
-        } else {
-            Conversion::Clamped
+        conversion: match evidence.has_no_levels {
+            true => Conversion::Printed,
+            false => Conversion::Clamped,
         },
     }
 }

@@ -5,7 +5,7 @@ use std::cell::OnceCell;
 
 use interpreter::SourceFile;
 use laws::Mismatch;
-use slips::{ChapterProgram, Edition, ReaderLanguage, Slip, SlipText};
+use slips::{ChapterProgram, Edition, Probe, ReaderLanguage, Slip, SlipText};
 
 use crate::blind_spots;
 use crate::candidate::Candidate;
@@ -120,14 +120,12 @@ pub(crate) struct Evidence<'a> {
 impl<'a> Evidence<'a> {
     /// Collects the evidence; nothing is searched yet.
     pub(crate) fn new(task: &Task, reading: &'a Reading, context: &'a Context<'a>) -> Self {
-        let is_about_another_width = task
-            .probe
-            .is_some_and(|probe| probe.spheres.is_none() && probe.width != reading.width);
+        let has_another_width =
+            |probe: Probe| probe.spheres.is_none() && probe.width != reading.width;
         Self {
-            task: if is_about_another_width {
-                task.without_probe()
-            } else {
-                *task
+            task: match task.probe.is_some_and(has_another_width) {
+                true => task.without_probe(),
+                false => *task,
             },
             reading,
             has_no_levels: reading.outside().is_some(),

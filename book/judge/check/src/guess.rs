@@ -18,9 +18,9 @@ const NEAR: u16 = 2;
 /// Guesses the task of a picture: the one whose right program, or program with one slip, draws most
 /// of its pixels alike. Of tasks that draw the same, as chapters 3 and 4 do, the first in the book.
 pub fn task(reading: &Reading) -> Task {
-    let mut nearest = (usize::MAX, own(Chapter::Gradient));
+    let mut nearest = (usize::MAX, Task::of(Chapter::Gradient));
     for candidates in [right_ones, wrong_ones] {
-        for task in Chapter::OF_THE_BOOK.map(own) {
+        for task in Chapter::OF_THE_BOOK.map(Task::of) {
             let context = Context::default();
             let evidence = Evidence::new(&task, reading, &context);
             for (task, it) in candidates(&evidence) {
@@ -35,21 +35,14 @@ pub fn task(reading: &Reading) -> Task {
 }
 
 /// Returns the task of a whole chapter without a probe.
-/// Returns the task of a whole chapter without a probe.
-fn own(chapter: Chapter) -> Task {
-    Task::new(chapter, None).expect("every chapter can be drawn without a probe")
-}
-
 /// Returns the right programs of the chapter by each edition, and of its probes by version 4, each
 /// with the task of which it speaks.
 fn right_ones(evidence: &Evidence) -> Vec<(Task, Candidate)> {
     let (task, reading) = (evidence.task, evidence.reading);
     let probes = PROBES.iter().filter(|probe| probe.spheres.is_some());
-    let probes = probes.filter_map(|&probe| Task::new(task.chapter, Some(probe)));
-    let probes = probes.map(|task| {
-        task.only_by_edition(Edition::V4)
-            .fitting(reading.width, reading.height)
-    });
+    let newest = Task::of(task.chapter).only_by_edition(Edition::V4);
+    let probes = probes.filter_map(|&probe| newest.with_probe(probe));
+    let probes = probes.map(|task| task.fitting(reading.width, reading.height));
     let own = rights(evidence);
     let plain = own[0].clone();
     let probed = probes.map(|probed| {

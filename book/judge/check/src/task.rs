@@ -30,37 +30,37 @@ pub struct Task {
 }
 
 impl Task {
-    /// Makes the task to draw the whole chapter by version 4. `None` if the chapter has no room for
-    /// the probe's spheres; never without a probe.
-    pub fn new(chapter: Chapter, probe: Option<Probe>) -> Option<Self> {
-        let has_room = probe.is_none_or(|probe| probe.fits(chapter));
-        has_room.then_some(Self {
+    /// Makes the task to draw the whole chapter as the book has it. Version 4 is the edition, but the
+    /// pictures of others count as right, too.
+    pub fn of(chapter: Chapter) -> Self {
+        Self {
             chapter,
-            probe,
+            probe: None,
             edition: Edition::V4,
             insists: false,
             step: None,
             shape: None,
-        })
+        }
+    }
+
+    /// Makes the task to draw the whole chapter with that probe, or without one for `None`. Returns
+    /// `None` if the chapter has no room for the probe's spheres.
+    pub fn new(chapter: Chapter, probe: Option<Probe>) -> Option<Self> {
+        let task = Self::of(chapter);
+        probe.map_or(Some(task), |probe| task.with_probe(probe))
     }
 
     /// Returns this task by that edition, so that the pictures of other editions are wrong.
-    pub fn only_by_edition(self, edition: Edition) -> Self {
-        Self {
-            edition,
-            insists: true,
-            ..self
-        }
+    pub fn only_by_edition(mut self, edition: Edition) -> Self {
+        (self.edition, self.insists) = (edition, true);
+        self
     }
 
     /// Returns this task with that probe, in the chapter's own shape; `None` if the chapter has no
     /// room for its spheres.
-    pub fn with_probe(self, probe: Probe) -> Option<Self> {
-        probe.fits(self.chapter).then_some(Self {
-            probe: Some(probe),
-            shape: None,
-            ..self
-        })
+    pub fn with_probe(mut self, probe: Probe) -> Option<Self> {
+        (self.probe, self.shape) = (Some(probe), None);
+        probe.fits(self.chapter).then_some(self)
     }
 
     /// Returns the task to draw the whole chapter by the same edition, without a probe.
@@ -69,11 +69,9 @@ impl Task {
     }
 
     /// Returns this task without the probe, with the same step and shape.
-    pub(crate) fn unchanged(self) -> Self {
-        Self {
-            probe: None,
-            ..self
-        }
+    pub(crate) fn unchanged(mut self) -> Self {
+        self.probe = None;
+        self
     }
 
     /// Returns this task for chapter 4 in place of 3, or for 3 in place of 4, which draw the same
@@ -88,22 +86,15 @@ impl Task {
     }
 
     /// Returns the task to draw another whole chapter by the same edition, without a probe.
-    pub(crate) fn of_chapter(self, chapter: Chapter) -> Self {
-        Self {
-            chapter,
-            probe: None,
-            step: None,
-            shape: None,
-            ..self
-        }
+    pub(crate) fn of_chapter(mut self, chapter: Chapter) -> Self {
+        (self.chapter, self.probe, self.step, self.shape) = (chapter, None, None, None);
+        self
     }
 
     /// Returns this task as far as the program is written after a step, counted from 0.
-    pub(crate) fn at_step(self, step: usize) -> Self {
-        Self {
-            step: Some(step),
-            ..self
-        }
+    pub(crate) fn at_step(mut self, step: usize) -> Self {
+        self.step = Some(step);
+        self
     }
 
     /// Returns the step after which the program is drawn, counted from 0; `None` for the whole
@@ -161,33 +152,22 @@ impl Task {
     /// Returns true if the picture has the shape of version 4 and the edition of this task has
     /// another; false if no other edition counts as right.
     pub(crate) fn is_in_a_later_shape(&self, width: u32, height: u32) -> bool {
-        let latest = Self {
-            edition: Edition::V4,
-            ..self.in_own_shape()
-        };
+        let latest = self.in_own_shape().only_by_edition(Edition::V4);
         !self.insists && self.has_another_shape() && latest.height(width) == height
     }
 
     /// Returns this task for a picture of `width` × `height` pixels: in the chapter's own shape if
     /// that has this height, or else in just this shape.
-    pub fn fitting(self, width: u32, height: u32) -> Self {
-        let own = self.in_own_shape();
-        if own.height(width) == height {
-            own
-        } else {
-            Self {
-                shape: Some((width, height)),
-                ..self
-            }
-        }
+    pub fn fitting(mut self, width: u32, height: u32) -> Self {
+        let has_own_height = self.in_own_shape().height(width) == height;
+        self.shape = (!has_own_height).then_some((width, height));
+        self
     }
 
     /// Returns this task in the chapter's own shape.
-    pub(crate) fn in_own_shape(self) -> Self {
-        Self {
-            shape: None,
-            ..self
-        }
+    pub(crate) fn in_own_shape(mut self) -> Self {
+        self.shape = None;
+        self
     }
 
     /// Returns true if the shape is not the chapter's own.
@@ -220,8 +200,7 @@ impl Task {
             Edition,
             Option<usize>,
             Option<(u32, u32)>,
-            &'static str,
-            &'static str,
+            [&'static str; 2],
         );
         static KEPT: LazyLock<Mutex<BTreeMap<Key, ChapterProgram>>> = LazyLock::new(Mutex::default);
         let probe = self.probe.map_or("", |probe| probe.name);
@@ -230,8 +209,7 @@ impl Task {
             self.edition,
             self.step,
             self.shape,
-            probe,
-            slip,
+            [probe, slip],
         );
         let kept = || KEPT.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(program) = kept().get(&key) {

@@ -92,12 +92,10 @@ fn row(row: &Row, style: Style, width: usize) -> Vec<String> {
         RowKind::Printed => vec![row.text.clone()],
         // It is copied as a whole.
         RowKind::ByHand => vec![style.labeled(row.kind.label()) + &row.text],
-        kind => labeled(
-            kind.label(),
-            &names::escape_for_terminal(&row.text),
-            style,
-            width,
-        ),
+        kind => {
+            let text = names::escape_for_terminal(&row.text);
+            labeled(kind.label(), &text, style, width)
+        }
     }
 }
 

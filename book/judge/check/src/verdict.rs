@@ -82,8 +82,9 @@ pub struct Finding {
     pub yours: Picture,
     /// The pixels in which the two pictures differ; `None` if no pixel does.
     pub difference: Option<Difference>,
-    /// The few pixels that are wrong, if all others are right; `None` otherwise.
-    pub almost_right: Option<AlmostRight>,
+    /// The few pixels that are wrong, if all others are right; none of them in the picture of a step.
+    /// `None` if the picture is wrong.
+    pub almost_right: Option<Unexplained>,
     /// The known mistakes that draw the picture; `None` if none does.
     pub mistakes: Option<Mistakes>,
     /// The single edits of the chapter's text that draw the picture; empty if a known mistake
@@ -100,15 +101,6 @@ pub struct Finding {
     /// True if the reader's functions give the answers of the program that explains the picture,
     /// or were asked nothing.
     pub is_answered: bool,
-}
-
-/// A picture of which all pixels are right but for a few.
-#[derive(Clone, Debug)]
-pub struct AlmostRight {
-    /// The task, or the step on the way to it, that draws all other pixels.
-    pub task: Task,
-    /// The few pixels that differ; none where a step is drawn to the last bit.
-    pub unexplained: Unexplained,
 }
 
 /// Mistakes that draw the same picture.
@@ -206,12 +198,5 @@ impl Finding {
             Some(Mistakes { all, .. }) if all.len() == 1 => &all[0],
             _ => &[],
         }
-    }
-}
-
-impl AlmostRight {
-    /// Returns true if no pixel differs: a step is drawn to the last bit.
-    pub(crate) fn is_exact(&self) -> bool {
-        self.unexplained.is_nothing()
     }
 }

@@ -116,7 +116,7 @@ fn rows(chapter: Chapter, reading: &Reading, sources: Sources) -> Vec<Row> {
         sources,
         ..Context::default()
     };
-    let task = Task::new(chapter, None).expect("every chapter can be drawn without a probe");
+    let task = Task::of(chapter);
     let verdict = judge(&task, reading, 0, &context);
     verdict.finding().map_or(Vec::new(), |it| it.rows(&context))
 }

@@ -85,7 +85,7 @@ fn a_readers_line_of_the_camera_is_named() {
 
 /// Returns true if the changed line of the program is named, and nothing beside the right one.
 fn is_named_alone(picture: &[u8], right: &str, wrong: &str) {
-    let task = task(Chapter::HalfBSphere);
+    let task = Task::of(Chapter::HalfBSphere);
     assert!(PROGRAM.contains(right), "{right}");
     let rows = rows(&task, picture, &in_python(&PROGRAM.replace(right, wrong)));
     let yours: Vec<&Row> = rows.iter().filter(|it| it.kind == RowKind::Yours).collect();
@@ -98,7 +98,7 @@ fn is_named_alone(picture: &[u8], right: &str, wrong: &str) {
 /// Only sky is drawn by dozens of mistakes: of these none is named whose right line is there.
 #[test]
 fn what_a_readers_line_refutes_is_not_named() {
-    let task = task(Chapter::HalfBSphere);
+    let task = Task::of(Chapter::HalfBSphere);
     let miss = [Edit::new("discriminant < 0.0", "true")];
     let sky = task.program(&[]).with(&miss).expect("it stands there");
     let picture = png::encode(&sky.run(100).picture());
@@ -129,7 +129,7 @@ int main() {
 /// It draws the very picture, and whether the reader's line is it nobody knows.
 #[test]
 fn a_mistake_is_only_a_perhaps_beside_a_text_that_does_not_have_its_line() {
-    let task = task(Chapter::HittableList);
+    let task = Task::of(Chapter::HittableList);
     for name in [
         "h-sign",
         "integer-viewport-ratio",
@@ -149,7 +149,7 @@ fn a_mistake_is_only_a_perhaps_beside_a_text_that_does_not_have_its_line() {
 /// A ball of radius 0 is not seen.
 #[test]
 fn whole_numbers_are_divided_as_cpp_does() {
-    let task = task(Chapter::HittableList);
+    let task = Task::of(Chapter::HittableList);
     let no_ball = [Edit::new("-1.0), 0.5)", "-1.0), 0.0)")];
     let ground = task.program(&[]).with(&no_ball).expect("it stands there");
     let picture = png::encode(&ground.run(100).picture());
@@ -171,7 +171,7 @@ fn a_right_program_gets_no_remark() {
     for text in [later, at_once, chosen] {
         let context = in_python(&(text.to_owned() + PROGRAM));
         let picture = png::encode(&Chapter::HalfBSphere.picture(100));
-        let verdict = judge_file(&task(Chapter::HalfBSphere), &picture, 0, &context);
+        let verdict = judge_file(&Task::of(Chapter::HalfBSphere), &picture, 0, &context);
         assert!(matches!(verdict, Verdict::Right(_)), "{text}");
     }
 }
@@ -198,8 +198,4 @@ fn in_cpp(text: &str) -> Context<'static> {
         sources: Sources::new(files, Vec::new()),
         ..Context::default()
     }
-}
-
-fn task(chapter: Chapter) -> Task {
-    Task::new(chapter, None).expect("every chapter can be drawn without a probe")
 }

@@ -8,8 +8,7 @@ use check::task::Task;
 use slips::{Chapter, steps};
 
 fn answer(text: &str, laws: &LawsStatus) -> Answer {
-    let task =
-        Task::new(Chapter::Gradient, None).expect("every chapter can be drawn without a probe");
+    let task = Task::of(Chapter::Gradient);
     let context = Context {
         steps: vec![false; steps::of_chapter(Chapter::Gradient).len()],
         ..Context::default()

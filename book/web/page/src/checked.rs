@@ -74,8 +74,7 @@ impl CheckRequest {
     fn task(&self, reading: Option<&Reading>) -> Task {
         let plain = match (self.chapter, reading) {
             (None, Some(reading)) => guess::task(reading),
-            (chapter, _) => Task::new(chapter.unwrap_or(Chapter::BuildTest), None)
-                .expect("every chapter can be drawn without a probe"),
+            (chapter, _) => Task::of(chapter.unwrap_or(Chapter::BuildTest)),
         };
         let probed = self.probe.and_then(|probe| plain.with_probe(probe));
         let task = probed.unwrap_or(plain);

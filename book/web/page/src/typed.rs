@@ -165,8 +165,7 @@ impl Draft {
     /// Judges the picture, tries the laws on the functions, and compares the typed lines with the
     /// chapter's.
     pub fn answer(&self, program: &interpreter::Program, picture: &Picture) -> Answer {
-        let task =
-            Task::new(self.chapter, None).expect("every chapter can be drawn without a probe");
+        let task = Task::of(self.chapter);
         let asked = self.in_place_of_ours(program);
         let laws = laws_of(&asked);
         let answers = Answers::of(&asked, lawful::questions(self.chapter));

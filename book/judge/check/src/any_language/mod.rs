@@ -57,16 +57,9 @@ impl FunctionKind {
     /// record the range, as decimal numbers that read back to the same bits.
     pub fn question_line(self, asked: &IntervalCase) -> String {
         let range = [asked.t_min, asked.t_max].map(|end| end.clamp(-FAR, FAR));
-        let range = if self == Self::Record {
-            &range[..]
-        } else {
-            &[]
-        };
-        let numbers = asked.case.numbers();
-        let words = numbers
-            .iter()
-            .chain(range)
-            .map(|number| format!("{number:?}"));
+        let range = range.into_iter().filter(|_| self == Self::Record);
+        let numbers = asked.case.numbers().into_iter().chain(range);
+        let words = numbers.map(|number| format!("{number:?}"));
         words.collect::<Vec<_>>().join(" ")
     }
 

@@ -238,17 +238,14 @@ fn first(
     groups: impl Iterator<Item = Vec<Candidate>>,
 ) -> Option<Fit> {
     let mut best: Option<Fit> = None;
-    for group in groups {
-        if let Some(fit) = least(evidence, group).filter(|fit| fit.unexplained.is_little_of(all)) {
-            if fit.unexplained.is_nearly_nothing_of(all) {
-                return Some(fit);
-            }
-            if best
-                .as_ref()
-                .is_none_or(|best| fit.unexplained.off < best.unexplained.off)
-            {
-                best = Some(fit);
-            }
+    let fits = groups.filter_map(|group| least(evidence, group));
+    for fit in fits.filter(|fit| fit.unexplained.is_little_of(all)) {
+        if fit.unexplained.is_nearly_nothing_of(all) {
+            return Some(fit);
+        }
+        let most = best.as_ref().map_or(usize::MAX, |it| it.unexplained.off);
+        if fit.unexplained.off < most {
+            best = Some(fit);
         }
     }
     best

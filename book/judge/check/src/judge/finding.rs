@@ -4,13 +4,13 @@
 use slips::{Edition, Slip};
 
 use super::explain::{Explanation, Fit, explain};
-use crate::candidate::Candidate;
+use crate::candidate::{Candidate, Unexplained};
 use crate::comparison::Comparison;
 use crate::context::{Context, Evidence};
 use crate::reading::Reading;
 use crate::search::{DrawingMutants, Repair};
 use crate::task::Task;
-use crate::verdict::{AlmostRight, Finding, Mistakes};
+use crate::verdict::{Finding, Mistakes};
 use crate::{candidates, seen, telling};
 
 impl Finding {
@@ -32,17 +32,11 @@ impl Finding {
             {
                 return Err(vec![evidence.task]);
             }
-            Explanation::AlmostRight(fit) => {
-                let almost_right = AlmostRight {
-                    task: fit.candidates[0].task,
-                    unexplained: fit.unexplained,
-                };
-                Self {
-                    almost_right: Some(almost_right),
-                    editions: fit.editions(reading),
-                    ..Self::beside(&evidence, &fit.candidates[0])
-                }
-            }
+            Explanation::AlmostRight(fit) => Self {
+                almost_right: Some(fit.unexplained),
+                editions: fit.editions(reading),
+                ..Self::beside(&evidence, &fit.candidates[0])
+            },
             Explanation::Mistakes(fit) => Self {
                 editions: fit.editions(reading),
                 mistakes: Some(Mistakes::of(&fit)),
@@ -57,7 +51,11 @@ impl Finding {
     /// whose line the repair puts right.
     fn repaired(mut self, evidence: &Evidence) -> Self {
         let (sources, context) = (&evidence.context.sources, evidence.context);
-        let is_exact = |it: &Self| it.almost_right.as_ref().is_some_and(AlmostRight::is_exact);
+        let is_exact = |it: &Self| {
+            it.almost_right
+                .as_ref()
+                .is_some_and(Unexplained::is_nothing)
+        };
         let step = evidence.repair().and_then(|it| it.step);
         if self.task.step() != step
             && (sources.is_written() || !is_exact(&self))
@@ -119,18 +117,13 @@ impl Finding {
     /// Makes a finding of what is seen, and of the single edits that draw the picture, where no known
     /// program does.
     fn unknown(evidence: &Evidence, right: &Candidate) -> Self {
-        let finding = Self::beside(evidence, right);
-        let (observations, first_pixel) =
+        let mut finding = Self::beside(evidence, right);
+        (finding.observations, finding.first_pixel) =
             seen::seen(&finding.task, evidence.reading, &finding.right);
-        Self {
-            observations,
-            first_pixel,
-            drawn: match evidence.repair() {
-                Some(_) => DrawingMutants::default(),
-                None => evidence.drawn(&right.task).clone(),
-            },
-            ..finding
+        if evidence.repair().is_none() {
+            finding.drawn = evidence.drawn(&right.task).clone();
         }
+        finding
     }
 }
 

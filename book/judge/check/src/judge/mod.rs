@@ -65,7 +65,7 @@ pub fn judge(task: &Task, reading: &Reading, tolerance: u8, context: &Context) -
             Ok(finding) => match (shape, &finding.almost_right) {
                 (None, Some(_)) => Verdict::AlmostRight(*finding),
                 // In a shape that nobody chooses, no picture is right to the last bit.
-                (Some(_), Some(almost)) if !almost.is_exact() => Verdict::AlmostRight(*finding),
+                (Some(_), Some(few)) if !few.is_nothing() => Verdict::AlmostRight(*finding),
                 (Some(cause), _) if finding.mistakes.is_none() => Verdict::WrongShape {
                     cause,
                     finding: Some(finding),

@@ -83,40 +83,30 @@ pub(super) fn wrong_maximum(header: Header, following: u64) -> Cause {
         (Ok(width), Ok(height)) => width.saturating_mul(height),
         _ => 0,
     };
-    // A number too few in the header is taken from the pixels.
-    if pixels(first, second).saturating_mul(3) == following.saturating_add(1) {
-        return Cause::new(
-            "missing-header-number",
-            format!(
-                "after the size {first} × {second} comes {third} where the maximum, 255, should be"
-            ),
-            ORDER,
-        );
-    }
     let row = pixels(first, 3);
-    if second == 255 && row > 0 && (following + 1).is_multiple_of(row) {
-        return Cause::new(
-            "missing-header-number",
-            format!("the header has {first} and 255: width or height is missing"),
-            ORDER,
-        );
-    }
     let fits = |width, height| pixels(width, height).saturating_mul(3) == following;
-    if (first == 255 && fits(second, third)) || (second == 255 && fits(first, third)) {
+    // A number too few in the header is taken from the pixels.
+    let (name, problem) = if pixels(first, second).saturating_mul(3) == following.saturating_add(1)
+    {
+        let place = format!("after the size {first} × {second} comes {third}");
+        let problem = format!("{place} where the maximum, 255, should be");
+        ("missing-header-number", problem)
+    } else if second == 255 && row > 0 && (following + 1).is_multiple_of(row) {
+        let problem = format!("the header has {first} and 255: width or height is missing");
+        ("missing-header-number", problem)
+    } else if (first == 255 && fits(second, third)) || (second == 255 && fits(first, third)) {
+        let numbers = format!("the header says {first}, {second}, {third}");
+        let problem = format!("{numbers}: its numbers are in another order");
+        ("swapped-header-numbers", problem)
+    } else {
+        let level = header.words[2].shown();
         return Cause::new(
-            "swapped-header-numbers",
-            format!("the header says {first}, {second}, {third}: its numbers are in another order"),
-            ORDER,
+            "wrong-maximum",
+            format!("the header says that the highest level is {level}"),
+            "Write 255 after the size, and levels from 0 to 255: int(255.999 * r).",
         );
-    }
-    Cause::new(
-        "wrong-maximum",
-        format!(
-            "the header says that the highest level is {}",
-            header.words[2].shown()
-        ),
-        "Write 255 after the size, and levels from 0 to 255: int(255.999 * r).",
-    )
+    };
+    Cause::new(name, problem, ORDER)
 }
 
 /// The fix for a header whose numbers are not in their order.

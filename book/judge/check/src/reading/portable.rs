@@ -56,10 +56,8 @@ fn pixels(image: DynamicImage) -> Result<(Vec<[i16; 3]>, Option<Cause>), Cause> 
     // by 65535.999.
     if let DynamicImage::ImageRgb16(image) = image {
         let upper = |level: u16| i16::from((level >> 8) as u8);
-        return Ok((
-            image.pixels().map(|pixel| pixel.0.map(upper)).collect(),
-            None,
-        ));
+        let pixels = image.pixels().map(|pixel| pixel.0.map(upper));
+        return Ok((pixels.collect(), None));
     }
     let kind = image.color();
     let image = image.into_rgba8();

@@ -90,23 +90,16 @@ impl PpmToken<'_> {
     /// Parses the word as a whole number with an optional sign; `None` if it is none. A number
     /// beyond 64 bits becomes the largest or the smallest one.
     pub(super) fn number(&self) -> Option<i64> {
-        let (negative, digits) = match self.word {
-            [b'-', digits @ ..] => (true, digits),
-            [b'+', digits @ ..] => (false, digits),
-            digits => (false, digits),
+        let (sign, digits) = match self.word {
+            [b'-', digits @ ..] => (-1, digits),
+            [b'+', digits @ ..] | digits => (1, digits),
         };
-        if digits.is_empty() {
-            return None;
-        }
-        let mut number: i64 = 0;
-        for digit in digits {
-            if !digit.is_ascii_digit() {
-                return None;
-            }
+        let is_number = !digits.is_empty() && digits.iter().all(u8::is_ascii_digit);
+        let add = |number: i64, digit: &u8| {
             let digit = i64::from(digit - b'0');
-            number = number.saturating_mul(10).saturating_add(digit);
-        }
-        Some(if negative { -number } else { number })
+            number.saturating_mul(10).saturating_add(digit)
+        };
+        is_number.then(|| sign * digits.iter().fold(0, add))
     }
 
     /// Returns the word as a message can show it: at most 24 characters, without control

@@ -31,25 +31,20 @@ pub(crate) fn seen(task: &Task, reading: &Reading, right: &Picture) -> (Vec<Stri
     if pictures.wrong.is_empty() {
         return (Vec::new(), pictures.first_pixel());
     }
-    let whole = pictures.plain().or_else(|| pictures.turned());
-    let sights = match whole {
-        Some(whole) => vec![whole],
-        None => [
-            pictures.unscaled(),
-            pictures.only_sky(),
-            pictures.rows_alike(),
-            pictures.gray(),
-            pictures.disc(),
-            pictures
-                .only_at_edges()
-                .or_else(|| pictures.where_it_differs()),
-        ]
-        .into_iter()
-        .flatten()
-        .chain(pictures.tints())
-        .collect(),
-    };
-    (sights, pictures.first_pixel())
+    if let Some(whole) = pictures.plain().or_else(|| pictures.turned()) {
+        return (vec![whole], pictures.first_pixel());
+    }
+    let edges = pictures.only_at_edges();
+    let sights = [
+        pictures.unscaled(),
+        pictures.only_sky(),
+        pictures.rows_alike(),
+        pictures.gray(),
+        pictures.disc(),
+        edges.or_else(|| pictures.where_it_differs()),
+    ];
+    let sights = sights.into_iter().flatten().chain(pictures.tints());
+    (sights.collect(), pictures.first_pixel())
 }
 
 impl SideBySide<'_> {
@@ -58,10 +53,9 @@ impl SideBySide<'_> {
         let first = self.found(0);
         let same = self.places.iter().filter(|n| self.found(**n) == first);
         let is_plain = ODD * (self.places.len() - same.count()) <= self.places.len();
-        let all = if self.reading.is_plain() {
-            "Every pixel"
-        } else {
-            "Nearly every pixel"
+        let all = match self.reading.is_plain() {
+            true => "Every pixel",
+            false => "Nearly every pixel",
         };
         // Numbers that were cut off may have been any.
         let is_cut = first.contains(&i16::MAX);
@@ -95,32 +89,24 @@ impl SideBySide<'_> {
             (width..self.reading.pixels.len() as u32).all(|n| pixel(n) == pixel(n % width))
         };
         let is_it = is_alike(&|n| self.found(n)) && !is_alike(&|n| self.expected(n));
-        is_it.then(|| {
-            "All rows are alike: does each pixel begin anew, from its own row j?".to_owned()
-        })
+        let said = "All rows are alike: does each pixel begin anew, from its own row j?";
+        is_it.then(|| said.to_owned())
     }
 
     /// Notes that all levels are 0 or 1, as of components that are not scaled.
     fn unscaled(&self) -> Option<String> {
-        let levels = self.reading.pixels.iter().flatten();
-        let most = levels
-            .copied()
-            .max()
-            .filter(|most| (0..=1).contains(most))?;
-        Some(format!(
-            "No level is above {most}: is each component multiplied by 255.999?"
-        ))
+        let most = self.reading.pixels.iter().flatten().max()?;
+        let said = format!("No level is above {most}: is each component multiplied by 255.999?");
+        (0..=1).contains(most).then_some(said)
     }
 
     /// Notes that only pixels at edges are wrong, as with several rays through a pixel.
     fn only_at_edges(&self) -> Option<String> {
-        let width = self.reading.width as usize;
+        let (width, count) = (self.reading.width as usize, self.reading.pixels.len());
         let is_at_edge = |&n: &u32| {
             let n = n as usize;
             let around = [n.wrapping_sub(width), n.wrapping_sub(1), n + 1, n + width];
-            let around = around
-                .into_iter()
-                .filter(|n| *n < self.reading.pixels.len());
+            let around = around.into_iter().filter(|n| *n < count);
             let mut far = around.map(|it| distance(self.found(it as u32), self.found(n as u32)));
             far.any(|levels| levels > EDGE)
         };

@@ -31,25 +31,21 @@ pub(super) struct SideBySide<'a> {
 impl<'a> SideBySide<'a> {
     /// Takes the sample, and runs the right program to know what its rays hit.
     pub(super) fn new(task: &'a Task, reading: &'a Reading, right: &'a Picture) -> Self {
-        let places: Vec<u32> = spread(LOOK, reading.pixels.len() as u32).collect();
         let mut pictures = Self {
             task,
             reading,
             right,
-            places: Vec::new(),
+            places: spread(LOOK, reading.pixels.len() as u32).collect(),
             wrong: Vec::new(),
             hits: HashSet::new(),
         };
+        let (places, output) = (pictures.places.iter().copied(), pictures.output());
         let is_wrong = |n: &u32| distance(pictures.expected(*n), pictures.found(*n)) > 1;
-        pictures.wrong = places.iter().copied().filter(is_wrong).collect();
-        let output = pictures.output();
-        pictures.hits = places.iter().copied().filter(|n| output.hits(*n)).collect();
-        pictures.places = places;
+        pictures.wrong = places.clone().filter(is_wrong).collect();
+        pictures.hits = places.filter(|n| output.hits(*n)).collect();
         pictures
     }
-}
 
-impl SideBySide<'_> {
     /// Returns the pixel of the reader's picture at an index.
     pub(super) fn found(&self, n: u32) -> [i16; 3] {
         self.reading.pixels[n as usize]

@@ -7,14 +7,10 @@ use super::side_by_side::SideBySide;
 impl SideBySide<'_> {
     /// Notes that all pixels are gray.
     pub(super) fn gray(&self) -> Option<String> {
-        let gray = self
-            .reading
-            .pixels
-            .iter()
-            .all(|[red, green, blue]| red == green && green == blue);
-        gray.then(|| {
-            "The picture has no color: red, green and blue are equal in each pixel.".to_owned()
-        })
+        let mut pixels = self.reading.pixels.iter();
+        let is_gray = pixels.all(|[red, green, blue]| red == green && green == blue);
+        let said = "The picture has no color: red, green and blue are equal in each pixel.";
+        is_gray.then(|| said.to_owned())
     }
 
     /// Notes components that are off in the same way everywhere: a sentence about the sky, and one
@@ -53,20 +49,13 @@ impl SideBySide<'_> {
     /// Says how a component, 0 to 2 for red to blue, differs in all of these pixels: by a sum, by a
     /// factor, or as a constant. `None` if it is right, or differs in no such way.
     fn tint(&self, places: &[u32], channel: usize) -> Option<String> {
-        let pairs: Vec<(f64, f64)> = places
-            .iter()
-            .map(|&n| {
-                (
-                    f64::from(self.expected(n)[channel]),
-                    f64::from(self.found(n)[channel]),
-                )
-            })
-            .collect();
+        let pair = |&n: &u32| [self.expected(n), self.found(n)].map(|it| f64::from(it[channel]));
+        let pairs: Vec<[f64; 2]> = places.iter().map(pair).collect();
         let everywhere = |law: &dyn Fn(f64) -> f64| {
-            let off = |&&(expected, found): &&(f64, f64)| (law(expected) - found).abs() > 1.5;
+            let off = |&&[expected, found]: &&[f64; 2]| (law(expected) - found).abs() > 1.5;
             100 * pairs.iter().filter(off).count() <= pairs.len()
         };
-        let &(expected, found) = pairs.get(pairs.len() / 2)?;
+        let &[expected, found] = pairs.get(pairs.len() / 2)?;
         if everywhere(&|expected| expected) {
             return None;
         }
@@ -84,11 +73,9 @@ impl SideBySide<'_> {
         if everywhere(&|expected| 255.0 - expected) {
             return Some("255 minus what it should be".to_owned());
         }
-        let sums = pairs
-            .iter()
-            .fold((0.0, 0.0), |sums, pair| (sums.0 + pair.0, sums.1 + pair.1));
-        let factor = sums.1 / sums.0;
-        ((factor - 1.0).abs() >= 0.005 && sums.0 > 0.0 && everywhere(&|expected| factor * expected))
+        let sum = |at: usize| pairs.iter().map(|pair| pair[at]).sum::<f64>();
+        let factor = sum(1) / sum(0);
+        ((factor - 1.0).abs() >= 0.005 && sum(0) > 0.0 && everywhere(&|expected| factor * expected))
             .then(|| format!("{factor:.2} times what it should be"))
     }
 }

@@ -87,9 +87,8 @@ impl Mistakes {
             [mistake] => self.in_full(mistake, context),
             _ => self.perhaps(context).collect(),
         };
-        rows.into_iter()
-            .chain([Row::new(RowKind::Tried, self.tried(pixels))])
-            .collect()
+        let tried = Row::new(RowKind::Tried, self.tried(pixels));
+        rows.into_iter().chain([tried]).collect()
     }
 
     /// Lists the wrong line, the right line and the reason of each slip of a mistake.
@@ -171,34 +170,26 @@ impl DrawingMutants {
             ("", None) => format!("{}  left out", typed(&it.right)),
             (wrong, None) => typed(wrong),
         };
-        let (rows, tried) = match &self.all[..] {
+        let mut rows = match &self.all[..] {
             [] => return Vec::new(),
-            [it] if self.count == 1 => {
-                let rows = match (&*it.wrong, &it.yours) {
-                    ("", _) => vec![Row::new(RowKind::Missing, typed(&it.right))],
-                    (_, Some(yours)) => yours.rows(),
-                    (wrong, None) => {
-                        line_and_right(RowKind::Perhaps, &typed(wrong), &typed(&it.right))
-                    }
-                };
-                (
-                    rows,
-                    "the chapter with this one edit draws exactly your picture",
-                )
+            [it] if self.count == 1 => match (&*it.wrong, &it.yours) {
+                ("", _) => vec![Row::new(RowKind::Missing, typed(&it.right))],
+                (_, Some(yours)) => yours.rows(),
+                (wrong, None) => line_and_right(RowKind::Perhaps, &typed(wrong), &typed(&it.right)),
+            },
+            all => alternatives(all.iter().map(said)).collect(),
+        };
+        let tried = match (self.count, self.is_told()) {
+            (1, _) => "the chapter with this one edit draws exactly your picture",
+            (_, true) => {
+                "the chapter with any of these edits draws exactly your picture, and so may others"
             }
-            all => {
-                let tried = match self.is_told() {
-                    true => {
-                        "the chapter with any of these edits draws exactly your picture, and so may others"
-                    }
-                    false => {
-                        "many more edits of the chapter draw your picture, which does not tell them apart"
-                    }
-                };
-                (alternatives(all.iter().map(said)).collect(), tried)
+            (_, false) => {
+                "many more edits of the chapter draw your picture, which does not tell them apart"
             }
         };
-        rows.into_iter().chain(row(RowKind::Tried, tried)).collect()
+        rows.push(Row::new(RowKind::Tried, tried));
+        rows
     }
 }
 

@@ -79,7 +79,7 @@ fn each_picture_has_its_answer() {
     let mut wrong = String::new();
     for (chapter, names, way, expected) in ANSWERS {
         let slips: Vec<&Slip> = names.split_whitespace().map(slip).collect();
-        let output = task(chapter).program(&slips).run(WIDTH);
+        let output = Task::of(chapter).program(&slips).run(WIDTH);
         let said = said(&answer(chapter, &way(&output.picture())));
         if said != expected {
             wrong += &format!("{chapter:?} {names}: {said}, and not {expected}\n");
@@ -120,10 +120,7 @@ fn unnamed_in(slip: &'static Slip, chapter: Chapter, width: u32, way: Way) -> St
     let is_named = match &verdict {
         Verdict::Right(_) => true,
         Verdict::AlmostRight(finding) => {
-            let has_few = finding
-                .almost_right
-                .as_ref()
-                .is_some_and(|almost_right| almost_right.unexplained.off <= few);
+            let has_few = finding.almost_right.is_some_and(|it| it.off <= few);
             has_few || drawn.size().1 != right.height()
         }
         other => other.finding().is_some_and(|finding| {
@@ -150,13 +147,13 @@ fn unnamed_in(slip: &'static Slip, chapter: Chapter, width: u32, way: Way) -> St
 /// Lays out the answer in a terminal of 80 characters.
 fn laid_out(chapter: Chapter, verdict: Verdict) -> Vec<String> {
     let attempt = Attempt {
-        task: task(chapter),
+        task: Task::of(chapter),
         is_guessed: false,
         name: "picture.ppm".to_owned(),
         encoding: None,
         context: &Context::default(),
         laws: None,
-        commands: Commands::of_pictures(task(chapter)),
+        commands: Commands::of_pictures(Task::of(chapter)),
     };
     let style = Style { is_colored: false };
     lines(&attempt.answer(verdict), style, 80, MOST_LINES)
@@ -209,7 +206,7 @@ fn with(chapter: Chapter, edit: &Edit) -> ChapterProgram {
 fn an_egg_is_not_right() {
     for edition in [Edition::V4, Edition::V3] {
         for (width, height) in [(160, 120), (160, 90)] {
-            let task = task(Chapter::RedSphere)
+            let task = Task::of(Chapter::RedSphere)
                 .only_by_edition(edition)
                 .fitting(width, height);
             let egg = task.program(&[slip("viewport-width-four")]);
@@ -254,7 +251,7 @@ fn numbers_that_are_no_levels_and_levels_that_wrap_name_their_mistake() {
         .run(WIDTH);
     let text = shifted.to_string();
     let verdict = judge_file(
-        &task(Chapter::Normals),
+        &Task::of(Chapter::Normals),
         text.as_bytes(),
         0,
         &Context::default(),
@@ -303,7 +300,7 @@ fn no_shape_and_no_numbers_are_too_odd_for_an_answer() {
             let guessed = guess::task(&reading);
             judge_guessed(&guessed, &reading, 0, &Context::default());
             for chapter in Chapter::OF_THE_BOOK {
-                judge(&task(chapter), &reading, 0, &Context::default());
+                judge(&Task::of(chapter), &reading, 0, &Context::default());
             }
         }
     }
@@ -314,7 +311,7 @@ const WIDTH: u32 = 90;
 
 fn answer(chapter: Chapter, picture: &Picture) -> Verdict {
     judge(
-        &task(chapter),
+        &Task::of(chapter),
         &Reading::of(picture),
         0,
         &Context::default(),
@@ -329,8 +326,8 @@ fn said(verdict: &Verdict) -> String {
     let Some(finding) = verdict.finding() else {
         return format!("{:?}", verdict.cause().map(|cause| &cause.problem));
     };
-    if let Some(almost_right) = &finding.almost_right {
-        return format!("right but for {}", almost_right.unexplained.off);
+    if let Some(unexplained) = &finding.almost_right {
+        return format!("right but for {}", unexplained.off);
     }
     let Some(mistakes) = &finding.mistakes else {
         return format!("unknown: {}", finding.observations.join(" "));
@@ -341,10 +338,6 @@ fn said(verdict: &Verdict) -> String {
         off => format!(" but for {off}"),
     };
     names.join("; ") + &left
-}
-
-fn task(chapter: Chapter) -> Task {
-    Task::new(chapter, None).expect("every chapter can be drawn without a probe")
 }
 
 fn slip(name: &str) -> &'static Slip {
