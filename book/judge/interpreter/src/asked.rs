@@ -73,10 +73,11 @@ impl Program {
         }
     }
 
-    /// Calls `Sphere::hit` of chapter 5 on a sphere made by `Sphere::new`, and returns its record.
+    /// Calls `Sphere::hit` of chapter 5 on a sphere made by `Sphere::new`, and returns its record
+    /// of the nearest hit between `t_min` and `t_max`.
     ///
-    /// Returns `None` for a miss, if the program stops, or if one of these functions or a
-    /// field of the record is missing.
+    /// Returns `None` for a miss, if the program stops, or if one of these functions or a field of
+    /// the record is missing.
     pub fn record(&self, ball: Ball, ray: &Ray, t_min: f64, t_max: f64) -> Option<SphereHit> {
         let sphere = [self.vec3(ball.center), ball.radius.into()];
         let sphere = self.called("Sphere::new", &sphere)?;
@@ -92,7 +93,7 @@ impl Program {
     }
 
     /// Calls `HittableList::hit` of chapter 5 on a list with these spheres in this order, and
-    /// returns the `t` of its record.
+    /// returns the `t` of the nearest hit between `t_min` and `t_max`.
     ///
     /// Returns `None` for a miss (an empty list, too), if the program stops, or if one of these
     /// functions or the field `t` is missing.

@@ -8,7 +8,7 @@ use common::rtweekend::*;
 use crate::library;
 use crate::machine::value::{Brush, Data, Value};
 use crate::machine::{Binding, Machine};
-use crate::program::{Program, missing, u32_value};
+use crate::program::{NO_PICTURE, Program, stopped, u32_value};
 use crate::refusal::Fault;
 use crate::types::Int;
 
@@ -57,11 +57,11 @@ impl Program {
         let (size, brush) = match drawn.data {
             Data::Picture(it) => (it.0, Rc::clone(&it.1)),
             Data::Str(text) => {
-                let printed = library::printed(&text).ok_or_else(|| missing("a picture"))?;
+                let printed = library::printed(&text).ok_or_else(|| stopped(NO_PICTURE))?;
                 let size = (printed.width(), printed.height());
                 (size, Rc::new(Brush::Printed(printed)))
             }
-            _ => return Err(missing("a picture")),
+            _ => return Err(stopped(NO_PICTURE)),
         };
         Ok(Canvas {
             program: self.clone(),
@@ -74,7 +74,7 @@ impl Program {
     pub(crate) fn by_ray_color(&self, width: u32) -> Result<Canvas, Fault> {
         let color = self
             .ray_color_role()
-            .ok_or_else(|| missing("`ray_color`"))?;
+            .ok_or_else(|| stopped("there is no function `ray_color`"))?;
         let world = self.role("world", 0);
         let world = world.map(|it| self.ran(self.machine().call(it, &[])));
         let camera = Camera::new(width);

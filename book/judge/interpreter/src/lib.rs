@@ -1,12 +1,12 @@
-//! Runs what a reader types in the page: the Rust that our chapters are written in, and
+//! Interprets what a reader types in the page: the Rust in which our chapters are written, and
 //! what people write instead.
 //!
-//! `read` makes trees of the files, `names` finds what their names mean, and `lower` makes
-//! closures of the trees, which run on `machine` and call `library`. Operations on numbers
-//! happen in the order in which they are written, so a picture is that of the compiled program
-//! to the last bit. Names, fields, methods and counts of arguments are looked at before it runs.
-//! Types are checked when values meet what is declared, so a line that never ran is not checked:
-//! [`Program::unchecked`] lists these. What is not read here is refused by its name.
+//! `read` parses the files, `names` resolves names, and `lower` turns syntax trees into closures
+//! ("lowers" them), which run on `machine` and call `library`. Floats are computed in the order in
+//! which the text has them, so a picture is that of the compiled program to the last bit. Names,
+//! fields, methods and counts of arguments are checked before a program runs. Types are checked
+//! when values meet what is declared, so a line that never ran is not checked:
+//! [`Program::unchecked`] lists these. What the interpreter does not read is refused by its name.
 
 mod asked;
 mod canvas;

@@ -27,15 +27,15 @@ impl Program {
     /// parameters, or if the compiler would refuse it, as far as that shows without running.
     pub fn patched(&self, function: &str, text: &str) -> Result<Self, Fault> {
         let found = self.code.number_of(function);
-        let n = found.ok_or_else(|| missing(&format!("function `{function}`")))?;
+        let n = found.ok_or_else(|| refused(format!("there is no function `{function}`")))?;
         let mut code = Code::clone(&self.code);
         code.functions[n] = code.read_anew(n, text)?;
         Ok(self.running(code))
     }
 
     /// Returns the program in which the mutant with that number runs:
-    /// `mutants!(7, right, one, other)` in a text has the mutants 7 and 8. For 0, or a number that
-    /// no mutant has, everything right runs.
+    /// `mutants!(7, right, one, other)` in a text has the mutants 7 and 8. Where the number is no
+    /// mutant's, as 0, `right` runs.
     ///
     /// All mutants are read at once (mutant schemata: Untch, Offutt and Harrold, 1993).
     pub fn with_mutant(&self, number: u32) -> Self {
@@ -115,10 +115,10 @@ impl Code {
         // Places of an earlier text are not needed any more.
         proc_macro2::extra::invalidate_current_thread_spans();
         let item: syn::ImplItemFn =
-            syn::parse_str(text).map_err(|error| missing(&error.to_string()))?;
+            syn::parse_str(text).map_err(|error| refused(error.to_string()))?;
         let signature = &self.names.functions[n];
         if item.sig.inputs.len() != signature.parameters.len() {
-            return Err(missing("change of the parameters"));
+            return Err(refused("the parameters have changed".to_owned()));
         }
         let inside = ItemBody::Function(&item.sig, &item.block);
         let lowered = lower::lower(&self.names, text, signature, Some(inside));
@@ -131,7 +131,7 @@ impl Code {
     }
 }
 
-/// Makes the fault of a patch for which the program lacks something.
-fn missing(what: &str) -> Fault {
-    Fault::without_place(FaultKind::Refused, format!("there is no {what}"))
+/// Makes the fault of a patch that does not fit the program.
+fn refused(message: String) -> Fault {
+    Fault::without_place(FaultKind::Refused, message)
 }

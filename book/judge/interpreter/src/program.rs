@@ -127,18 +127,20 @@ impl Program {
         let canvas = self.canvas(width)?;
         let (width, height) = canvas.size();
         if ![width, height].iter().all(|it| (1..=WIDEST).contains(it)) {
-            return Err(missing("a picture that is 1 to 4096 pixels wide and high"));
+            return Err(stopped(
+                "there is no picture that is 1 to 4096 pixels wide and high",
+            ));
         }
         let mut rgb = Vec::with_capacity(3 * width as usize * height as usize);
         for (j, i) in (0..height).flat_map(|j| (0..width).map(move |i| (j, i))) {
             rgb.extend(canvas.levels(i, j)?);
         }
-        Picture::from_rgb(width, height, rgb).ok_or_else(|| missing("a picture"))
+        Picture::from_rgb(width, height, rgb).ok_or_else(|| stopped(NO_PICTURE))
     }
 
-    /// Computes these pixels one after the other, in a picture `width` pixels wide, and counts how
-    /// many have the expected levels before the first that has not. A pixel outside of the picture
-    /// has not.
+    /// Computes these pixels one after the other, in a picture `width` pixels wide, and counts
+    /// those that have the expected levels, up to the first that has others or lies outside of the
+    /// picture.
     ///
     /// # Errors
     /// If the program stops, or the compiler would refuse a line that runs.
@@ -184,9 +186,12 @@ impl Program {
     }
 }
 
-/// Makes the fault of a program that has nothing of this kind to draw.
-pub(crate) fn missing(what: &str) -> Fault {
-    Fault::without_place(FaultKind::Stopped, format!("there is no {what} to draw"))
+/// The message about a program whose `picture` comes to none.
+pub(crate) const NO_PICTURE: &str = "there is no picture to draw";
+
+/// Makes the fault of a program that stops at no place of its text.
+pub(crate) fn stopped(message: &str) -> Fault {
+    Fault::without_place(FaultKind::Stopped, message.to_owned())
 }
 
 impl Program {

@@ -10,7 +10,7 @@ use crate::refusal::Span;
 use crate::types::Ctor::{self, Unknown};
 use crate::types::{Int, Type};
 
-/// Appends values to the list behind a mutable reference, which checks that all are of one type.
+/// Appends values to the list behind a mutable reference, and stops at one of another type.
 fn added(m: &mut Machine<'_>, to: &Value, all: Vec<Value>, at: Span) -> Eval {
     let list = m.end_of(to).list();
     let (of, mut first) = (list.of.clone(), list.all.first().cloned());

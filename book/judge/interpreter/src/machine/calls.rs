@@ -13,7 +13,7 @@ use crate::limits::DEEPEST;
 use crate::refusal::{Refusal, Span};
 use crate::types::{Ctor, Type};
 
-/// Where a call and its arguments stand in the text, for the words about a wrong one.
+/// The places of a call and its arguments in the text, for messages about a wrong one.
 pub(crate) struct Given {
     /// The form and span of each argument; empty if the arguments are not written at the call.
     pub(crate) spots: Vec<ExprInfo>,
@@ -22,7 +22,7 @@ pub(crate) struct Given {
 }
 
 impl Given {
-    /// Returns what is known of argument `n`; the whole call if that is not written.
+    /// Returns the form and span of argument `n`; the whole call if that is not written.
     pub(super) fn spot(&self, n: usize) -> ExprInfo {
         self.spots.get(n).copied().unwrap_or(self.at.into())
     }

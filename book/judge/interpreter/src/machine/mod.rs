@@ -189,7 +189,7 @@ pub(crate) enum ExprForm {
     Float,
     /// A number without a point and without a type.
     Int,
-    /// A comparison or another truth.
+    /// A comparison, or another expression that is certainly a `bool`.
     Bool,
     /// A `&…` that is written at this place.
     Lend,
