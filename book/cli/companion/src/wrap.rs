@@ -28,6 +28,6 @@ pub(crate) fn style() -> Style {
 
 /// Lays out an answer, a line each with its end.
 pub(crate) fn lay_out(answer: &Answer) -> String {
-    let lines = text::lines(answer, style(), text_width(), text::MOST_LINES);
+    let lines = text::answer_lines(answer, style(), text_width(), text::MOST_LINES);
     lines.iter().map(|line| format!("{line}\n")).collect()
 }

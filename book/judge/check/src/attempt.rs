@@ -39,9 +39,8 @@ pub struct Attempt<'a> {
     pub is_guessed: bool,
     /// The name of the picture, such as its file's; empty if it has none.
     pub name: String,
-    /// What keeps viewers from showing the file, such as an encoding in UTF-16; `None` if nothing
-    /// does.
-    pub encoding: Option<Cause>,
+    /// The flaw of a file that could be read, such as an encoding in UTF-16; `None` if it has none.
+    pub flaw: Option<Cause>,
     /// What is known of the reader's program.
     pub context: &'a Context<'a>,
     /// The outcome of the laws; `None` where the functions can't be asked.
@@ -97,7 +96,7 @@ impl Attempt<'_> {
         }
         let besides =
             |it: &Cause| Row::new(RowKind::Besides, format!("{}. {}", it.problem, it.fix));
-        answer.rows.extend(self.encoding.iter().map(besides));
+        answer.rows.extend(self.flaw.iter().map(besides));
         answer.pictures = Pictures::of(verdict);
         answer
     }

@@ -45,7 +45,10 @@ pub(crate) fn elsewhere(evidence: &Evidence) -> Vec<Candidate> {
 /// likeliest group first.
 pub(crate) fn singles<'a>(evidence: &'a Evidence) -> impl Iterator<Item = Vec<Candidate>> + 'a {
     let rights = with_slips_in(evidence);
-    let wrapped = rights.first().filter(|_| !evidence.has_no_levels).cloned();
+    let wrapped = rights
+        .first()
+        .filter(|_| !evidence.has_invalid_levels)
+        .cloned();
     let wrapped = wrapped.map(|right| Candidate {
         conversion: Conversion::Wrapped,
         ..right
@@ -82,7 +85,7 @@ fn right(evidence: &Evidence, task: Task) -> Candidate {
     Candidate {
         task,
         slips: Vec::new(),
-        conversion: match evidence.has_no_levels {
+        conversion: match evidence.has_invalid_levels {
             true => Conversion::Printed,
             false => Conversion::Clamped,
         },

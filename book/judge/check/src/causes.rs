@@ -83,26 +83,26 @@ pub(crate) fn wrong_shape(task: &Task, width: u32, height: u32) -> Option<Cause>
 
 /// Refuses a picture with numbers that are no levels, and guesses where they come from; `None` if
 /// all numbers are levels.
-pub(crate) fn no_levels(reading: &Reading) -> Option<Cause> {
-    let outside = reading.outside()?;
-    let [column, row] = outside.first;
+pub(crate) fn invalid_levels(reading: &Reading) -> Option<Cause> {
+    let invalid = reading.invalid_levels()?;
+    let [column, row] = invalid.first;
     // What 16 bits can't hold was cut off.
     let said = |level: i16| match level {
         i16::MIN => format!("{level} or less"),
         i16::MAX => format!("{level} or more"),
         _ => level.to_string(),
     };
-    let (lowest, highest) = (said(outside.lowest), said(outside.highest));
-    let range = match (outside.lowest < 0, outside.highest > 255) {
+    let (lowest, highest) = (said(invalid.lowest), said(invalid.highest));
+    let range = match (invalid.lowest < 0, invalid.highest > 255) {
         (true, true) => format!("below 0 and above 255, from {lowest} to {highest}"),
         (true, false) => format!("below 0, down to {lowest}"),
         _ => format!("above 255, up to {highest}"),
     };
-    let pixels = match outside.count {
+    let pixels = match invalid.count {
         1 => "1 pixel has".to_owned(),
         all => format!("{all} pixels have"),
     };
-    let fix = match (outside.lowest, outside.highest) {
+    let fix = match (invalid.lowest, invalid.highest) {
         (i16::MIN, _) => {
             "This is what NaN turns into: is 0 / 0 taken, the root of a negative number, or a number that was never set?"
         }
@@ -115,7 +115,7 @@ pub(crate) fn no_levels(reading: &Reading) -> Option<Cause> {
         "levels-outside",
         format!(
             "{pixels} numbers {range}; the first is in column {column}, row {row}: [{}]",
-            outside.pixel.map(said).join(", ")
+            invalid.pixel.map(said).join(", ")
         ),
         fix,
     ))

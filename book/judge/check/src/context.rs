@@ -21,7 +21,7 @@ pub type CompareAnswers<'a> = dyn Fn(&ChapterProgram) -> Mismatch + 'a;
 /// All that is known of a reader's program besides its picture; by default nothing.
 #[derive(Default)]
 pub struct Context<'a> {
-    /// The language in which the reader writes; `None` means the C++ of the edition.
+    /// The language in which the reader writes; `None` means the book's C++, in the edition of the task.
     pub language: Option<ReaderLanguage>,
     /// Tells whether the reader can have made a slip; `None` if every slip is possible.
     pub can_be_made: Option<&'a dyn Fn(&Slip) -> bool>,
@@ -106,7 +106,7 @@ pub(crate) struct Evidence<'a> {
     /// The picture as it was read.
     pub(crate) reading: &'a Reading,
     /// True if the picture has numbers that are no levels from 0 to 255.
-    pub(crate) has_no_levels: bool,
+    pub(crate) has_invalid_levels: bool,
     /// The context of the picture.
     pub(crate) context: &'a Context<'a>,
     /// The change that makes the reader's program right.
@@ -128,7 +128,7 @@ impl<'a> Evidence<'a> {
                 false => *task,
             },
             reading,
-            has_no_levels: reading.outside().is_some(),
+            has_invalid_levels: reading.invalid_levels().is_some(),
             context,
             repair: OnceCell::new(),
             drawn: OnceCell::new(),

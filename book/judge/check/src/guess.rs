@@ -17,7 +17,7 @@ const NEAR: u16 = 2;
 
 /// Guesses the task of a picture: the one whose right program, or program with one slip, draws most
 /// of its pixels alike. Of tasks that draw the same, as chapters 3 and 4 do, the first in the book.
-pub fn task(reading: &Reading) -> Task {
+pub fn guess_task(reading: &Reading) -> Task {
     let mut nearest = (usize::MAX, Task::of(Chapter::Gradient));
     for candidates in [right_ones, wrong_ones] {
         for task in Chapter::OF_THE_BOOK.map(Task::of) {

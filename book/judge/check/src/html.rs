@@ -30,7 +30,7 @@ pub fn headline(headline: &Headline) -> String {
 
 /// Lays out all that follows the headline as HTML: lines that were printed, rows, what to do next,
 /// and links to pages. Empty if there is none of these.
-pub fn below(answer: &Answer, page: HostPage) -> String {
+pub fn details(answer: &Answer, page: HostPage) -> String {
     let is_printed = |it: &&Row| it.kind == RowKind::Printed;
     let (printed, rows): (Vec<&Row>, Vec<&Row>) = answer.rows.iter().partition(is_printed);
     let printed = printed

@@ -98,11 +98,11 @@ fn numbers_that_are_no_levels_are_kept_and_found() {
         b"P3\n2 2\n255\n0 0 255 256 -107 511 0 0 0 1 99999999999999999999 -99999999999999999999",
     )
     .expect("its numbers are numbers");
-    let outside = reading.outside().expect("two pixels");
-    assert_eq!(outside.count, 2);
-    assert_eq!(outside.first, [1, 0]);
-    assert_eq!(outside.pixel, [256, -107, 511]);
-    assert_eq!((outside.lowest, outside.highest), (i16::MIN, i16::MAX));
+    let invalid = reading.invalid_levels().expect("two pixels");
+    assert_eq!(invalid.count, 2);
+    assert_eq!(invalid.first, [1, 0]);
+    assert_eq!(invalid.pixel, [256, -107, 511]);
+    assert_eq!((invalid.lowest, invalid.highest), (i16::MIN, i16::MAX));
     assert_eq!(reading.picture().rgb()[3..6], [255, 0, 255]);
 }
 
@@ -131,7 +131,7 @@ fn a_png_is_read_with_its_transparent_pixels_on_black_if_most_are_opaque() {
     window.put_pixel(0, 0, image::Rgba([200, 100, 50, 51]));
     let read = read(&encoded(window.into())).expect("most are opaque");
     assert_eq!(read.pixels[..2], [[40, 20, 10], [9, 9, 9]]);
-    assert_eq!(read.encoding.expect("it is told").name, "png-kind");
+    assert_eq!(read.flaw.expect("it is told").name, "png-kind");
 }
 
 #[test]
@@ -147,9 +147,9 @@ fn text_that_a_shell_has_put_into_another_encoding_is_read() {
     };
     for (bytes, name) in encoded("P3\r\n1 1 # grün ☀\r\n255\r\n1 2 3\r\n") {
         let reading = read(&bytes).expect("it is text");
-        let encoding = reading.encoding.expect("it is told");
-        assert_eq!((reading.pixels, encoding.name), (vec![[1, 2, 3]], name));
-        assert!(encoding.fix.contains("PowerShell"), "{encoding}");
+        let flaw = reading.flaw.expect("it is told");
+        assert_eq!((reading.pixels, flaw.name), (vec![[1, 2, 3]], name));
+        assert!(flaw.fix.contains("PowerShell"), "{flaw}");
     }
     for (bytes, _) in encoded("P3\n1 1\n255\n1 2\n") {
         assert_eq!(cause(&bytes), "too-few-numbers");

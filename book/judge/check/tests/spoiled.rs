@@ -8,7 +8,7 @@ use check::judge_file;
 use check::png;
 use check::reading::{MOST_PIXELS, read};
 use check::task::Task;
-use check::text::{MOST_LINES, Style, lines};
+use check::text::{MOST_LINES, Style, answer_lines};
 use check::verdict::Verdict;
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
@@ -147,7 +147,7 @@ fn assert_says_something(task: Task, verdict: Verdict) {
         task,
         is_guessed: false,
         name: "it".to_owned(),
-        encoding: None,
+        flaw: None,
         context: &Context::default(),
         laws: None,
         commands: Commands::of_pictures(task),
@@ -158,7 +158,7 @@ fn assert_says_something(task: Task, verdict: Verdict) {
     let rows = answer.rows.iter().map(|row| &row.text);
     rows.chain(next).for_each(|said| assert_readable(said));
     let style = Style { is_colored: false };
-    let lines = lines(&answer, style, 80, usize::MAX);
+    let lines = answer_lines(&answer, style, 80, usize::MAX);
     assert!(lines.len() <= MOST_LINES, "{}", lines.join("\n"));
 }
 

@@ -17,7 +17,7 @@ fn answer(text: &str, laws: &LawsStatus) -> Answer {
         task,
         is_guessed: false,
         name: String::new(),
-        encoding: None,
+        flaw: None,
         context: &context,
         laws: Some(laws),
         commands: Commands::of_pictures(task),

@@ -8,7 +8,7 @@ use std::iter;
 use check::answer::{Answer, Pictures};
 use check::attempt::{Attempt, Commands};
 use check::context::Context;
-use check::html::{HostPage, below, escaped, headline};
+use check::html::{HostPage, details, escaped, headline};
 use check::reading::{self, Cause, MOST_PIXELS, Reading};
 use check::report::difference_picture;
 use check::sentences;
@@ -73,7 +73,7 @@ impl CheckRequest {
     /// request names none. A probe for which the chapter has no room is left out.
     fn task(&self, reading: Option<&Reading>) -> Task {
         let plain = match (self.chapter, reading) {
-            (None, Some(reading)) => guess::task(reading),
+            (None, Some(reading)) => guess::guess_task(reading),
             (chapter, _) => Task::of(chapter.unwrap_or(Chapter::BuildTest)),
         };
         let probed = self.probe.and_then(|probe| plain.with_probe(probe));
@@ -132,7 +132,7 @@ pub fn decoded(
         width,
         height,
         pixels: pixels.iter().map(levels).collect(),
-        encoding: None,
+        flaw: None,
     };
     judged(request, reading, Some(cause))
 }
@@ -169,7 +169,7 @@ fn judged(request: CheckRequest, reading: Reading, foreign: Option<Cause>) -> Ch
         task,
         is_guessed,
         name: request.name,
-        encoding: reading.encoding.clone(),
+        flaw: reading.flaw.clone(),
         context: &context,
         laws: None,
         commands: Commands::of_pictures(task),
@@ -214,11 +214,11 @@ fn facts(task: &Task, verdict: &Verdict, reading: &Reading) -> String {
 /// Puts the facts on the first line, the headline on the second, since the page announces it before
 /// the rest is read, and the rest below.
 fn laid_out(facts: &str, answer: &Answer) -> String {
-    let (headline, below) = (
+    let (headline, details) = (
         headline(&answer.headline),
-        below(answer, HostPage::CheckPage),
+        details(answer, HostPage::CheckPage),
     );
-    format!("{facts}\n{headline}\n{below}")
+    format!("{facts}\n{headline}\n{details}")
 }
 
 /// Returns the HTML paragraph below the verdict on a file that only the browser could read.

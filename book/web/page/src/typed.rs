@@ -51,7 +51,7 @@ impl Feedback {
         Self {
             places: Vec::new(),
             headline: html::headline(&answer.headline),
-            rest: html::below(answer, HostPage::Book),
+            rest: html::details(answer, HostPage::Book),
         }
     }
 }
@@ -188,7 +188,7 @@ impl Draft {
             task,
             is_guessed: false,
             name: String::new(),
-            encoding: None,
+            flaw: None,
             context: &context,
             laws: laws.as_ref(),
             commands: Commands {

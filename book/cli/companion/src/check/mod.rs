@@ -128,7 +128,7 @@ fn report(folder: &Path, chapter: Chapter, answer: &Answer) -> Result<PathBuf, B
         headline: &html::headline(&answer.headline),
         pictures: answer.pictures.as_ref(),
         // The book lies elsewhere.
-        remarks: &html::below(answer, HostPage::Report),
+        remarks: &html::details(answer, HostPage::Report),
     };
     files::fill_folder(folder, REPORT, &report.files())?;
     Ok(folder.join("index.html"))
@@ -167,15 +167,15 @@ impl Arguments {
     ) -> Result<(Attempt<'a>, Verdict), Box<dyn Error>> {
         let (is_guessed, tolerance) = (task.is_none(), self.tolerance);
         let bytes = source.read(self.timeout);
-        let (task, verdict, encoding) = match (bytes.and_then(|it| reading::read(&it)), task) {
+        let (task, verdict, flaw) = match (bytes.and_then(|it| reading::read(&it)), task) {
             (Ok(reading), Some(task)) => {
                 let verdict = judge(&task, &reading, tolerance, context);
-                (task, verdict, reading.encoding)
+                (task, verdict, reading.flaw)
             }
             (Ok(reading), None) => {
                 let guessed = self.guessed(&reading)?;
                 let (task, verdict) = judge_guessed(&guessed, &reading, tolerance, context);
-                (task, verdict, reading.encoding)
+                (task, verdict, reading.flaw)
             }
             (Err(cause), task) => {
                 let task = task.map_or_else(|| self.task(Chapter::BuildTest), Ok)?;
@@ -187,7 +187,7 @@ impl Arguments {
             task,
             is_guessed,
             name: source.to_string(),
-            encoding,
+            flaw,
             context,
             laws: None,
             commands: Commands::of_pictures(task),
@@ -210,7 +210,7 @@ impl Arguments {
 
     /// The scene that comes nearest, with the probe and the edition that are named.
     fn guessed(&self, reading: &Reading) -> Result<Task, Box<dyn Error>> {
-        let guessed = guess::task(reading);
+        let guessed = guess::guess_task(reading);
         let task = self.task(guessed.chapter)?;
         Ok(match (self.probe, guessed.probe) {
             (None, Some(probe)) => task.with_probe(probe).unwrap_or(task),

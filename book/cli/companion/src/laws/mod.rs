@@ -124,7 +124,7 @@ impl<'a> Interview<'a> {
         let failed = self.failure.take().or_else(ended);
         match (failed, &verdict.outcome) {
             (Some((failure, line)), _) => (2, self.failed(&failure, &line)),
-            (None, Err(Complaint::Broken(report))) => (1, self.broken(report, &verdict.last)),
+            (None, Err(Complaint::Broken(report))) => (1, self.broken(report, &verdict.questions)),
             (None, _) => (0, self.obeyed(&verdict)),
         }
     }

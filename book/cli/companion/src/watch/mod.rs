@@ -281,7 +281,7 @@ impl WatchedProgram {
             task: self.task,
             is_guessed: false,
             name: String::new(),
-            encoding: None,
+            flaw: None,
             context: &context,
             laws: match &asked {
                 None if self.misses_laws.get() => Some(&LawsStatus::Coming),

@@ -5,7 +5,7 @@ use std::time::Duration;
 use std::{env, iter};
 
 use check::answer::Answer;
-use check::text::{MOST_LINES, lines};
+use check::text::{MOST_LINES, answer_lines};
 
 use crate::terminal::{self, Palette};
 use crate::wrap::{style, text_width, wrap_hanging};
@@ -23,7 +23,7 @@ pub(super) fn compose(title: &str, answer: &Answer, news: &[String], took: Durat
         .map(|thing| wrap_hanging(&format!("{:<9}  {thing}", "done"), 11));
     let done: Vec<String> = done.collect();
     let room = height().saturating_sub(above.len() + done.len());
-    let answer = lines(answer, style(), text_width(), room.min(MOST_LINES));
+    let answer = answer_lines(answer, style(), text_width(), room.min(MOST_LINES));
     let clear = if is_cleared() { "\x1b[2J\x1b[H" } else { "" };
     format!("{clear}{}\n", [above, answer, done].concat().join("\n"))
 }

@@ -9,10 +9,11 @@ use laws::record::RecordedHit;
 use laws::strategies::{ordinary, ordinary_with_interval};
 use laws::{Case, IntervalCase};
 
-/// A harmless difference between a function's answers and those of version 4.
+/// A difference between a function's answers and those of version 4 that no picture of these
+/// chapters shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Manner {
-    /// A root at an end of the range counts.
+    /// A root at an end of the range counts as a hit.
     EndsCount,
     /// A tangent is a miss.
     TangentsMiss,

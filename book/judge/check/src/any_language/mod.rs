@@ -40,7 +40,7 @@ pub struct FunctionVerdict {
     /// The manners in which some of its answers differ from version 4 of the book.
     pub manners: Vec<Manner>,
     /// The questions about the smallest case that breaks a law, each once; empty if none is broken.
-    pub last: Vec<IntervalCase>,
+    pub questions: Vec<IntervalCase>,
 }
 
 /// The reason why a line is no answer.
@@ -162,7 +162,7 @@ pub fn try_laws(trial: &Trial, function: FunctionKind, ask: &AskProgram) -> Func
     FunctionVerdict {
         outcome,
         manners: manners.into_iter().filter(|it| used.contains(it)).collect(),
-        last: of_one_kind(last),
+        questions: of_one_kind(last),
     }
 }
 

@@ -182,7 +182,7 @@ fn is_forgotten(evidence: &Evidence, tasks: &[Task]) -> bool {
 fn right_elsewhere(evidence: &Evidence) -> Option<Vec<Task>> {
     let reading = evidence.reading;
     // One color everywhere is the picture of many things.
-    if reading.is_plain() && !evidence.context.sources.is_empty() {
+    if reading.has_one_color() && !evidence.context.sources.is_empty() {
         return None;
     }
     let is_it = |it: &Candidate| {
@@ -222,7 +222,7 @@ fn in_the_text(evidence: &Evidence, mut found: Fit) -> Fit {
 /// [`PAIRS`] do.
 fn two_mistakes(evidence: &Evidence, nearest: &Candidate, all: &Unexplained) -> Option<Fit> {
     // Many pairs draw one color everywhere.
-    if evidence.reading.is_plain() {
+    if evidence.reading.has_one_color() {
         return None;
     }
     let found = first(evidence, all, pairs(evidence, nearest.task.edition))?;

@@ -36,7 +36,7 @@ pub fn judge(task: &Task, reading: &Reading, tolerance: u8, context: &Context) -
         true => &newest,
         false => task,
     };
-    if let Some(cause) = causes::no_levels(reading) {
+    if let Some(cause) = causes::invalid_levels(reading) {
         let finding = Finding::of(task, reading, context).ok();
         return Verdict::NotAPicture { cause, finding };
     }

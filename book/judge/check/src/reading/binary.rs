@@ -30,7 +30,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Reading, Cause> {
         width,
         height,
         pixels: pixels.iter().map(|pixel| pixel.map(i16::from)).collect(),
-        encoding: None,
+        flaw: None,
     })
 }
 

@@ -26,7 +26,7 @@ mod tokens;
 
 pub use cause::Cause;
 pub use limits::{MOST_BYTES, MOST_PIXELS};
-pub use numbers::{Outside, Reading};
+pub use numbers::{InvalidLevels, Reading};
 
 /// Reads the picture in the bytes of a file: P3, P6 or PNG, also P3 in UTF-16 as a shell may make it.
 ///
@@ -41,7 +41,7 @@ pub fn read(bytes: &[u8]) -> Result<Reading, Cause> {
             return Err(encoding);
         }
         return Ok(Reading {
-            encoding: Some(encoding),
+            flaw: Some(encoding),
             ..plain::read(&text)?
         });
     }

@@ -16,15 +16,14 @@ pub struct Reading {
     /// Levels are from 0 to 255. A P3 text may hold other numbers, such as 256 and −107, which tell
     /// much about a mistake; beyond 16 bits they become the largest or the smallest number.
     pub pixels: Vec<[i16; 3]>,
-    /// A fault that does not keep the picture from being read, only viewers from showing it, or
-    /// some of it: another encoding of a text, or transparent pixels of a PNG; `None` if there is
-    /// none.
-    pub encoding: Option<Cause>,
+    /// A flaw of the file with which the picture can be read, but viewers don't show all of it: another
+    /// encoding of a text, or transparent pixels of a PNG. `None` if there is none.
+    pub flaw: Option<Cause>,
 }
 
 /// The numbers of a picture that are no levels: below 0 or above 255.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Outside {
+pub struct InvalidLevels {
     /// Number of pixels with at least one such number, at least 1.
     pub count: usize,
     /// Column and row of the first such pixel, from the left and from the top.
@@ -45,7 +44,7 @@ impl Reading {
             width: picture.width(),
             height: picture.height(),
             pixels: pixels.iter().map(|pixel| pixel.map(i16::from)).collect(),
-            encoding: None,
+            flaw: None,
         }
     }
 
@@ -62,16 +61,16 @@ impl Reading {
     }
 
     /// Returns true if all pixels have the same color.
-    pub fn is_plain(&self) -> bool {
+    pub fn has_one_color(&self) -> bool {
         self.pixels.iter().all(|pixel| *pixel == self.pixels[0])
     }
 
     /// Finds the numbers that are no levels; `None` if all are from 0 to 255.
-    pub fn outside(&self) -> Option<Outside> {
+    pub fn invalid_levels(&self) -> Option<InvalidLevels> {
         let is_outside = |pixel: &[i16; 3]| pixel.iter().any(|level| !(0..256).contains(level));
         let n = self.pixels.iter().position(is_outside)?;
         let levels = || self.pixels.iter().flatten().copied();
-        Some(Outside {
+        Some(InvalidLevels {
             count: self
                 .pixels
                 .iter()

@@ -40,7 +40,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Reading, Cause> {
             width,
             height,
             pixels,
-            encoding: None,
+            flaw: None,
         })
     } else {
         Err(miscounted(width as usize, height as usize, count))

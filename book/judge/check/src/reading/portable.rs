@@ -32,12 +32,12 @@ pub(super) fn read(bytes: &[u8]) -> Result<Reading, Cause> {
     let decoder = PngDecoder::with_limits(Cursor::new(bytes), limits).map_err(cause)?;
     let (width, height) = decoder.dimensions();
     let image = DynamicImage::from_decoder(decoder).map_err(cause)?;
-    let (pixels, encoding) = pixels(image)?;
+    let (pixels, flaw) = pixels(image)?;
     Ok(Reading {
         width,
         height,
         pixels,
-        encoding,
+        flaw,
     })
 }
 

@@ -53,7 +53,7 @@ impl SideBySide<'_> {
         let first = self.found(0);
         let same = self.places.iter().filter(|n| self.found(**n) == first);
         let is_plain = ODD * (self.places.len() - same.count()) <= self.places.len();
-        let all = match self.reading.is_plain() {
+        let all = match self.reading.has_one_color() {
             true => "Every pixel",
             false => "Nearly every pixel",
         };

@@ -9,7 +9,7 @@ use check::context::Context;
 use check::mistake_name;
 use check::reading::Reading;
 use check::task::Task;
-use check::text::{MOST_LINES, Style, lines};
+use check::text::{MOST_LINES, Style, answer_lines};
 use check::verdict::Verdict;
 use check::{guess, judge, judge_file, judge_guessed, png};
 use common::rtweekend::*;
@@ -150,13 +150,13 @@ fn laid_out(chapter: Chapter, verdict: Verdict) -> Vec<String> {
         task: Task::of(chapter),
         is_guessed: false,
         name: "picture.ppm".to_owned(),
-        encoding: None,
+        flaw: None,
         context: &Context::default(),
         laws: None,
         commands: Commands::of_pictures(Task::of(chapter)),
     };
     let style = Style { is_colored: false };
-    lines(&attempt.answer(verdict), style, 80, MOST_LINES)
+    answer_lines(&attempt.answer(verdict), style, 80, MOST_LINES)
 }
 
 #[test]
@@ -165,8 +165,12 @@ fn each_edition_is_right_and_known_by_its_picture_alone() {
         for edition in Edition::ALL {
             let picture = edition.program(chapter).run(WIDTH).picture();
             let reading = Reading::of(&picture);
-            let (task, verdict) =
-                judge_guessed(&guess::task(&reading), &reading, 0, &Context::default());
+            let (task, verdict) = judge_guessed(
+                &guess::guess_task(&reading),
+                &reading,
+                0,
+                &Context::default(),
+            );
             let Verdict::Right(right) = verdict else {
                 panic!("{chapter:?} by {edition:?}: {}", said(&verdict));
             };
@@ -295,9 +299,9 @@ fn no_shape_and_no_numbers_are_too_odd_for_an_answer() {
                 width,
                 height,
                 pixels: pixels.collect(),
-                encoding: None,
+                flaw: None,
             };
-            let guessed = guess::task(&reading);
+            let guessed = guess::guess_task(&reading);
             judge_guessed(&guessed, &reading, 0, &Context::default());
             for chapter in Chapter::OF_THE_BOOK {
                 judge(&Task::of(chapter), &reading, 0, &Context::default());
