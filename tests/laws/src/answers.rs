@@ -82,6 +82,15 @@ impl Answers {
     }
 }
 
+/// A function and the outcome of its laws.
+#[derive(Clone, Debug)]
+pub struct FunctionOutcome {
+    /// The name of the function, such as `hit_sphere`.
+    pub function: String,
+    /// The outcome of all laws: `Ok` if they hold.
+    pub outcome: Outcome,
+}
+
 /// The content of a file of answers and verdicts.
 #[derive(Debug, Default)]
 pub struct AnswerFile {
@@ -89,7 +98,7 @@ pub struct AnswerFile {
     pub answers: Answers,
     /// Each function's name with the outcome of its laws, in the order in which the laws were
     /// tried.
-    pub outcomes: Vec<(String, Outcome)>,
+    pub outcomes: Vec<FunctionOutcome>,
 }
 
 impl AnswerFile {
@@ -101,9 +110,10 @@ impl AnswerFile {
             let Ok(JsonValue::Object(line)) = line.parse() else {
                 break;
             };
-            if let Some(of) = text_of(&line, "of") {
+            if let Some(function) = text_of(&line, "of") {
                 let outcome = outcome(&line, &told.answers);
-                told.outcomes.extend(outcome.map(|outcome| (of, outcome)));
+                let outcome = outcome.map(|outcome| FunctionOutcome { function, outcome });
+                told.outcomes.extend(outcome);
             } else {
                 told.answers.given.extend(answer(&line));
             }
@@ -206,18 +216,13 @@ fn outcome(line: &Fields, before: &Answers) -> Option<Outcome> {
     let parts: Vec<String> = PARTS.iter().filter_map(|it| text_of(line, it)).collect();
     let [law, found, allowed, read, test] = parts.try_into().ok()?;
     let (law, read) = (law.into(), read.into());
-    let report = Report {
-        broken: BrokenLaw {
-            law,
-            found,
-            allowed,
-            read,
-        },
-        answers: before.clone(),
-        same_as: Vec::new(),
-        test,
+    let broken = BrokenLaw {
+        law,
+        found,
+        allowed,
+        read,
     };
-    Some(Err(Complaint::Broken(Box::new(report))))
+    Some(Err(Complaint::of(broken, before.clone(), test)))
 }
 
 #[cfg(test)]
@@ -254,10 +259,11 @@ mod tests {
             mut answers,
             outcomes,
         } = AnswerFile::read(&text);
-        let [(sky, Ok(())), (hit, Err(Complaint::Broken(read)))] = &outcomes[..] else {
+        let tried: Vec<&str> = outcomes.iter().map(|it| &*it.function).collect();
+        assert_eq!(tried, ["ray_color", "hit_sphere"]);
+        let [Ok(()), Err(Complaint::Broken(read))] = [0, 1].map(|n| &outcomes[n].outcome) else {
             panic!("{outcomes:?}");
         };
-        assert_eq!([&**sky, hit], ["ray_color", "hit_sphere"]);
         assert_eq!((&read.broken, &read.test), (&report.broken, &report.test));
         // A NaN has many bits.
         let said = |answers: &Answers| format!("{:?}", answers.given);

@@ -24,7 +24,7 @@ use crate::question::{Question, decided, of_hit, of_ray, telling_cases};
 use crate::ray_color::{self, ChapterScene, a_ray_has_its_color_from_anywhere};
 use crate::record::{self, RecordSolver};
 use crate::strategies::{self, config};
-use crate::verdict::{BrokenLaw, Complaint, LawResult, Outcome, Report};
+use crate::verdict::{BrokenLaw, Complaint, LawResult, Outcome};
 
 /// A trial of the functions of a chapter: each under all laws of its kind, on cases of proptest.
 ///
@@ -241,12 +241,7 @@ impl Trial {
         let smallest = written(|| self.smallest(&pairs, &law));
         let outcome = smallest.and_then(|smallest| match smallest {
             None => Ok(()),
-            Some((_, broken)) => Err(Complaint::Broken(Box::new(Report {
-                broken,
-                answers: Answers::default(),
-                same_as: Vec::new(),
-                test: String::new(),
-            }))),
+            Some((_, broken)) => Err(Complaint::of(broken, Answers::default(), String::new())),
         });
         self.kept("set_face_normal", outcome)
     }
@@ -289,12 +284,7 @@ impl Trial {
         };
         let (test, answer) = ((suite.test)(&smallest), (suite.answer)(&smallest));
         self.keep_answer(&mut answers, (suite.question)(smallest), answer);
-        Err(Complaint::Broken(Box::new(Report {
-            broken,
-            answers,
-            same_as: Vec::new(),
-            test,
-        })))
+        Err(Complaint::of(broken, answers, test))
     }
 
     /// Returns the smallest case found by proptest that breaks the law, and how; `None` if the law

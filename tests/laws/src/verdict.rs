@@ -51,41 +51,62 @@ pub struct Report {
     pub test: String,
 }
 
+impl Complaint {
+    /// Makes the complaint about a broken law, without known mistakes so far.
+    pub(crate) fn of(broken: BrokenLaw, answers: Answers, test: String) -> Self {
+        let same_as = Vec::new();
+        Self::Broken(Box::new(Report {
+            broken,
+            answers,
+            same_as,
+            test,
+        }))
+    }
+}
+
+/// A line of a report.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ReportRow<'a> {
+    /// The label of the text, such as `found`; empty if the text continues the row above.
+    pub label: &'a str,
+    /// The text.
+    pub text: &'a str,
+}
+
 impl BrokenLaw {
     /// Returns the result of a law that holds if `is_right`.
     pub(crate) fn unless(is_right: bool, broken: impl FnOnce() -> Self) -> LawResult {
         if is_right { Ok(()) } else { Err(broken()) }
     }
 
-    /// Lists the labels and texts of the parts, in the order in which they are read.
-    fn rows(&self) -> [(&'static str, &str); 4] {
-        [
+    /// Lists the rows about the law, in the order in which they are read.
+    fn rows(&self) -> [ReportRow<'_>; 4] {
+        let rows: [(_, &str); 4] = [
             ("the law", &self.law),
             ("found", &self.found),
             ("allowed", &self.allowed),
             ("read", &self.read),
-        ]
+        ];
+        rows.map(|(label, text)| ReportRow { label, text })
     }
 }
 
 impl Report {
-    /// Lists the labels and texts of the parts, in the order in which they are read. A row with an
-    /// empty label continues the row above.
-    pub fn rows(&self) -> Vec<(&'static str, &str)> {
+    /// Lists the rows of the report, in the order in which they are read. At most five known
+    /// mistakes are among them.
+    pub fn rows(&self) -> Vec<ReportRow<'_>> {
         let labels = ["same as", "", "", "", ""];
-        let same_as = labels
-            .into_iter()
-            .zip(self.same_as.iter().map(String::as_str));
+        let same_as = labels.into_iter().zip(&self.same_as);
+        let same_as = same_as.map(|(label, text)| ReportRow { label, text });
         let [law, found, allowed, read] = self.broken.rows();
         let rows = [law, found, allowed].into_iter().chain(same_as);
         rows.chain([read]).collect()
     }
 }
 
-/// Lays rows of label and text out as lines, with the texts in one column. A row with an empty
-/// label continues the row above.
-pub fn rows_as_text<'a>(rows: impl IntoIterator<Item = (&'a str, &'a str)>) -> String {
-    let line = |(label, text): (&str, &str)| match label {
+/// Lays out rows as lines, with their texts in one column.
+pub fn rows_as_text<'a>(rows: impl IntoIterator<Item = ReportRow<'a>>) -> String {
+    let line = |ReportRow { label, text }| match label {
         "" => format!("          {text}"),
         _ => format!("{:<10}{text}", format!("{label}:")),
     };

@@ -10,7 +10,7 @@ use std::process::ExitCode;
 use std::time::Duration;
 
 use ::laws::record::RecordedHit;
-use ::laws::verdict::rows_as_text;
+use ::laws::verdict::{ReportRow, rows_as_text};
 use ::laws::{Case, Complaint, IntervalCase, Question, Report, Trial};
 use check::any_language::{self, FunctionKind, FunctionVerdict, NoAnswer};
 use check::names;
@@ -228,7 +228,9 @@ impl<'a> Interview<'a> {
         }
         let mut rows = report.rows();
         if let Some(besides) = &besides {
-            rows.insert(rows.len() - 1, ("besides", besides));
+            let label = "besides";
+            let text = besides;
+            rows.insert(rows.len() - 1, ReportRow { label, text });
         }
         rows_as_text(rows)
     }

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 use std::time::Duration;
 
-use ::laws::answers::{ANSWERS_VARIABLE, AnswerFile, Answers};
+use ::laws::answers::{ANSWERS_VARIABLE, AnswerFile, Answers, FunctionOutcome};
 use ::laws::{Complaint, Outcome};
 use check::attempt::LawsStatus;
 use slips::{Chapter, ReaderLanguage, lawful};
@@ -60,21 +60,20 @@ pub(super) fn run_laws_test(
             Err(cause) => return unknown(cause.to_string()),
         };
     let AnswerFile { answers, outcomes } = AnswerFile::read(&answered(&file));
-    let (obeyed, complaints): (Vec<_>, Vec<_>) = outcomes
-        .into_iter()
-        .partition(|(_, outcome)| outcome.is_ok());
-    let unwritten = complaints.iter().filter_map(|(_, outcome)| match outcome {
+    let (obeyed, complaints): (Vec<_>, Vec<_>) =
+        outcomes.into_iter().partition(|it| it.outcome.is_ok());
+    let unwritten = complaints.iter().filter_map(|it| match &it.outcome {
         Err(Complaint::NotWritten(place)) => Some(place.clone()),
         _ => None,
     });
     LawsResult {
         answers,
-        obeyed: obeyed.into_iter().map(|(of, _)| of).collect(),
+        obeyed: obeyed.into_iter().map(|it| it.function).collect(),
         unwritten: unwritten.collect(),
         outcome: match worst(complaints) {
-            Some((of, outcome)) => of_first(
-                &of,
-                lawful::explained(outcome, chapter, ReaderLanguage::Rust),
+            Some(it) => of_first(
+                &it.function,
+                lawful::explained(it.outcome, chapter, ReaderLanguage::Rust),
             ),
             None if status.success() => LawsStatus::Obeyed,
             None => LawsStatus::Unknown(errors),
@@ -84,10 +83,10 @@ pub(super) fn run_laws_test(
 
 /// Returns the complaint to tell first: a broken law before a `todo!()`, and the prelude before the
 /// rest.
-fn worst(complaints: Vec<(String, Outcome)>) -> Option<(String, Outcome)> {
-    complaints.into_iter().min_by_key(|(of, outcome)| {
-        let is_broken = matches!(outcome, Err(Complaint::Broken(_)));
-        (!is_broken, of != PRELUDE)
+fn worst(complaints: Vec<FunctionOutcome>) -> Option<FunctionOutcome> {
+    complaints.into_iter().min_by_key(|it| {
+        let is_broken = matches!(it.outcome, Err(Complaint::Broken(_)));
+        (!is_broken, it.function != PRELUDE)
     })
 }
 
