@@ -1,21 +1,21 @@
-//! The program around a chapter: the loop, the header and the levels of its file. What takes
-//! their place in `common` paints many pixels at once, and no text can show that.
+//! The program around a chapter: the loop over the pixels, the header and the levels of its file.
+//! The code of `common` for these paints many pixels at once, which the interpreter can't run.
 
 use common::rtweekend::*;
 
-/// The column and the row of the nth pixel in the file: `for j …`, and in each row `for i …`.
+/// Returns the column and the row of the nth pixel in the file, as `for j …` around `for i …` does.
 fn place(n: u32, image_width: u32, image_height: u32) -> [u32; 2] {
     let j = n / image_width;
     let i = n - j * image_width;
     [i, j]
 }
 
-/// The two numbers below `P3`.
+/// Returns the two numbers below `P3`.
 fn header(image_width: u32, image_height: u32) -> [u32; 2] {
     [image_width, image_height]
 }
 
-/// The three numbers of a pixel, which a wrong program may print beyond 0 and 255.
+/// Returns the three numbers that are printed for a pixel, in a wrong program also beyond 255.
 fn print(color: Color) -> [i32; 3] {
     let r = level(color.x);
     let g = level(color.y);

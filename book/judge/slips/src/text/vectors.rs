@@ -1,4 +1,4 @@
-//! What glam's functions do, for programs in which they are mistyped or have fewer digits.
+//! The functions of glam, for programs in which they are mistyped or have fewer digits.
 
 use common::rtweekend::*;
 

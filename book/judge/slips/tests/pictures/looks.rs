@@ -1,16 +1,16 @@
-//! Appearance: what a wrong picture looks like beside the right one.
+//! Appearance: how a wrong picture differs from the right one at first sight.
 
 use common::rtweekend::Picture;
 use slips::{ChapterProgram, WRONG_PICTURE_WIDTH};
 
-/// What sets a wrong picture apart at first sight.
+/// The difference of a wrong picture from the right one that is seen first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Look {
-    /// The right picture.
+    /// The pictures are equal.
     Right,
-    /// No level is more than 2 off, which no eye sees.
+    /// No level differs by more than 2, which no eye sees.
     Faint,
-    /// Another width or height.
+    /// The wrong picture has another width or height.
     OtherSize,
     /// There should be a sphere, and nothing is hit.
     Gone,
@@ -22,16 +22,16 @@ pub(crate) enum Look {
     Misplaced,
     /// There is sky where something should be hit.
     Incomplete,
-    /// All is in its place, but what is hit has other colors.
+    /// The same pixels show a hit, and only these have other colors.
     OtherHits,
-    /// All is in its place, but the sky has other colors.
+    /// The same pixels show a hit, and only the sky has other colors.
     OtherSky,
-    /// All is in its place, and all colors are others.
+    /// The same pixels show a hit, and both hits and sky have other colors.
     OtherColors,
 }
 
 impl Look {
-    /// Looks at a wrong picture beside the right one.
+    /// Compares a wrong picture with the right one.
     pub(crate) fn of(right: &Drawn, wrong: &Drawn) -> Self {
         let size = |drawn: &Drawn| (drawn.picture.width(), drawn.picture.height());
         if size(right) != size(wrong) {
@@ -56,14 +56,15 @@ impl Look {
     }
 }
 
-/// A picture, and which of its pixels show something that was hit.
+/// A picture, and for each of its pixels whether the ray hits something.
 pub(crate) struct Drawn {
     pub(crate) picture: Picture,
     is_hit: Vec<bool>,
 }
 
 impl Drawn {
-    /// Draws what the program draws. A pixel that looks as the right one shows the same.
+    /// Draws a program's picture. Only for pixels that differ from the right picture the program is
+    /// asked again whether the ray hits something.
     pub(crate) fn by(program: &ChapterProgram, right: Option<&Self>) -> Self {
         let output = program.run(WRONG_PICTURE_WIDTH);
         let picture = output.picture();
@@ -81,7 +82,7 @@ impl Drawn {
     }
 }
 
-/// The largest difference in the sky, and the largest in what should be hit.
+/// Returns the largest difference of a level in the sky, and the largest where the ray should hit.
 fn levels_off(right: &Drawn, wrong: &Drawn) -> [u8; 2] {
     let levels = right.picture.rgb().iter().zip(wrong.picture.rgb());
     let mut off = [0; 2];
@@ -92,7 +93,7 @@ fn levels_off(right: &Drawn, wrong: &Drawn) -> [u8; 2] {
     off
 }
 
-/// The picture upside down, in a mirror, and transposed if it is a square.
+/// Returns the picture upside down, in a mirror, and transposed if it is a square.
 fn turned(picture: &Picture) -> Vec<Picture> {
     let (width, height) = (picture.width() as usize, picture.height() as usize);
     let (pixels, _) = picture.rgb().as_chunks::<3>();

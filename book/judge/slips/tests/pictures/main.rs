@@ -1,5 +1,5 @@
-//! Golden pictures: what each mistake, probe, edition and step draws, as hashes, and what is seen
-//! of the mistakes.
+//! Golden pictures: the hash of what each mistake, probe, edition and step draws, and the look of
+//! each wrong picture.
 
 mod looks;
 
@@ -10,10 +10,10 @@ use slips::{Chapter, ChapterProgram, Edition, PROBES, Slip, steps};
 
 use looks::{Drawn, Look};
 
-/// Neither the width nor the height that it gives is a multiple of the other's parts.
+/// The width of the pictures in pixels: a prime number, so that no row length fits another by chance.
 const WIDTH: u32 = 97;
 
-/// The numbers that a program prints, in one (FNV-1a).
+/// Hashes all numbers that a program prints (FNV-1a).
 fn hash(program: &ChapterProgram, width: u32) -> u64 {
     let output = program.run(width);
     let (columns, rows) = output.size();
@@ -69,7 +69,7 @@ fn every_probe_edition_and_step_draws_its_picture() {
     insta::assert_snapshot!("scenes", drawn);
 }
 
-/// A look, a chapter, and the mistakes that draw the same picture of this look.
+/// A look, a chapter, and the mistakes that draw one picture of this look there.
 type Seen = (Look, Chapter, Vec<&'static str>);
 
 #[test]
@@ -108,7 +108,6 @@ fn every_mistake_is_seen_as_it_was() {
     insta::assert_snapshot!("looks", seen.iter().map(line).collect::<String>());
 }
 
-/// Which mistakes the chapter's own picture hides, and which probes show them.
 #[test]
 #[ignore = "it draws some hundred pictures"]
 fn every_hidden_mistake_is_shown_by_the_same_probes() {
