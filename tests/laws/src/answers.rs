@@ -15,16 +15,16 @@ use tinyjson::JsonValue;
 use crate::question::{Functions, Question};
 use crate::verdict::{BrokenLaw, Complaint, Outcome, Report};
 
-/// The environment variable that names the file to which [`Trial`](crate::Trial) adds answers and
-/// verdicts.
+/// The name of the environment variable that holds the path of the file to which a
+/// [`Trial`](crate::Trial) appends the tried functions' answers and verdicts.
 pub const ANSWERS_VARIABLE: &str = "LAWS_ANSWERS";
 
-/// A question that a function was asked, with its answer.
+/// A question that was put to a function, with the function's answer.
 #[derive(Clone, Debug)]
 pub struct Answered {
-    /// The question.
+    /// The question, with the ray, sphere or color that it is about.
     pub question: Question,
-    /// The answer as numbers, as [`Question::put_to`] lists them: empty for a miss.
+    /// The answer as numbers, in the order of [`Question::put_to`]; empty for a miss.
     pub answer: Vec<f64>,
 }
 
@@ -36,24 +36,27 @@ impl Answered {
     }
 }
 
-/// Counts of answers that are compared with those of a program.
+/// The count of recorded answers that another program does not give.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Mismatch {
-    /// The number of questions that were asked.
+    /// How many questions were asked in all.
     pub asked: usize,
-    /// The number of those among them that the program answers otherwise, as far as it was counted.
+    /// To how many of these questions the program gives another answer. A count that was stopped at
+    /// a limit has the limit here.
     pub differing: usize,
 }
 
-/// All answers of a program's functions, in the order in which they were asked.
+/// The recorded answers of a program's functions.
 #[derive(Clone, Debug, Default)]
 pub struct Answers {
-    /// The questions with their answers: empty if nothing was asked.
+    /// Each question with its answer, in the order in which they were asked; empty if nothing was
+    /// asked.
     pub given: Vec<Answered>,
 }
 
 impl Answers {
-    /// Puts all `questions` to a program, in their order. A panic in the program is passed on.
+    /// Puts all `questions` to the functions of `program`, in their order, and records the answers.
+    /// A panic in the program is passed on.
     pub fn of(program: &dyn Functions, questions: Vec<Question>) -> Self {
         let questions = questions.into_iter();
         let answered = questions.map(|question| {
@@ -65,14 +68,15 @@ impl Answers {
         }
     }
 
-    /// Returns true if `program` gives the last of these answers, too, or if there is none.
+    /// Returns true if `program` answers the last of the recorded questions equally, up to
+    /// rounding; also if none is recorded.
     pub fn last_is_given_by(&self, program: &dyn Functions) -> bool {
         let last = self.given.last();
         last.is_none_or(|it| it.is_given_by(program))
     }
 
-    /// Counts all answers, and those that `program` does not give: these at most up to `most`,
-    /// where counting ends.
+    /// Puts all recorded questions to `program`, and counts the answers that differ by more than
+    /// rounding. Stops after `most` of them.
     pub fn mismatch_with(&self, program: &dyn Functions, most: usize) -> Mismatch {
         let differing = self.given.iter().filter(|it| !it.is_given_by(program));
         Mismatch {
@@ -82,28 +86,28 @@ impl Answers {
     }
 }
 
-/// A function and the outcome of its laws.
+/// The name of a tried function with the outcome of its laws.
 #[derive(Clone, Debug)]
 pub struct FunctionOutcome {
-    /// The name of the function, such as `hit_sphere`.
+    /// The name of the function, such as `hit_sphere`, `list` or `prelude`.
     pub function: String,
-    /// The outcome of all laws: `Ok` if they hold.
+    /// The outcome of all laws for the function: `Ok` if they hold.
     pub outcome: Outcome,
 }
 
-/// The content of a file of answers and verdicts.
+/// The parsed content of a file to which a [`Trial`](crate::Trial) appends answers and verdicts.
 #[derive(Debug, Default)]
 pub struct AnswerFile {
-    /// All answers to questions, in the order in which they were written.
+    /// The answers of all tried functions, in the order in which they were written; may be empty.
     pub answers: Answers,
-    /// Each function's name with the outcome of its laws, in the order in which the laws were
-    /// tried.
+    /// The outcome for each tried function, in the order in which they were tried. A function whose
+    /// trial did not end is missing.
     pub outcomes: Vec<FunctionOutcome>,
 }
 
 impl AnswerFile {
-    /// Parses the lines of a file of answers, up to the first that is not whole: the program that
-    /// wrote them may have ended in it. An empty text gives no answers.
+    /// Parses the text of such a file, up to the first line that is not whole: the program that
+    /// wrote it may have ended there. An empty text gives an empty result.
     pub fn read(text: &str) -> Self {
         let mut told = Self::default();
         for line in text.lines() {

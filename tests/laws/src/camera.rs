@@ -5,7 +5,7 @@ use common::rtweekend::*;
 use crate::question::{nearly_equal, of_ray, vector};
 use crate::verdict::{BrokenLaw, LawResult};
 
-/// A pixel of a picture whose width is to its height as 16 to 9.
+/// A pixel of a picture with the aspect ratio 16:9.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CameraPixel {
     /// The width of the picture, in pixels.
@@ -16,8 +16,8 @@ pub struct CameraPixel {
     pub j: u32,
 }
 
-/// Tests that the ray starts at the origin and goes through the center of the pixel on the viewport
-/// at `t` = 1.
+/// Tests that a camera's `ray` for `pixel` starts at the origin, and is in the pixel's center on
+/// the viewport at `t` = 1.
 ///
 /// # Errors
 /// The broken law, if origin or direction differ by more than rounding.
@@ -32,8 +32,9 @@ pub fn the_ray_of_a_pixel_goes_through_its_center(ray: &Ray, pixel: &CameraPixel
 }
 
 impl CameraPixel {
-    /// Returns the ray from the origin through the center of the pixel, in a viewport at z = −1
-    /// that is 2 units high and as much wider as the picture.
+    /// Returns the ray that the book's camera casts for the pixel: from the origin through the
+    /// pixel's center, in a viewport at z = −1 that is 2 units high and has the aspect ratio of the
+    /// picture.
     pub fn right_ray(&self) -> Ray {
         let [width, i, j] = [self.width, self.i, self.j].map(f64::from);
         let height = f64::from(((width / (16.0 / 9.0)) as u32).max(1));

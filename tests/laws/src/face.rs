@@ -7,23 +7,23 @@ use crate::verdict::{BrokenLaw, LawResult};
 
 pub use common::rtweekend::Vec3;
 
-/// The side of a surface on which a ray meets it, as `set_face_normal` answers.
+/// The answer of a `set_face_normal`: a normal, and the side of the surface that the ray meets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Face {
-    /// The unit normal, which should point against the ray.
+    /// The unit normal that points against the ray, if the function is right.
     pub normal: Vec3,
-    /// True if the ray meets the outer side.
+    /// True if the ray comes from outside and meets the front face.
     pub front_face: bool,
 }
 
-/// A function like the `set_face_normal` of chapter 5: from a ray and the outward unit normal to
-/// the face.
+/// A function like the `set_face_normal` of chapter 5: takes a ray and the outward unit normal at
+/// the hit, and returns the face that the ray meets.
 pub type SetFaceNormal<'a> = dyn Fn(&Ray, Vec3) -> Face + 'a;
 
-/// Tests that the normal is the outward one, or its opposite where that points along the ray.
+/// Tests that `set_face_normal` returns `outward` with the front face for a ray along `direction`
+/// that comes from outside, and −`outward` with the back face for one from inside.
 ///
-/// Makes no claim where `direction` and `outward` are at a right angle, up to rounding: either side
-/// will do.
+/// Makes no claim where `direction` and `outward` are at a right angle, up to rounding.
 ///
 /// # Errors
 /// The broken law, if `set_face_normal` answers otherwise.

@@ -9,10 +9,11 @@ use crate::oracle::ExactCase;
 use crate::question::{IntervalCase, RangeSolver};
 use crate::verdict::{BrokenLaw, LawResult};
 
-/// Tests that a returned `t` lies between `t_min` and `t_max`, both excluded; so it is never NaN.
+/// Tests that the `t` that `solve` returns for a ray, a sphere and an interval lies between the
+/// interval's ends, both excluded; so it is never NaN. A miss is right here.
 ///
-/// Makes no claim where an end is NaN or the case is out of scale: whether `t` lies between is then
-/// a matter of how the comparison is written, and the book writes it the other way.
+/// Makes no claim where an end is NaN, or where numbers are so large or small that the equation may
+/// overflow.
 ///
 /// # Errors
 /// The broken law, if `t` lies outside.
@@ -35,14 +36,14 @@ pub fn no_t_outside_the_interval_is_returned(
     }
 }
 
-/// Tests that the nearest root between `t_min` and `t_max` is returned, or none if no root lies
-/// there.
+/// Tests that `solve` returns the nearest root between the ends of the interval, or none if no root
+/// lies there.
 ///
 /// Makes no claim where rounding could move a root across an end of the interval, or decide between
 /// hit and miss.
 ///
 /// # Errors
-/// The broken law, if another `t` or none is returned.
+/// The broken law, if `solve` returns another `t` or none.
 pub fn the_nearest_root_in_the_interval_is_returned(
     solve: &RangeSolver,
     asked: &IntervalCase,

@@ -8,12 +8,14 @@ use crate::question::{IntervalCase, code, of_ray, vector};
 use crate::record::RecordSolver;
 use crate::verdict::{BrokenLaw, LawResult};
 
-/// A question to a list: spheres, a ray, and an open interval of `t`.
+/// A question to a list of spheres: which of them does a ray hit first, within an open interval of
+/// `t`?
 #[derive(Clone, Debug, PartialEq)]
 pub struct World {
-    /// Center and radius of each sphere, in the order in which they are added. May be empty.
+    /// The center and the radius of each sphere, in the order in which the spheres are added to the
+    /// list; may be empty.
     pub spheres: Vec<(Point3, f64)>,
-    /// The ray that is asked about.
+    /// The ray that is traced.
     pub ray: Ray,
     /// The lower end of the interval, excluded, in lengths of the ray's direction.
     pub t_min: f64,
@@ -21,13 +23,13 @@ pub struct World {
     pub t_max: f64,
 }
 
-/// A function that finds the `t` of the nearest hit in a world; `None` for a miss.
+/// A function that puts a world's spheres into a list and returns the `t` of the nearest hit, in
+/// lengths of the ray's direction; `None` for a miss.
 pub type ListSolver<'a> = dyn Fn(&World) -> Option<f64> + 'a;
 
-/// Tests that `search` returns the least of the spheres' own answers, in whatever order they are
-/// added; a miss for an empty list.
-///
-/// The spheres are asked by `record` alone: a list of one sphere may be wrong, too.
+/// Tests that `search`, a list's search for the nearest hit, returns the least `t` that `record`
+/// finds for any sphere alone, in whatever order the spheres are added; `None` if all are missed or
+/// there are none.
 ///
 /// # Errors
 /// The broken law, if `search` answers otherwise.

@@ -33,24 +33,24 @@ use crate::strategies::{anywhere, integers, ordinary};
 use crate::trial::LawSuite;
 use crate::verdict::{BrokenLaw, LawResult};
 
-/// A function like `hit_sphere`: from center, radius and ray to the nearer root, in lengths of the
-/// direction; `None` for a miss.
+/// A function like the chapters' `hit_sphere`: takes center, radius and ray, and returns the nearer
+/// `t` at which the ray's line meets the sphere, in lengths of the direction; `None` for a miss.
 pub type Solver<'a> = dyn Fn(Point3, f64, &Ray) -> Option<f64> + 'a;
 
-/// A law for the nearer root: tests a solver on one case.
+/// A law for the nearer root: tests the answer of a solver for one ray and sphere.
 pub type RootLaw = fn(&Solver, &Case) -> LawResult;
 
 /// The unit roundoff u of an `f64`, 2⁻⁵³: the largest relative error of one rounded operation.
 pub const U: f64 = f64::EPSILON / 2.0;
 
-/// The relative width of the band in which rounding may decide: while |D| is above this many times
-/// a·M, the computed D has the right sign.
+/// The half width of the band in which rounding may decide between hit and miss, for the
+/// discriminant D = h² − a·c relative to a·M with M = |oc|² + r²: while |D| is above `BAND`·a·M,
+/// the computed D has the right sign.
 pub const BAND: f64 = 24.0 * U;
 
-/// All laws for a nearer root, in the order in which they teach most.
+/// All laws for the nearer root, those that teach most first.
 ///
-/// A function that only decides, as that of chapter 2, is put under them as a
-/// [`solver_of_decision`].
+/// A function that only decides between hit and miss is put under them by [`solver_of_decision`].
 pub const NEARER_ROOT: [RootLaw; 7] = [
     t_is_a_number,
     the_line_hits_exactly_when_there_is_a_root,
@@ -61,10 +61,11 @@ pub const NEARER_ROOT: [RootLaw; 7] = [
     a_scene_in_another_unit_and_a_mirror_has_the_same_digits,
 ];
 
-/// Tests all laws on one case, in their order.
+/// Tests all laws of [`NEARER_ROOT`] on the answer of `solve` for one ray and sphere, in their
+/// order.
 ///
 /// # Errors
-/// The first law that the answer of `solve` breaks.
+/// The first law that the answer breaks.
 pub fn obeys_every_law(solve: &Solver, case: &Case) -> LawResult {
     NEARER_ROOT.iter().try_for_each(|law| law(solve, case))
 }
@@ -95,8 +96,9 @@ pub(crate) fn decision_as_test(case: &Case) -> String {
     format!("{case}\nassert_eq!(hit_sphere(center, radius, &ray), {is_hit});")
 }
 
-/// Makes a solver of a function that only decides. Where that finds a hit, the solver returns the
-/// exact root; or the `t` closest to the center, if the line misses.
+/// Makes a solver of a function that only decides between hit and miss, as that of chapter 2. Where
+/// `decide` says hit, the solver returns the exact nearer root, or the `t` closest to the center if
+/// the line misses; else `None`.
 pub fn solver_of_decision(
     decide: impl Fn(Point3, f64, &Ray) -> bool,
 ) -> impl Fn(Point3, f64, &Ray) -> Option<f64> {
@@ -166,8 +168,8 @@ fn where_h_is_zero_no_root_is_lost(solve: &Solver, case: &Case) -> LawResult {
     )
 }
 
-/// Tests that |P(t) − C| is r, up to rounding. This law needs no oracle: it puts the root back into
-/// the equation.
+/// Tests that the point P at the returned `t` lies at the distance r from the center C, up to
+/// rounding. This law needs no oracle: it puts the root back into the equation.
 ///
 /// The root is the exact root of an equation with slightly other coefficients: the error of D is
 /// one of 24u·M in c, those of h and a are 16u·M and 12u·M since |t| ≤ 2√(M/a), the last roundings
@@ -214,8 +216,9 @@ fn the_root_is_the_nearer_one_to_the_digits_that_remain(solve: &Solver, case: &C
     )
 }
 
-/// Returns how far from the exact root (h ∓ √D)/a rounding may take `t`, in lengths of the
-/// direction, where `margin` is D/(a·M) and positive.
+/// Returns how far rounding may take a computed `t` from the exact root (h ∓ √D)/a, in lengths of
+/// the direction. `margin` is [D/(a·M)](crate::oracle::ExactCase::discriminant_margin) with M =
+/// |oc|² + r²; at 2·[`BAND`] or below, no digit of √D counts as certain.
 ///
 /// The error of D̂ changes √D by at most 24u·a·M/√D, that of h is 4u·√(aM), and the rounding of √D
 /// at most u·√(aM). Divided by a, that is u·√(M/a)·(24/√margin + 5). The difference, the quotient,

@@ -17,10 +17,11 @@ use dashu_int::ops::{BitTest, DivRemEuclid, SquareRootRem, UnsignedAbs};
 use dashu_int::{IBig, UBig};
 use speed_vs_accuracy::Case;
 
-/// One ray and one sphere in integer arithmetic, which never rounds.
+/// The quadratic equation of one ray and one sphere, in integer arithmetic that never rounds.
 ///
-/// The roots are (h ∓ √D) / a, with oc = C − Q, a = d·d, h = d·oc, c = oc·oc − r² and D = h² − a·c.
-/// Source: equations (13)–(15) of the notes with h = b/−2 and D = (b² − 4ac)/4.
+/// Its roots are (h ∓ √D) / a, with oc = C − Q, a = d·d, h = d·oc, c = oc·oc − r² and D = h² − a·c,
+/// for a ray from Q along d and a sphere around C. Source: equations (13)–(15) of the notes with h
+/// = b/−2 and D = (b² − 4ac)/4.
 #[derive(Clone, Debug)]
 pub struct ExactCase {
     // Integers: lengths are counted in one power of two, `d` in another.
@@ -35,11 +36,11 @@ pub struct ExactCase {
     exponent: isize,
 }
 
-/// A real number `t` at which the line of a ray meets a sphere, in lengths of the ray's direction.
+/// A real number `t` at which the line of a ray meets a sphere, in lengths of the ray's direction;
+/// known exactly.
 ///
 /// A root compares with any `f64`, exactly: `root > 0.0` asks where the root is, not what it rounds
-/// to. Every comparison with NaN is false. A root also compares, as exactly, with a root of another
-/// sphere on the same ray.
+/// to. Every comparison with NaN is false. Roots of two spheres on one ray compare exactly, too.
 #[derive(Clone, Copy, Debug)]
 pub struct ExactRoot<'a> {
     of: &'a ExactCase,
@@ -47,7 +48,7 @@ pub struct ExactRoot<'a> {
 }
 
 impl ExactCase {
-    /// Computes the coefficients of `case`, exactly.
+    /// Computes the equation of a ray and a sphere, exactly.
     ///
     /// # Panics
     /// If a number of the case is infinite or NaN.
@@ -55,8 +56,8 @@ impl ExactCase {
         Self::of_finite(case).expect("strategies make finite cases, and laws ask for no others")
     }
 
-    /// Computes the coefficients of `case`, exactly; `None` if a number of the case is infinite or
-    /// NaN.
+    /// Computes the equation of a ray and a sphere, exactly; `None` if a number of the case is
+    /// infinite or NaN.
     pub fn of_finite(case: &Case) -> Option<Self> {
         let [cx, cy, cz, r, qx, qy, qz, dx, dy, dz] = case.numbers();
         let (lengths, unit_of_length) = integers([cx, cy, cz, qx, qy, qz, r])?;
@@ -79,52 +80,53 @@ impl ExactCase {
         })
     }
 
-    /// Compares D with zero: `Less` if the line misses, `Equal` if it is a tangent,
-    /// `Greater` if it passes through.
+    /// Compares the discriminant D with zero: `Less` if the line misses the sphere, `Equal` if it
+    /// touches it, `Greater` if it passes through.
     ///
     /// A direction of zero makes no line: D is then zero, and there is no root.
     pub fn discriminant(&self) -> Ordering {
         self.discriminant.cmp(&IBig::ZERO)
     }
 
-    /// Returns D / (a·M) with M = oc·oc + r², rounded to nearest: how far the line is
-    /// from being a tangent, on the scale that rounding errors have.
+    /// Returns D / (a·M) with M = oc·oc + r², rounded to nearest: how far the line is from being a
+    /// tangent, on the scale that rounding errors have.
     ///
-    /// From −1 to 1, and 0 if a·M is. What rounds to 0 still has its sign in
-    /// [`ExactCase::discriminant`].
+    /// The result is from −1 to 1, and 0 if a·M is 0. A value that rounds to 0 still has its sign
+    /// in [`ExactCase::discriminant`].
     pub fn discriminant_margin(&self) -> f64 {
         ratio(&self.discriminant, &(&self.a * &self.extent))
     }
 
-    /// Returns c / M with M = oc·oc + r², rounded to nearest: how far the origin is
-    /// from the surface, on the scale that rounding errors have.
+    /// Returns c / M with M = oc·oc + r², rounded to nearest: how far the ray's origin is from the
+    /// surface, on the scale that rounding errors have.
     ///
-    /// From −1 to 1, and 0 if M is. Negative if the ray starts inside the sphere.
+    /// The result is from −1 to 1, and 0 if M is 0. It is negative if the ray starts inside the
+    /// sphere.
     pub fn origin_margin(&self) -> f64 {
         ratio(&self.c, &self.extent)
     }
 
-    /// Returns the lesser of the roots, which may be negative: behind the origin.
+    /// Returns the lesser of the two roots, which is negative if it lies behind the ray's origin.
     ///
-    /// A tangent has one root, as the nearer and as the farther. There is none
-    /// if the line misses or the direction is zero.
+    /// A tangent has one root, as the nearer and as the farther. Returns `None` if the line misses
+    /// or the direction is zero.
     pub fn nearer_root(&self) -> Option<ExactRoot<'_>> {
         self.root(true)
     }
 
-    /// Returns the greater of the roots, which may be negative.
+    /// Returns the greater of the two roots, which is negative if it lies behind the ray's origin.
     ///
-    /// A tangent has one root, as the nearer and as the farther. There is none if the line misses
+    /// A tangent has one root, as the nearer and as the farther. Returns `None` if the line misses
     /// or the direction is zero.
     pub fn farther_root(&self) -> Option<ExactRoot<'_>> {
         self.root(false)
     }
 
-    /// Returns the nearer root if it lies between `t_min` and `t_max`, else the farther one if that
-    /// does, else `None`.
+    /// Returns the nearer root if it lies between `t_min` and `t_max`, else the farther root if
+    /// that does, else `None`.
     ///
-    /// The ends are excluded, and may be infinite. The root itself must lie between them, even if
-    /// it rounds to an end. If an end is NaN, nothing lies in the interval.
+    /// Both ends are excluded, and may be infinite. The exact root must lie between them, even if
+    /// it rounds to an end. If an end is NaN, the result is `None`.
     pub fn nearest_root_in(&self, t_min: f64, t_max: f64) -> Option<ExactRoot<'_>> {
         [self.nearer_root(), self.farther_root()]
             .into_iter()

@@ -9,31 +9,32 @@ use crate::question::{Functions, code, of_ray, vector};
 use crate::strategies::{ahead_if_zero, samples, whole_vector};
 use crate::verdict::{BrokenLaw, LawResult};
 
-/// The operators and functions of somebody's vectors and rays, which laws ask one by one.
+/// The operators and functions of a program's own vectors and rays, as closures that laws ask one
+/// by one.
 pub struct Prelude<'a> {
-    /// The sum of two vectors.
+    /// Returns the sum of two vectors.
     pub add: &'a dyn Fn(Vec3, Vec3) -> Vec3,
-    /// The first vector minus the second.
+    /// Returns the first vector minus the second.
     pub sub: &'a dyn Fn(Vec3, Vec3) -> Vec3,
-    /// The opposite vector.
+    /// Returns the opposite of a vector.
     pub neg: &'a dyn Fn(Vec3) -> Vec3,
-    /// A number times a vector.
+    /// Returns a number times a vector.
     pub mul: &'a dyn Fn(f64, Vec3) -> Vec3,
-    /// The dot product of two vectors.
+    /// Returns the dot product of two vectors.
     pub dot: &'a dyn Fn(Vec3, Vec3) -> f64,
-    /// The squared length of a vector.
+    /// Returns the squared length of a vector.
     pub length_squared: &'a dyn Fn(Vec3) -> f64,
-    /// The length of a vector.
+    /// Returns the length of a vector.
     pub length: &'a dyn Fn(Vec3) -> f64,
-    /// The unit vector in the direction of a vector that is not zero.
+    /// Returns the unit vector in the direction of a vector, which is never zero.
     pub normalize: &'a dyn Fn(Vec3) -> Vec3,
-    /// The ray with an origin and a direction.
+    /// Returns the ray with an origin and a direction.
     pub ray: &'a dyn Fn(Point3, Vec3) -> Ray,
-    /// The point of a ray at `t` lengths of its direction.
+    /// Returns the point of a ray at `t` lengths of its direction.
     pub at: &'a dyn Fn(Ray, f64) -> Point3,
 }
 
-/// One function of a [`Prelude`], with what its law needs to know.
+/// One of the ten functions of a [`Prelude`], with the error that rounding may cause in it.
 #[derive(Debug)]
 pub struct PreludeFunction {
     /// A call of the function as Rust has it, with the vectors `u` and `v` and the number `t`.
@@ -46,7 +47,8 @@ pub struct PreludeFunction {
 /// A function that asks one function of a prelude, and lists the answer's numbers.
 type PreludeCall = fn(&Prelude, &PreludeQuestion) -> Vec<f64>;
 
-/// A question to one function of a prelude: two vectors and a number.
+/// A question to one function of a [`Prelude`]: the two vectors and the number that are its
+/// arguments.
 #[derive(Clone, Copy, Debug)]
 pub struct PreludeQuestion {
     pub(crate) function: &'static PreludeFunction,
@@ -55,11 +57,11 @@ pub struct PreludeQuestion {
     pub(crate) t: f64,
 }
 
-/// Tests that a function of a prelude answers small numbers as one works them out by head.
+/// Tests that the asked function of `prelude` answers small numbers as one works them out by head.
 ///
-/// They are added and multiplied without rounding, so this holds to the bit, but for a unit vector.
-/// Tenths tell a product that is rounded before the sum from a fused one: 10 · 0.1 is 1 to an
-/// `f64`, though `0.1` is a little more than a tenth.
+/// Sums and products of these numbers do not round, so the answer must be equal to the bit; only a
+/// unit vector and a product with tenths may round. Tenths tell a product that is rounded before
+/// the sum from a fused one: 10 · 0.1 is 1 to an `f64`, though `0.1` is a little more than a tenth.
 ///
 /// A swapped letter (`u.z * u.z`) draws the right picture in four chapters of five, because there
 /// every z is −1.
@@ -154,7 +156,7 @@ impl PreludeQuestion {
 }
 
 impl Prelude<'_> {
-    /// Returns the prelude of `common`, which is right.
+    /// Returns the vectors and rays of the package `common`, which are right.
     pub fn right() -> Self {
         Self {
             mul: &|t, v| t * v,
@@ -170,8 +172,8 @@ impl Prelude<'_> {
         }
     }
 
-    /// Calls `act` with the functions of a program as a prelude, and returns what `act` returns.
-    /// What a program does not have is taken from `common`.
+    /// Calls `act` with the vector functions of `program` as a [`Prelude`], and returns the result
+    /// of `act`. Operators and rays, which a program does not have, are those of `common`.
     pub fn of<T>(program: &dyn Functions, act: impl FnOnce(&Prelude) -> T) -> T {
         act(&Prelude {
             dot: &|u, v| program.dot(u, v),
@@ -183,7 +185,7 @@ impl Prelude<'_> {
     }
 }
 
-/// All functions of a prelude, each after those of which it may be made.
+/// All functions of a [`Prelude`], ordered so that each comes after those of which it may be made.
 pub static FUNCTIONS: [PreludeFunction; 10] = [
     PreludeFunction::new("mul(t, v)", 4.0 * U, |it, a| numbers((it.mul)(a.t, a.v))),
     PreludeFunction::new("add(u, v)", 0.0, |it, a| numbers((it.add)(a.u, a.v))),

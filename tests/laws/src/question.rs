@@ -15,36 +15,37 @@ use crate::ray_color;
 use crate::record::RecordedHit;
 use crate::strategies::{self, samples};
 
-/// A question to one function of a program.
+/// A question to one function of a program, with all numbers that the function is given.
 #[derive(Clone, Debug)]
 pub enum Question {
-    /// Asks a function of the prelude about small numbers.
+    /// A call of a function or operator on vectors, with small numbers.
     Prelude(PreludeQuestion),
-    /// Asks the `hit_sphere` of chapter 2, which only decides, about a ray and a sphere.
+    /// A ray and a sphere for the `hit_sphere` of chapter 2, which only decides between hit and
+    /// miss.
     Decision(Case),
-    /// Asks the `hit_sphere` of chapters 3 and 4 for the nearer root.
+    /// A ray and a sphere for the `hit_sphere` of chapters 3 and 4, which returns the nearer root.
     Root(Case),
-    /// Asks the `Sphere::hit` of chapter 5 for the record of the nearest hit in an interval.
+    /// A ray, a sphere and an interval for the `Sphere::hit` of chapter 5, which returns a record.
     Record(IntervalCase),
-    /// Asks the `HittableList::hit` of chapter 5 for the nearest hit of a list.
+    /// A ray, spheres and an interval for the `HittableList::hit` of chapter 5.
     Nearest(World),
-    /// Asks `ray_color` for the color of a ray.
+    /// A ray for `ray_color`.
     RayColor(Ray),
-    /// Asks for the ray of a pixel.
+    /// A pixel for the camera that casts a ray through it.
     PixelRay(CameraPixel),
 }
 
-/// A program whose functions can be asked, each in the form of one chapter. A program without a
-/// camera or a prelude of its own has those of `common`, which are right.
+/// The functions of a program, in the form in which a [`Question`] calls them. The provided methods
+/// are those of `common`, which are right, for programs without a camera or vectors of their own.
 pub trait Functions {
-    /// Returns the nearer root, in lengths of the direction; any number for a hit in chapter 2.
-    /// `None` for a miss.
+    /// Returns the nearer `t` at which the line meets the sphere, in lengths of the direction; any
+    /// number if the program only decides. `None` for a miss.
     fn hit_sphere(&self, case: &Case) -> Option<f64>;
-    /// Returns the record of the nearest hit in the interval; `None` for a miss.
+    /// Returns the record of the nearest hit of a sphere in an interval; `None` for a miss.
     fn record(&self, asked: &IntervalCase) -> Option<RecordedHit>;
-    /// Returns the `t` of the nearest hit of the world's list; `None` for a miss.
+    /// Returns the `t` of the nearest hit of a list of spheres in an interval; `None` for a miss.
     fn nearest(&self, world: &World) -> Option<f64>;
-    /// Returns the color of a ray: linear, 0 to 1.
+    /// Returns the color of a ray, each component linear from 0 to 1.
     fn ray_color(&self, ray: &Ray) -> Color;
 
     /// Returns the ray that the program's camera casts through a pixel.
@@ -70,8 +71,8 @@ pub trait Functions {
 const TELLING: u32 = 250;
 
 impl Question {
-    /// Lists questions to all functions of a prelude, always the same ones, by whose answers
-    /// mistakes differ.
+    /// Lists twenty questions to each function on vectors, always the same ones: so many that
+    /// different mistakes give different answers.
     pub fn of_prelude() -> Vec<Self> {
         let telling = FUNCTIONS
             .iter()
@@ -79,31 +80,34 @@ impl Question {
         telling.map(Self::Prelude).collect()
     }
 
-    /// Lists questions about one ray and one sphere, always the same ones, by whose answers
-    /// mistakes differ. `kind` is [`Question::Decision`] or [`Question::Root`].
+    /// Lists 250 questions about one ray and one sphere, always the same ones: so many that
+    /// different mistakes give different answers. `kind` is [`Question::Decision`] or
+    /// [`Question::Root`].
     pub fn of_sphere(kind: fn(Case) -> Self) -> Vec<Self> {
         of(kind, &strategies::ordinary())
     }
 
-    /// Lists questions about one sphere and an interval, always the same ones, by whose answers
-    /// mistakes differ.
+    /// Lists 250 questions about one ray, one sphere and an interval, always the same ones: so many
+    /// that different mistakes give different answers.
     pub fn of_record() -> Vec<Self> {
         of(Self::Record, &strategies::ordinary_with_interval())
     }
 
-    /// Lists questions about a list, always the same ones, by whose answers mistakes differ.
+    /// Lists 250 questions about one ray and several spheres, always the same ones: so many that
+    /// different mistakes give different answers.
     pub fn of_list() -> Vec<Self> {
         of(Self::Nearest, &strategies::worlds())
     }
 
-    /// Lists questions about the color of a ray, always the same ones, by whose answers mistakes
-    /// differ.
+    /// Lists 250 questions about the color of a ray, always the same ones: so many that different
+    /// mistakes give different answers.
     pub fn of_ray_color() -> Vec<Self> {
         of(Self::RayColor, &ray_color::rays())
     }
 
-    /// Returns the answer of a program as numbers: empty for a miss, `t` for a root, 0 for a hit
-    /// that is only decided, three components of a color, six of a ray.
+    /// Calls the function of `program` that the question is about, and returns the answer as
+    /// numbers: empty for a miss, `t` for a root, 0 for a hit that is only decided, three
+    /// components for a color or vector, six for a ray. A panic in the program is passed on.
     pub fn put_to(&self, program: &dyn Functions) -> Vec<f64> {
         match self {
             Self::Prelude(asked) => Prelude::of(program, |prelude| asked.put_to(prelude)),
@@ -137,8 +141,8 @@ impl Question {
         }
     }
 
-    /// Lists the numbers of the case that the question is about, in the order in which a file of
-    /// answers keeps them.
+    /// Lists all numbers that the question consists of, in the order in which a file of answers has
+    /// them.
     pub fn numbers(&self) -> Vec<f64> {
         match self {
             Self::Prelude(PreludeQuestion { u, v, t, .. }) => {
@@ -193,15 +197,15 @@ fn of<T: Debug>(kind: fn(T) -> Question, strategy: &impl Strategy<Value = T>) ->
     telling_cases(strategy).into_iter().map(kind).collect()
 }
 
-/// Draws the first 250 cases of a strategy, always the same ones: as many as tell mistakes in a
-/// function apart.
+/// Draws the first 250 values of a strategy, always the same ones: so many that different mistakes
+/// in a function give different answers.
 pub fn telling_cases<T: Debug>(strategy: &impl Strategy<Value = T>) -> Vec<T> {
     samples(strategy, TELLING)
 }
 
-/// Returns true if two answers have equally many numbers, and each pair differs by at most 10⁻⁹ ·
-/// (1 + both sizes), about a thousand times the rounding of ordinary questions. Two NaN are equal
-/// here.
+/// Returns true if two answers have equally many numbers, and each pair of them differs by at most
+/// 10⁻⁹ · (1 + both sizes), about a thousand times the rounding of ordinary questions. Two NaN are
+/// equal here, and so are equal infinities.
 pub fn nearly_equal(one: &[f64], other: &[f64]) -> bool {
     let near = |(one, other): (&f64, &f64)| {
         let allowed = 1e-9 * (1.0 + one.abs() + other.abs());
@@ -229,7 +233,8 @@ pub(crate) fn of_hit(asked: &IntervalCase, hit: Option<RecordedHit>) -> Vec<f64>
     [vec![hit.t, f64::from(hit.front_face)], vectors].concat()
 }
 
-/// A ray, a sphere and an open interval of `t`, as a sphere of chapter 5 is asked.
+/// A ray, a sphere and an open interval of `t` in which a hit counts, as the `Sphere::hit` of
+/// chapter 5 takes them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct IntervalCase {
     /// The ray and the sphere.
@@ -240,18 +245,18 @@ pub struct IntervalCase {
     pub t_max: f64,
 }
 
-/// A function from center, radius, ray, `t_min` and `t_max` to the nearest root between the two,
-/// both excluded; `None` for a miss.
+/// A function that takes center, radius, ray, `t_min` and `t_max`, and returns the nearest root
+/// between the two, both excluded, in lengths of the direction; `None` if there is none.
 pub type RangeSolver<'a> = dyn Fn(Point3, f64, &Ray, f64, f64) -> Option<f64> + 'a;
 
 impl IntervalCase {
-    /// Makes a case with the interval from −∞ to ∞.
+    /// Makes a case of a ray and a sphere with the unbounded interval, from −∞ to ∞.
     pub fn on_the_line(case: Case) -> Self {
         let (t_min, t_max) = (f64::NEG_INFINITY, f64::INFINITY);
         Self { case, t_min, t_max }
     }
 
-    /// Returns the answer of `solve` to this case.
+    /// Calls `solve` with the numbers of this case, and returns its answer.
     pub fn solve(&self, solve: &RangeSolver) -> Option<f64> {
         let Case {
             center,

@@ -12,17 +12,19 @@ use crate::question::{code, of_ray};
 use crate::record::normal_bound;
 use crate::verdict::{BrokenLaw, LawResult};
 
-/// A scene that the `ray_color` of a chapter draws.
+/// The scene of a chapter, whose colors a law for `ray_color` expects.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ChapterScene {
-    /// The sky of chapter 1.
+    /// The sky of chapter 1, without a sphere.
     Sky,
-    /// The disc of chapter 2: red where the line meets the ball, before the eye or behind it.
+    /// The disc of chapter 2: red where the ray's line meets the sphere, in front of the ray's
+    /// origin or behind it, and else the sky.
     Disc,
-    /// The ball of chapters 3 and 4, in the colors of its outward normals, where the nearer root is
-    /// positive.
+    /// The sphere of chapters 3 and 4, in the colors of its outward normals where the nearer root
+    /// is positive, and else the sky.
     Ball,
-    /// The ball and the ground of chapter 5, in the colors of the normals against the ray.
+    /// The sphere and the ground of chapter 5, in the colors of the normals that point against the
+    /// ray, and else the sky.
     List,
 }
 
@@ -32,9 +34,11 @@ struct Expected {
     bound: f64,
 }
 
-/// Tests that `color` is the color of what `ray` meets in the scene, wherever the ray starts.
+/// Tests that `color`, which a chapter's `ray_color` returned for `ray`, is the color of what the
+/// ray meets in the scene, wherever the ray starts.
 ///
-/// Makes no claim where rounding may decide about a hit, or a number of the ray is infinite or NaN.
+/// Makes no claim where rounding may decide about a hit, or where a number of the ray is infinite
+/// or NaN.
 ///
 /// # Errors
 /// The broken law, if `color` differs by more than rounding.

@@ -14,32 +14,32 @@ use crate::strategies::{anywhere, integers, ordinary, ordinary_with_interval, wi
 use crate::trial::LawSuite;
 use crate::verdict::{BrokenLaw, LawResult};
 
-/// A record of a hit, as the `Sphere::hit` of chapter 5 answers.
+/// The record of a hit that a program's `Sphere::hit` returned, as in chapter 5.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RecordedHit {
     /// The ray parameter, in lengths of the ray's direction.
     pub t: f64,
-    /// The point on the sphere.
+    /// The point where the ray meets the sphere.
     pub point: Point3,
-    /// The normal, which should be a unit vector against the ray.
+    /// The normal at the point: a unit vector against the ray, if the program is right.
     pub normal: Vec3,
-    /// True if the ray met the outer side of the sphere.
+    /// True if the ray met the sphere from outside.
     pub front_face: bool,
 }
 
-/// A function from a ray, a sphere and an interval to the record of the nearest hit in it; `None`
-/// for a miss.
+/// A function like the `Sphere::hit` of chapter 5: takes a ray, a sphere and an interval, and
+/// returns the record of the nearest hit in it; `None` for a miss.
 pub type RecordSolver<'a> = dyn Fn(&IntervalCase) -> Option<RecordedHit> + 'a;
 
 /// The page that explains `set_face_normal`.
 pub(crate) const SET_FACE_NORMAL: &str = "chapter 5: `set_face_normal`";
 
-/// Tests all laws for a record on one case, in the order in which they teach most: those of its `t`
-/// as a nearer root for an interval of the whole line, then those of intervals, of the point, and
-/// of the normal.
+/// Tests all laws for a record on the answers of `record` for one ray and sphere, those that teach
+/// most first: laws of its `t` for the interval of `asked` and for the unbounded one, then those of
+/// its point, its normal and its face.
 ///
 /// # Errors
-/// The first law that the answer of `record` breaks.
+/// The first law that an answer breaks.
 pub fn obeys_every_law(record: &RecordSolver, asked: &IntervalCase) -> LawResult {
     let solve = |center, radius, ray: &Ray, t_min, t_max| {
         let case = Case::new(center, radius, *ray);

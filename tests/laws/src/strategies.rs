@@ -21,8 +21,9 @@ use crate::list::World;
 use crate::oracle::ExactCase;
 use crate::question::IntervalCase;
 
-/// Returns the configuration of every proptest here: each run makes equal cases, so that a failure
-/// is never luck. `PROPTEST_RNG_SEED` chooses other cases, and `PROPTEST_CASES` how many.
+/// Returns the configuration of every property test: each run makes equal cases, so that a failure
+/// is never luck. The environment variable `PROPTEST_RNG_SEED` chooses other cases, and
+/// `PROPTEST_CASES` their number.
 ///
 /// Random numbers come by xorshift: cargo builds dependencies without optimization, and proptest's
 /// usual ChaCha would then take three quarters of the time.
@@ -41,7 +42,8 @@ pub fn config() -> Config {
     }
 }
 
-/// Draws the first `count` values of a strategy, without shrinking, always the same ones.
+/// Draws the first `count` values of a strategy, always the same ones, in the order in which a test
+/// would try them.
 ///
 /// # Panics
 /// If the strategy filters out too many values; none here filters.
@@ -55,13 +57,13 @@ pub fn samples<T: std::fmt::Debug>(strategy: &impl Strategy<Value = T>, count: u
     (0..count).map(sample).collect()
 }
 
-/// Makes the cases of [`ordinary`], each with an interval.
+/// Makes the rays and spheres of [`ordinary`], each with an interval from [`with_interval`].
 pub fn ordinary_with_interval() -> impl Strategy<Value = IntervalCase> {
     with_interval(ordinary())
 }
 
 /// Makes rays and spheres near and far, from inside and behind, with directions of any length.
-/// Rounding decides none of them, except that some are exact tangents.
+/// Rounding decides none of the hits, except that some rays are exact tangents.
 pub fn ordinary() -> impl Strategy<Value = Case> {
     prop_oneof![
         3 => integers(),
@@ -74,7 +76,8 @@ pub fn ordinary() -> impl Strategy<Value = Case> {
     ]
 }
 
-/// Makes cases of every other strategy in this module, ordinary and special.
+/// Makes rays and spheres by any of the strategies here, from small whole numbers to those where
+/// rounding decides.
 pub fn anywhere() -> impl Strategy<Value = Case> {
     prop_oneof![
         integers(),
@@ -101,7 +104,7 @@ pub fn pixels() -> impl Strategy<Value = CameraPixel> {
     })
 }
 
-/// Makes rays of pixels, with one of the two spheres of the book's last scene.
+/// Makes rays that the book's camera casts, each with one of the two spheres of chapter 5.
 pub fn book_rays() -> impl Strategy<Value = Case> {
     let ball = (Point3::new(0.0, 0.0, -1.0), 0.5);
     let ground = (Point3::new(0.0, -100.5, -1.0), 100.0);
@@ -111,7 +114,7 @@ pub fn book_rays() -> impl Strategy<Value = Case> {
     })
 }
 
-/// Makes cases of small whole numbers, whose answers can be checked by hand.
+/// Makes rays and spheres of small whole numbers, so that answers can be checked by hand.
 pub fn integers() -> impl Strategy<Value = Case> {
     (whole_vector(9), 1..=9, whole_vector(9), whole_vector(9)).prop_map(
         |(oc, radius, origin, direction)| {
@@ -122,8 +125,8 @@ pub fn integers() -> impl Strategy<Value = Case> {
     )
 }
 
-/// Makes rays that start inside, in the center or at a right angle to the way there: h is 0
-/// exactly, because all numbers are whole.
+/// Makes rays that start inside of a sphere, in its center or at a right angle to the vector to it:
+/// h = d·oc is 0 exactly, because all numbers are whole.
 pub fn across() -> impl Strategy<Value = Case> {
     let turn = prop_oneof![Just(Vec3::ZERO), whole_vector(3)];
     (whole_vector(9), whole_vector(3), turn, 1..=9).prop_map(|(origin, direction, turn, depth)| {
@@ -134,12 +137,14 @@ pub fn across() -> impl Strategy<Value = Case> {
     })
 }
 
-/// Makes lines that pass the center at a distance of r·(1 ± 10⁻ᵏ): just inside, just outside.
+/// Makes rays whose line passes the center of a sphere at a distance of r·(1 ± 10⁻ᵏ), just inside
+/// or just outside, for k in the range.
 pub fn grazing(k: RangeInclusive<f64>) -> impl Strategy<Value = Case> {
     aimed(Just(3.0), about_one(k))
 }
 
-/// Makes spheres whose center is 10ᵏ radii away from the ray's origin, aimed at within 1.2 radii.
+/// Makes spheres whose center is 10ᵏ radii away from the ray's origin, for k in the range; the line
+/// passes the center within 1.2 radii.
 pub fn far(k: RangeInclusive<f64>) -> impl Strategy<Value = Case> {
     aimed(number(k).prop_map(|k| 10f64.powf(k)), number(0.0..=1.2))
 }
@@ -164,13 +169,13 @@ fn aimed(
     )
 }
 
-/// Makes rays in any direction from r·(1 ± 10⁻ᵏ) away from the center, as one that is reflected by
-/// the surface starts.
+/// Makes rays in any direction that start at a distance of r·(1 ± 10⁻ᵏ) from the center, for k in
+/// the range, as rays do that are reflected by the surface.
 pub fn near_the_surface(k: RangeInclusive<f64>) -> impl Strategy<Value = Case> {
     from(about_one(k))
 }
 
-/// Makes rays in any direction from anywhere inside the sphere.
+/// Makes rays in any direction from anywhere inside of a sphere.
 pub fn inside() -> impl Strategy<Value = Case> {
     from(number(0.0..=1.0))
 }
@@ -194,7 +199,8 @@ fn sign() -> impl Strategy<Value = f64> {
     prop_oneof![Just(1.0), Just(-1.0)]
 }
 
-/// Makes rays in any direction from 0.01 to 10 above a ground sphere of radius 10ᵏ.
+/// Makes rays in any direction that start 0.01 to 10 units above a ground sphere of radius 10ᵏ, for
+/// k in the range.
 pub fn above_the_ground(k: RangeInclusive<f64>) -> impl Strategy<Value = Case> {
     (number(k), number(0.01..=10.0), unit()).prop_map(|(k, height, direction)| {
         let radius = 10f64.powf(k);
@@ -203,8 +209,8 @@ pub fn above_the_ground(k: RangeInclusive<f64>) -> impl Strategy<Value = Case> {
     })
 }
 
-/// Makes lines that touch a sphere exactly, from right triangles with whole sides: every operation
-/// of the quadratic is exact, too.
+/// Makes rays whose line touches a sphere exactly, from right triangles with whole sides: every
+/// operation of the quadratic is exact, too.
 pub fn tangents() -> impl Strategy<Value = Case> {
     let legs_and_hypotenuse = vec![[3.0, 4.0, 5.0], [5.0, 12.0, 13.0], [8.0, 15.0, 17.0]];
     // In three planes, so that each letter of a dot product has its turn.
@@ -230,8 +236,8 @@ pub fn tangents() -> impl Strategy<Value = Case> {
         })
 }
 
-/// Makes rays that start on the sphere and go inside: the nearer root is 0 exactly, and no
-/// operation rounds.
+/// Makes rays that start on a sphere and go inside: the nearer root is 0 exactly, and no operation
+/// rounds.
 pub fn on_the_surface() -> impl Strategy<Value = Case> {
     // The sides of boxes whose diagonal is a whole number.
     let boxes = vec![
@@ -251,7 +257,8 @@ pub fn on_the_surface() -> impl Strategy<Value = Case> {
     )
 }
 
-/// Makes cases of numbers from 2⁻²⁰ to 2²⁰ in size, all sizes equally likely.
+/// Makes rays and spheres of numbers from 2⁻²⁰ to 2²⁰ in size, all orders of magnitude equally
+/// likely.
 pub fn log_uniform() -> impl Strategy<Value = Case> {
     let sized = (number(-20.0..=20.0), sign()).prop_map(|(k, sign)| sign * f64::exp2(k));
     uniform10(sized).prop_map(|numbers| {
@@ -263,15 +270,15 @@ pub fn log_uniform() -> impl Strategy<Value = Case> {
     })
 }
 
-/// Makes rays at an ordinary sphere, with directions from 1e-150 to 1e150 long.
+/// Makes rays at an ordinary sphere, with directions from 10⁻¹⁵⁰ to 10¹⁵⁰ units long.
 pub fn exponents() -> impl Strategy<Value = Case> {
     (number(-150.0..=150.0), far(0.5..=0.5)).prop_map(|(exponent, case)| {
         case.with_ray(case.ray.origin, 10f64.powf(exponent) * case.ray.direction)
     })
 }
 
-/// Adds intervals to cases, with ends near and between the roots, exactly at one, far from them, or
-/// infinite. Few are empty.
+/// Adds to each ray and sphere an interval with ends near and between the roots, exactly at one,
+/// far from them, or infinite. Few intervals are empty.
 pub fn with_interval(cases: impl Strategy<Value = Case>) -> impl Strategy<Value = IntervalCase> {
     let end = || {
         prop_oneof![
@@ -293,8 +300,8 @@ pub fn with_interval(cases: impl Strategy<Value = Case>) -> impl Strategy<Value 
     })
 }
 
-/// Makes worlds of up to three spheres around the eye with whole numbers, which can be checked by
-/// hand.
+/// Makes lists of up to three spheres around the eye, with a ray, of whole numbers that can be
+/// checked by hand.
 pub fn whole_worlds() -> impl Strategy<Value = World> {
     let radius = (1..=3).prop_map(f64::from);
     (vec((whole_vector(4), radius), 1..4), whole_vector(3)).prop_map(|(spheres, direction)| World {
@@ -305,8 +312,8 @@ pub fn whole_worlds() -> impl Strategy<Value = World> {
     })
 }
 
-/// Makes worlds of up to eleven spheres around one that the ray is aimed at: before it, behind it,
-/// or overlapping it.
+/// Makes lists of up to eleven spheres, with a ray that is aimed at one of them; the others lie in
+/// front of it, behind it, or overlap it.
 pub fn worlds() -> impl Strategy<Value = World> {
     let asked = with_interval(prop_oneof![
         integers(),
@@ -356,7 +363,7 @@ pub fn number(range: RangeInclusive<f64>) -> impl Strategy<Value = f64> {
     })
 }
 
-/// Returns the direction, or (0, 0, −1) for a direction of zero, which points nowhere.
+/// Returns the direction, or (0, 0, −1) if it is zero and points nowhere.
 pub fn ahead_if_zero(direction: Vec3) -> Vec3 {
     if direction == Vec3::ZERO {
         Vec3::NEG_Z
@@ -372,7 +379,7 @@ pub fn whole_vector(most: i32) -> impl Strategy<Value = Vec3> {
         .prop_map(|(x, y, z)| Vec3::new(f64::from(x), f64::from(y), f64::from(z)))
 }
 
-/// Makes centers with components from −9 to 9, with radii from 0.01 to 100.
+/// Makes pairs of a center, with components from −9 to 9, and a radius from 0.01 to 100.
 pub fn ordinary_sphere() -> impl Strategy<Value = (Point3, f64)> {
     let place = || number(-9.0..=9.0);
     (place(), place(), place(), number(-2.0..=2.0))

@@ -51,9 +51,9 @@ use crate::verdict::{BrokenLaw, Complaint, LawResult, Outcome};
 /// ```
 #[derive(Clone, Debug)]
 pub struct Trial {
-    /// The number of cases on which each law is tried, for each kind of case.
+    /// On how many cases each law is tried, for each kind of case, such as whole numbers.
     pub cases: u32,
-    /// The file to which answers and verdicts are appended; `None` to keep none.
+    /// The file to which answers and verdicts are appended; `None` if none is kept.
     pub answers: Option<PathBuf>,
 }
 
@@ -94,7 +94,8 @@ pub(crate) struct LawSuite<'a, Q> {
 }
 
 impl Trial {
-    /// Tries a function that only decides whether the line meets the sphere, as in chapter 2.
+    /// Tries a function that only decides whether the ray's line meets the sphere, as the
+    /// `hit_sphere` of chapter 2.
     ///
     /// # Errors
     /// The smallest case found that breaks a law, or the place of a `todo!()`.
@@ -108,7 +109,7 @@ impl Trial {
         })
     }
 
-    /// Tries a function that returns the nearer root, as in chapters 3 and 4.
+    /// Tries a function that returns the nearer root, as the `hit_sphere` of chapters 3 and 4.
     ///
     /// # Errors
     /// The smallest case found that breaks a law, or the place of a `todo!()`.
@@ -116,8 +117,9 @@ impl Trial {
         self.put(&nearer_root::suite(solve))
     }
 
-    /// Tries a function that returns the record of the nearest hit between `t_min` and `t_max`, as
-    /// the sphere of chapter 5. On the whole line, its `t` is the nearer root.
+    /// Tries a function that returns the record of the nearest hit in an interval, as the
+    /// `Sphere::hit` of chapter 5. For an unbounded interval, the record's `t` must be the nearer
+    /// root.
     ///
     /// # Errors
     /// The smallest case found that breaks a law, or the place of a `todo!()`.
@@ -125,8 +127,8 @@ impl Trial {
         self.put(&record::suite(record))
     }
 
-    /// Tries a list that is searched for the nearest hit of its spheres, against the spheres' own
-    /// answers by `record`.
+    /// Tries `search`, a list's search for the nearest hit of its spheres, as the
+    /// `HittableList::hit` of chapter 5. Each sphere's own answer comes from `record`.
     ///
     /// # Errors
     /// The smallest case found that breaks a law, or the place of a `todo!()`.
@@ -158,8 +160,9 @@ impl Trial {
         self.kept("list", outcome)
     }
 
-    /// Tries the functions of a prelude, up to the first that breaks a law: those after it may be
-    /// built on it. A `todo!()` is reported only if no function breaks a law.
+    /// Tries the operators and functions of a program's own vectors and rays, up to the first that
+    /// breaks a law: those after it may be built on it. A `todo!()` is reported only if no function
+    /// breaks a law.
     ///
     /// # Errors
     /// The smallest case found that breaks a law, or the place of a `todo!()`.
@@ -187,7 +190,7 @@ impl Trial {
         outcome
     }
 
-    /// Tries the function that returns the ray of a pixel.
+    /// Tries the function of a camera that returns the ray through a pixel.
     ///
     /// # Errors
     /// The smallest case found that breaks a law, or the place of a `todo!()`.
@@ -205,8 +208,8 @@ impl Trial {
         })
     }
 
-    /// Tries the `ray_color` of a scene on rays that the book's camera never casts. Makes no claim,
-    /// and returns `Ok`, where the book's own picture is wrong already.
+    /// Tries the `ray_color` of a chapter's scene on rays that the book's camera never casts. Makes
+    /// no claim, and returns `Ok`, where the book's own picture is wrong already.
     ///
     /// # Errors
     /// The smallest case found that breaks a law, or the place of a `todo!()`.
@@ -228,8 +231,8 @@ impl Trial {
         }
     }
 
-    /// Tries the function of a record that turns the normal, which can be asked before there is a
-    /// sphere. Its report has no answers and no test.
+    /// Tries the function that turns a normal against the ray, which needs no sphere, as the
+    /// `set_face_normal` of chapter 5. Its report has no answers and no test.
     ///
     /// # Errors
     /// The smallest case found that breaks the law, or the place of a `todo!()`.

@@ -7,20 +7,20 @@ use proptest::test_runner::TestCaseError;
 
 use crate::answers::Answers;
 
-/// The result of one law on one case: `Ok` if the law holds. In a proptest, `?` turns the broken
-/// law into the reason of the failure.
+/// The result of one law for one case: `Ok` if the law holds. In a property test, `?` turns the
+/// broken law into the reason of the failure.
 pub type LawResult = Result<(), BrokenLaw>;
 
 /// A law that the answer to a case breaks, in words for its reader.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BrokenLaw {
-    /// The law as a sentence.
+    /// The law as a sentence without a full stop.
     pub law: Cow<'static, str>,
-    /// The answer of the function.
+    /// The wrong answer of the function, in one line.
     pub found: String,
-    /// The answers that the law allows.
+    /// The answers that the law allows, in one line.
     pub allowed: String,
-    /// The page or equation that explains the law.
+    /// The chapter and the equation or function that explain the law.
     pub read: Cow<'static, str>,
 }
 
@@ -40,14 +40,16 @@ pub enum Complaint {
 /// A report on a function that breaks a law: the smallest case found, and all answers up to it.
 #[derive(Clone, Debug)]
 pub struct Report {
-    /// The broken law, with the answer to the smallest case.
+    /// The law that the answer to the smallest case breaks, with that answer.
     pub broken: BrokenLaw,
-    /// The answers of the function; the last is that to the smallest case. May be empty.
+    /// The answers of the tried function, in the order in which it was asked; the last is that to
+    /// the smallest case. Empty if they are not recorded.
     pub answers: Answers,
-    /// The known mistakes that give equal answers, a line each. Empty until a judge fills them in:
-    /// this package knows no mistakes.
+    /// The known mistakes that give equal answers, one line for each. Empty until a judge fills
+    /// them in: this package knows no mistakes.
     pub same_as: Vec<String>,
-    /// The body of a test that asks about the smallest case again; empty if there is none.
+    /// The body of a `#[test]` that asks about the smallest case again, as Rust code in several
+    /// lines; empty if there is none.
     pub test: String,
 }
 
@@ -67,9 +69,9 @@ impl Complaint {
 /// A line of a report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ReportRow<'a> {
-    /// The label of the text, such as `found`; empty if the text continues the row above.
+    /// The label of the row, such as `found`; empty if the row continues the one above.
     pub label: &'a str,
-    /// The text.
+    /// The text behind the label, one line.
     pub text: &'a str,
 }
 
@@ -104,7 +106,7 @@ impl Report {
     }
 }
 
-/// Lays out rows as lines, with their texts in one column.
+/// Formats rows as one line each, with all texts in one column and no newline at the end.
 pub fn rows_as_text<'a>(rows: impl IntoIterator<Item = ReportRow<'a>>) -> String {
     let line = |ReportRow { label, text }| match label {
         "" => format!("          {text}"),
@@ -149,7 +151,7 @@ impl From<BrokenLaw> for TestCaseError {
     }
 }
 
-/// Ends a test: panics with the text of the error, if there is one.
+/// Ends a test: panics with the text of the error, if `outcome` is one.
 ///
 /// # Panics
 /// If `outcome` is an error.
