@@ -76,7 +76,21 @@ impl Commands<'_> {
     }
 }
 
-impl Attempt<'_> {
+impl<'a> Attempt<'a> {
+    /// Makes the attempt at a task that was named, of a reader who hands in a picture alone: without
+    /// name and flaw, and without functions that the laws could ask.
+    pub fn new(task: Task, context: &'a Context<'a>) -> Self {
+        Self {
+            task,
+            is_guessed: false,
+            name: String::new(),
+            flaw: None,
+            context,
+            laws: None,
+            commands: Commands::of_pictures(task),
+        }
+    }
+
     /// Puts the verdict on the picture into an answer.
     ///
     /// A picture that is not recognized, though its task was guessed, is called so. A law that the

@@ -1,4 +1,4 @@
-//! A function in any language: how its lines are read, and what is a manner and no mistake.
+//! Functions in any language: the parsing of their lines, and manners that are no mistakes.
 
 use check::any_language::{FunctionKind, FunctionVerdict, Manner, NoAnswer, try_laws};
 use common::rtweekend::*;
@@ -18,7 +18,7 @@ fn verdict(function: FunctionKind, solve: Solve) -> FunctionVerdict {
     })
 }
 
-/// The roots of the book, if the discriminant is as it should be.
+/// Solves the quadratic as the book does, if `meets` holds for the discriminant.
 fn roots(case: &Case, meets: fn(&f64) -> bool) -> Option<[f64; 2]> {
     let sqrtd = Some(case.discriminant()).filter(meets)?.sqrt();
     Some([(case.h() - sqrtd) / case.a(), (case.h() + sqrtd) / case.a()])

@@ -1,5 +1,5 @@
-//! A right picture tells what it can't show, and a picture of another scene which one
-//! it is.
+//! Tests of blind spots: the mistakes that a right picture hides, and the next picture that shows
+//! them; and of pictures of other scenes.
 
 use check::blind_spots;
 use check::context::Context;
@@ -10,7 +10,7 @@ use check::verdict::Verdict;
 use slips::Chapter;
 use slips::{self, PROBES, Probe, Slip, Unseen};
 
-/// The width of a probe: the height is rounded there.
+/// The width of a probe at which the height is rounded.
 const WIDTH: u32 = 227;
 
 #[test]
@@ -31,7 +31,7 @@ fn those_slips_are_hidden_that_draw_the_right_picture() {
     }
 }
 
-/// Again and again the next one, until only laws show what is left, and none twice.
+/// The next picture is drawn until only laws show the mistakes that are left, and none comes twice.
 #[test]
 fn the_next_picture_shows_what_it_is_said_to_show() {
     for chapter in [Chapter::Gradient, Chapter::Normals] {

@@ -15,7 +15,7 @@ const NORMALS: Chapter = Chapter::Normals;
 const HALF_B: Chapter = Chapter::HalfBSphere;
 const LIST: Chapter = Chapter::HittableList;
 
-/// What stands in a chapter, and wrong in its place.
+/// A chapter, a piece of its text, and the wrong text that takes its place.
 const MISTAKES: [(Chapter, &str, &str); 12] = [
     (
         GRADIENT,
@@ -74,7 +74,7 @@ fn the_edit_that_draws_a_picture_is_among_at_most_three_that_are_named() {
     }
 }
 
-/// Each draws only sky, as many other mistakes do. Only a line that stands in the file is named.
+/// Many mistakes draw only sky: the one whose line stands in the file is named.
 #[test]
 fn of_all_edits_that_draw_only_sky_the_one_that_was_typed_is_named() {
     const TYPED: &str = "\

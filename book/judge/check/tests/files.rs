@@ -25,7 +25,7 @@ def hit_sphere(center, radius, r):
     return (h - math.sqrt(discriminant)) / a
 ";
 
-/// Each change of the text in Python, and the same in the chapter.
+/// Pairs of edits: of the text in Python, and of the chapter.
 #[test]
 fn a_readers_line_is_named_if_the_chapter_with_it_draws_the_readers_picture() {
     for ([old, new], [right, wrong]) in [
@@ -83,7 +83,7 @@ fn a_readers_line_of_the_camera_is_named() {
     );
 }
 
-/// Returns true if the changed line of the program is named, and nothing beside the right one.
+/// Asserts that the changed line of the program is named, and no line of the right program.
 fn is_named_alone(picture: &[u8], right: &str, wrong: &str) {
     let task = Task::of(Chapter::HalfBSphere);
     assert!(PROGRAM.contains(right), "{right}");
@@ -95,7 +95,7 @@ fn is_named_alone(picture: &[u8], right: &str, wrong: &str) {
     assert!(rows.iter().all(|it| it.kind != RowKind::Yours), "{rows:?}");
 }
 
-/// Only sky is drawn by dozens of mistakes: of these none is named whose right line is there.
+/// Dozens of mistakes draw only sky: none is named whose right line stands in the file.
 #[test]
 fn what_a_readers_line_refutes_is_not_named() {
     let task = Task::of(Chapter::HalfBSphere);
@@ -126,7 +126,7 @@ int main() {
 }
 ";
 
-/// It draws the very picture, and whether the reader's line is it nobody knows.
+/// The mistake draws exactly the picture, but the file has no line that could be its own.
 #[test]
 fn a_mistake_is_only_a_perhaps_beside_a_text_that_does_not_have_its_line() {
     let task = Task::of(Chapter::HittableList);
@@ -146,7 +146,7 @@ fn a_mistake_is_only_a_perhaps_beside_a_text_that_does_not_have_its_line() {
     }
 }
 
-/// A ball of radius 0 is not seen.
+/// In C++, `1 / 2` is 0, and a ball of radius 0 is not seen.
 #[test]
 fn whole_numbers_are_divided_as_cpp_does() {
     let task = Task::of(Chapter::HittableList);

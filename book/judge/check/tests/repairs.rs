@@ -13,8 +13,7 @@ use check::task::Task;
 use check::verdict::Verdict;
 use slips::{Chapter, ChapterProgram, ReaderLanguage, steps};
 
-/// Chapters, whether in their own text or in another form, and what stands there wrong for what
-/// is right.
+/// Right programs, each with a line of it and the wrong text that takes its place.
 const MISTAKES: [(Text, &str, &str); 56] = [
     (GRADIENT, "unit_direction.y + 1.0", "unit_direction.y - 1.0"),
     (GRADIENT, "unit_direction.y + 1.0", "unit_direction.z + 1.0"),
@@ -126,7 +125,7 @@ const MISTAKES: [(Text, &str, &str); 56] = [
     ),
 ];
 
-/// What is wrong in these is said to be right in words that are more like the chapter's.
+/// Wrong texts whose repair is shown in other words than those that were there: the chapter's.
 const IN_OTHER_WORDS: [(&str, &str); 2] = [
     (GROUND, "100.0"),
     (
@@ -135,7 +134,7 @@ const IN_OTHER_WORDS: [(&str, &str); 2] = [
     ),
 ];
 
-/// No ray of the picture meets the ground of this helper: it is step 1 to the last bit.
+/// A helper whose ground no ray of the picture meets, so that the picture is step 1 to the last bit.
 const GROUND: &str = "ground()));
     world
 }
@@ -144,13 +143,13 @@ fn ground() -> f64 {
     10.0
 ";
 
-/// A right program.
+/// A right program: a chapter's, or one in another form.
 #[derive(Clone, Copy)]
 struct Text {
     chapter: Chapter,
-    /// The text in another form than the chapter's.
+    /// The chapter's text in another form; `None` for its own.
     other: Option<&'static str>,
-    /// What the sphere's color is in the place of the chapter's, as far as a step.
+    /// The color of the sphere after a step; `None` for the whole chapter.
     color: Option<&'static str>,
     /// True if the prelude is the reader's own, too.
     has_a_prelude: bool,
@@ -214,7 +213,7 @@ fn each_mistake_is_named_by_its_line_and_by_what_was_tried() {
     assert!(missed.is_empty(), "\n{missed}");
 }
 
-/// Returns what is said instead of the line that is right.
+/// Returns the rows of the answer if they don't name the right line.
 fn missed(&(text, right, wrong): &(Text, &str, &str)) -> Option<String> {
     let files = text.files();
     let at = files.iter().position(|it| it.text.contains(right));
@@ -270,8 +269,8 @@ impl Text {
     }
 }
 
-/// The rows about a program that draws its picture in the interpreter. If it is wrong, it breaks
-/// a law where the picture is right.
+/// Judges a program by the picture that it draws in the interpreter, and returns the rows of the
+/// answer. A wrong program with a right picture breaks a law.
 fn said(chapter: Chapter, files: &[SourceFile], is_wrong: bool) -> Vec<Row> {
     let mut read = files.to_vec();
     read.sort_by_key(|it| it.name != "src/lib.rs");

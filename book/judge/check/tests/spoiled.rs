@@ -1,8 +1,8 @@
-//! Fuzzing: good files are spoiled, and whatever comes of it is answered sanely.
+//! Fuzzing: bytes of good files are changed, and the answer to each result is sane.
 //!
 //! For a longer campaign `PROPTEST_CASES` says how many files are spoiled.
 
-use check::attempt::{Attempt, Commands};
+use check::attempt::Attempt;
 use check::context::Context;
 use check::judge_file;
 use check::png;
@@ -58,18 +58,18 @@ fn pictures(task: Task) -> impl Strategy<Value = Vec<u8>> {
     prop_oneof![1 => shaped, 3 => drawn]
 }
 
-/// What happens to a few bytes of a file.
+/// A damage to a few neighboring bytes of a file.
 #[derive(Clone, Copy, Debug)]
 enum Damage {
-    /// The file ends there.
+    /// The file ends before the bytes.
     CutOff,
-    /// They are taken out.
+    /// The bytes are taken out.
     Lost,
-    /// One of the words that numbers and headers are sensitive to stands there.
+    /// A word to which numbers or headers are sensitive stands in the place of the bytes.
     Replaced(&'static [u8]),
-    /// They follow the file once more.
+    /// The bytes follow the file once more.
     Repeated,
-    /// A bit of the first is another.
+    /// The bit of this index is flipped in the first byte.
     Flipped(u8),
 }
 
@@ -143,16 +143,7 @@ fn assert_sane(task: Task, bytes: &[u8], answer: Verdict) {
 }
 
 fn assert_says_something(task: Task, verdict: Verdict) {
-    let attempt = Attempt {
-        task,
-        is_guessed: false,
-        name: "it".to_owned(),
-        flaw: None,
-        context: &Context::default(),
-        laws: None,
-        commands: Commands::of_pictures(task),
-    };
-    let answer = attempt.answer(verdict);
+    let answer = Attempt::new(task, &Context::default()).answer(verdict);
     assert_readable(&answer.headline.to_string());
     let next = Some(&answer.next).filter(|next| !next.is_empty());
     let rows = answer.rows.iter().map(|row| &row.text);

@@ -1,7 +1,7 @@
-//! A picture that is right says nothing of a function that no ray of it needs.
+//! A right picture whose program has a `todo!()` in a function that no ray needs.
 
 use check::answer::Answer;
-use check::attempt::{Attempt, Commands, LawsStatus};
+use check::attempt::{Attempt, LawsStatus};
 use check::context::Context;
 use check::judge_file;
 use check::task::Task;
@@ -14,13 +14,8 @@ fn answer(text: &str, laws: &LawsStatus) -> Answer {
         ..Context::default()
     };
     let attempt = Attempt {
-        task,
-        is_guessed: false,
-        name: String::new(),
-        flaw: None,
-        context: &context,
         laws: Some(laws),
-        commands: Commands::of_pictures(task),
+        ..Attempt::new(task, &context)
     };
     attempt.answer(judge_file(&task, text.as_bytes(), 0, &context))
 }

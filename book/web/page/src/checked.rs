@@ -6,7 +6,7 @@
 use std::iter;
 
 use check::answer::{Answer, Pictures};
-use check::attempt::{Attempt, Commands};
+use check::attempt::Attempt;
 use check::context::Context;
 use check::html::{HostPage, details, escaped, headline};
 use check::reading::{self, Cause, MOST_PIXELS, Reading};
@@ -166,13 +166,10 @@ fn judged(request: CheckRequest, reading: Reading, foreign: Option<Cause>) -> Ch
         other => other.finding().map_or(task, |finding| finding.task),
     };
     let attempt = Attempt {
-        task,
         is_guessed,
         name: request.name,
         flaw: reading.flaw.clone(),
-        context: &context,
-        laws: None,
-        commands: Commands::of_pictures(task),
+        ..Attempt::new(task, &context)
     };
     let answer = attempt.answer(verdict);
     CheckResponse {

@@ -185,11 +185,6 @@ impl Draft {
         };
         let name = self.chapter.name();
         let attempt = Attempt {
-            task,
-            is_guessed: false,
-            name: String::new(),
-            flaw: None,
-            context: &context,
             laws: laws.as_ref(),
             commands: Commands {
                 judge: Box::new(|probe| {
@@ -203,6 +198,7 @@ impl Draft {
                 start: None,
                 test: "",
             },
+            ..Attempt::new(task, &context)
         };
         let reading = Reading::of(picture);
         attempt.answer(judge(&task, &reading, 0, &context))

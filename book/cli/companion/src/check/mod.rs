@@ -9,7 +9,7 @@ use std::process::ExitCode;
 use std::time::Duration;
 
 use check::answer::{Answer, Row, RowKind};
-use check::attempt::{Attempt, Commands};
+use check::attempt::Attempt;
 use check::context::Context;
 use check::html::{self, HostPage};
 use check::names::{self, companion_command};
@@ -184,13 +184,10 @@ impl Arguments {
             }
         };
         let attempt = Attempt {
-            task,
             is_guessed,
             name: source.to_string(),
             flaw,
-            context,
-            laws: None,
-            commands: Commands::of_pictures(task),
+            ..Attempt::new(task, context)
         };
         Ok((attempt, verdict))
     }

@@ -278,11 +278,6 @@ impl WatchedProgram {
             },
         };
         let attempt = Attempt {
-            task: self.task,
-            is_guessed: false,
-            name: String::new(),
-            flaw: None,
-            context: &context,
             laws: match &asked {
                 None if self.misses_laws.get() => Some(&LawsStatus::Coming),
                 asked => asked.as_ref().map(|it| &it.outcome),
@@ -292,6 +287,7 @@ impl WatchedProgram {
                 start: Some(Box::new(|chapter| self.start(chapter))),
                 test: "cargo test, in the folder of your crate, shows more",
             },
+            ..Attempt::new(self.task, &context)
         };
         let mut answer = attempt.answer(judge_file(&self.task, bytes, 0, &context));
         if answer.is_right() && !is_crate && ASKED.contains(&chapter) {

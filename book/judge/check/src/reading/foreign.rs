@@ -63,7 +63,7 @@ const FAULTS: [FileFault; 4] = [
     (
         |text| text.is_empty(),
         "empty",
-        "the file is empty",
+        "the content is empty",
         "Did the program stop with an error, or print to standard error? The picture goes to standard output.",
     ),
     (
@@ -117,7 +117,7 @@ pub(super) fn cause(bytes: &[u8]) -> Cause {
     Cause::new(
         "not-a-picture",
         format!(
-            "the file begins with {line:?}, and a picture begins with P3, P6 or the mark of a PNG"
+            "the first line begins with {line:?}, and a picture begins with P3, P6 or the mark of a PNG"
         ),
         "Send only the picture to standard output, the header first. Messages go to standard error.",
     )

@@ -4,7 +4,7 @@ mod changes;
 
 use std::{slice, thread};
 
-use check::attempt::{Attempt, Commands};
+use check::attempt::Attempt;
 use check::context::Context;
 use check::mistake_name;
 use check::reading::Reading;
@@ -146,15 +146,8 @@ fn unnamed_in(slip: &'static Slip, chapter: Chapter, width: u32, way: Way) -> St
 
 /// Lays out the answer in a terminal of 80 characters.
 fn laid_out(chapter: Chapter, verdict: Verdict) -> Vec<String> {
-    let attempt = Attempt {
-        task: Task::of(chapter),
-        is_guessed: false,
-        name: "picture.ppm".to_owned(),
-        flaw: None,
-        context: &Context::default(),
-        laws: None,
-        commands: Commands::of_pictures(Task::of(chapter)),
-    };
+    let context = Context::default();
+    let attempt = Attempt::new(Task::of(chapter), &context);
     let style = Style { is_colored: false };
     answer_lines(&attempt.answer(verdict), style, 80, MOST_LINES)
 }
