@@ -76,7 +76,7 @@ fn assert_lawful(chapter: Chapter, attempt: impl Fn(&Trial) -> Outcome) {
 
 /// Tries the small functions on which every later chapter stands, and the camera.
 pub(crate) fn rays_are_lawful(trial: &Trial) -> Outcome {
-    trial.prelude(&Prelude::right())?;
+    trial.prelude(&Prelude::of_common())?;
     trial.pixel_ray(&|pixel: &CameraPixel| Camera::new(pixel.width).ray(pixel.i, pixel.j))
 }
 
@@ -85,7 +85,7 @@ pub(crate) fn rays_are_lawful(trial: &Trial) -> Outcome {
 fn what_was_once_special_is_solved() {
     let on_the_line = |center, radius, ray: &Ray| {
         let case = Case::new(center, radius, *ray);
-        record(&IntervalCase::on_the_line(case)).map(|hit| hit.t)
+        record(&IntervalCase::unbounded(case)).map(|hit| hit.t)
     };
     let solvers: [&Solver; 3] = [
         &normals::hit_sphere,

@@ -22,7 +22,7 @@ pub struct CameraPixel {
 /// # Errors
 /// The broken law, if origin or direction differ by more than rounding.
 pub fn the_ray_of_a_pixel_goes_through_its_center(ray: &Ray, pixel: &CameraPixel) -> LawResult {
-    let right = pixel.right_ray();
+    let right = pixel.expected_ray();
     BrokenLaw::unless(nearly_equal(&of_ray(*ray), &of_ray(right)), || BrokenLaw {
         law: "the ray of a pixel goes from the eye through the pixel's center".into(),
         found: format!("from {} to {} at t = 1", ray.origin, ray.at(1.0)),
@@ -35,7 +35,7 @@ impl CameraPixel {
     /// Returns the ray that the book's camera casts for the pixel: from the origin through the
     /// pixel's center, in a viewport at z = −1 that is 2 units high and has the aspect ratio of the
     /// picture.
-    pub fn right_ray(&self) -> Ray {
+    pub fn expected_ray(&self) -> Ray {
         let [width, i, j] = [self.width, self.i, self.j].map(f64::from);
         let height = f64::from(((width / (16.0 / 9.0)) as u32).max(1));
         let (u, v) = ((i + 0.5) / width, (j + 0.5) / height);
@@ -46,7 +46,7 @@ impl CameraPixel {
     /// Writes the body of a test that asks about this pixel again.
     pub(crate) fn as_test(&self) -> String {
         let Self { width, i, j } = self;
-        let center = vector(self.right_ray().direction);
+        let center = vector(self.expected_ray().direction);
         format!(
             "let ray = Camera::new({width}).ray({i}, {j});\n\
              assert!((ray.at(1.0) - {center}).length() < 1e-9);"

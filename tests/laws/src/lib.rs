@@ -18,7 +18,7 @@
 //!     # /*
 //!     #[test]
 //!     # */
-//!     fn the_point_lies_on_the_sphere(case in strategies::anywhere()) {
+//!     fn the_point_lies_on_the_sphere(case in strategies::any_case()) {
 //!         nearer_root::the_point_lies_on_the_sphere(&hit_sphere, &case)?;
 //!     }
 //! }

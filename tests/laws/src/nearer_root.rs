@@ -29,7 +29,7 @@ use speed_vs_accuracy::Case;
 
 use crate::oracle::ExactCase;
 use crate::question::{Question, telling_cases};
-use crate::strategies::{anywhere, integers, ordinary};
+use crate::strategies::{any_case, integers, ordinary};
 use crate::trial::LawSuite;
 use crate::verdict::{BrokenLaw, LawResult};
 
@@ -51,7 +51,7 @@ pub const BAND: f64 = 24.0 * U;
 /// All laws for the nearer root, those that teach most first.
 ///
 /// A function that only decides between hit and miss is put under them by [`solver_of_decision`].
-pub const NEARER_ROOT: [RootLaw; 7] = [
+pub const ROOT_LAWS: [RootLaw; 7] = [
     t_is_a_number,
     the_line_hits_exactly_when_there_is_a_root,
     where_h_is_zero_no_root_is_lost,
@@ -61,13 +61,13 @@ pub const NEARER_ROOT: [RootLaw; 7] = [
     a_scene_in_another_unit_and_a_mirror_has_the_same_digits,
 ];
 
-/// Tests all laws of [`NEARER_ROOT`] on the answer of `solve` for one ray and sphere, in their
+/// Tests all laws of [`ROOT_LAWS`] on the answer of `solve` for one ray and sphere, in their
 /// order.
 ///
 /// # Errors
 /// The first law that the answer breaks.
 pub fn obeys_every_law(solve: &Solver, case: &Case) -> LawResult {
-    NEARER_ROOT.iter().try_for_each(|law| law(solve, case))
+    ROOT_LAWS.iter().try_for_each(|law| law(solve, case))
 }
 
 /// Lists the cases and laws for a nearer root: first whole numbers, which can be checked by hand,
@@ -76,11 +76,11 @@ pub(crate) fn suite<'a>(solve: &'a Solver<'a>) -> LawSuite<'a, Case> {
     let law = |law: RootLaw| Box::new(move |case: &Case| law(solve, case)) as _;
     LawSuite {
         of: "hit_sphere",
-        kinds: vec![integers().boxed(), ordinary().boxed(), anywhere().boxed()],
+        kinds: vec![integers().boxed(), ordinary().boxed(), any_case().boxed()],
         telling: telling_cases(&ordinary()),
         question: Question::Root,
         answer: Box::new(|case| case.solve(solve).into_iter().collect()),
-        laws: NEARER_ROOT.map(law).into(),
+        laws: ROOT_LAWS.map(law).into(),
         test: &|case| {
             format!(
                 "{case}\nlet case = laws::Case::new(center, radius, ray);\n\

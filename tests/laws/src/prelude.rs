@@ -123,7 +123,7 @@ impl PreludeQuestion {
     }
 
     fn right(&self) -> Vec<f64> {
-        self.put_to(&Prelude::right())
+        self.put_to(&Prelude::of_common())
     }
 
     /// Writes the arguments in parentheses, as Rust has them.
@@ -157,7 +157,7 @@ impl PreludeQuestion {
 
 impl Prelude<'_> {
     /// Returns the vectors and rays of the package `common`, which are right.
-    pub fn right() -> Self {
+    pub fn of_common() -> Self {
         Self {
             mul: &|t, v| t * v,
             add: &|u, v| u + v,
@@ -174,19 +174,19 @@ impl Prelude<'_> {
 
     /// Calls `act` with the vector functions of `program` as a [`Prelude`], and returns the result
     /// of `act`. Operators and rays, which a program does not have, are those of `common`.
-    pub fn of<T>(program: &dyn Functions, act: impl FnOnce(&Prelude) -> T) -> T {
+    pub fn of_program<T>(program: &dyn Functions, act: impl FnOnce(&Prelude) -> T) -> T {
         act(&Prelude {
             dot: &|u, v| program.dot(u, v),
             length_squared: &|v| program.length_squared(v),
             length: &|v| program.length_squared(v).sqrt(),
             normalize: &|v| program.normalize(v),
-            ..Prelude::right()
+            ..Prelude::of_common()
         })
     }
 }
 
 /// All functions of a [`Prelude`], ordered so that each comes after those of which it may be made.
-pub static FUNCTIONS: [PreludeFunction; 10] = [
+pub static PRELUDE_FUNCTIONS: [PreludeFunction; 10] = [
     PreludeFunction::new("mul(t, v)", 4.0 * U, |it, a| numbers((it.mul)(a.t, a.v))),
     PreludeFunction::new("add(u, v)", 0.0, |it, a| numbers((it.add)(a.u, a.v))),
     PreludeFunction::new("neg(u)", 0.0, |it, a| numbers((it.neg)(a.u))),
@@ -221,7 +221,7 @@ mod tests {
             let outcome = Trial::default().prelude(prelude);
             outcome.err().map_or(String::new(), |it| it.to_string())
         };
-        let right = Prelude::right();
+        let right = Prelude::of_common();
         assert_eq!(told(&right), "");
         let unwritten = Prelude {
             neg: &|_| todo!(),

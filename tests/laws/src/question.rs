@@ -10,7 +10,7 @@ use speed_vs_accuracy::Case;
 use crate::camera::CameraPixel;
 use crate::list::World;
 use crate::oracle::ExactCase;
-use crate::prelude::{FUNCTIONS, Prelude, PreludeQuestion};
+use crate::prelude::{PRELUDE_FUNCTIONS, Prelude, PreludeQuestion};
 use crate::ray_color;
 use crate::record::RecordedHit;
 use crate::strategies::{self, samples};
@@ -50,7 +50,7 @@ pub trait Functions {
 
     /// Returns the ray that the program's camera casts through a pixel.
     fn pixel_ray(&self, pixel: &CameraPixel) -> Ray {
-        pixel.right_ray()
+        pixel.expected_ray()
     }
     /// Returns the dot product of two vectors.
     fn dot(&self, u: Vec3, v: Vec3) -> f64 {
@@ -74,7 +74,7 @@ impl Question {
     /// Lists twenty questions to each function on vectors, always the same ones: so many that
     /// different mistakes give different answers.
     pub fn of_prelude() -> Vec<Self> {
-        let telling = FUNCTIONS
+        let telling = PRELUDE_FUNCTIONS
             .iter()
             .flat_map(|function| function.telling_cases());
         telling.map(Self::Prelude).collect()
@@ -110,7 +110,7 @@ impl Question {
     /// components for a color or vector, six for a ray. A panic in the program is passed on.
     pub fn put_to(&self, program: &dyn Functions) -> Vec<f64> {
         match self {
-            Self::Prelude(asked) => Prelude::of(program, |prelude| asked.put_to(prelude)),
+            Self::Prelude(asked) => Prelude::of_program(program, |prelude| asked.put_to(prelude)),
             Self::Decision(case) => decided(program.hit_sphere(case).is_some()),
             Self::Root(case) => program.hit_sphere(case).into_iter().collect(),
             Self::Record(asked) => of_hit(asked, program.record(asked)),
@@ -182,7 +182,7 @@ impl Question {
                 Self::PixelRay(CameraPixel { width, i, j })
             }
             (name, &[x, y, z, vx, vy, vz, t]) => Self::Prelude(PreludeQuestion {
-                function: FUNCTIONS.iter().find(|it| it.name() == name)?,
+                function: PRELUDE_FUNCTIONS.iter().find(|it| it.name() == name)?,
                 u: Vec3::new(x, y, z),
                 v: Vec3::new(vx, vy, vz),
                 t,
@@ -251,7 +251,7 @@ pub type RangeSolver<'a> = dyn Fn(Point3, f64, &Ray, f64, f64) -> Option<f64> + 
 
 impl IntervalCase {
     /// Makes a case of a ray and a sphere with the unbounded interval, from −∞ to ∞.
-    pub fn on_the_line(case: Case) -> Self {
+    pub fn unbounded(case: Case) -> Self {
         let (t_min, t_max) = (f64::NEG_INFINITY, f64::INFINITY);
         Self { case, t_min, t_max }
     }

@@ -10,7 +10,7 @@ use crate::intervals::{
 use crate::nearer_root::{self, U};
 use crate::oracle::ExactCase;
 use crate::question::{IntervalCase, Question, of_hit, telling_cases};
-use crate::strategies::{anywhere, integers, ordinary, ordinary_with_interval, with_interval};
+use crate::strategies::{any_case, integers, ordinary, ordinary_with_interval, with_interval};
 use crate::trial::LawSuite;
 use crate::verdict::{BrokenLaw, LawResult};
 
@@ -62,7 +62,7 @@ pub fn obeys_every_law(record: &RecordSolver, asked: &IntervalCase) -> LawResult
 
 /// Lists the cases and laws for a record, in the order of those for a nearer root.
 pub(crate) fn suite<'a>(record: &'a RecordSolver<'a>) -> LawSuite<'a, IntervalCase> {
-    let kinds = [integers().boxed(), ordinary().boxed(), anywhere().boxed()];
+    let kinds = [integers().boxed(), ordinary().boxed(), any_case().boxed()];
     LawSuite {
         of: "sphere",
         kinds: kinds.map(|kind| with_interval(kind).boxed()).into(),

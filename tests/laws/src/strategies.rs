@@ -78,20 +78,20 @@ pub fn ordinary() -> impl Strategy<Value = Case> {
 
 /// Makes rays and spheres by any of the strategies here, from small whole numbers to those where
 /// rounding decides.
-pub fn anywhere() -> impl Strategy<Value = Case> {
+pub fn any_case() -> impl Strategy<Value = Case> {
     prop_oneof![
         integers(),
         book_rays(),
         tangents(),
         on_the_surface(),
-        across(),
+        with_h_zero(),
         inside(),
         grazing(0.0..=15.0),
         far(0.5..=15.0),
         near_the_surface(1.0..=15.0),
         above_the_ground(2.0..=9.0),
         log_uniform(),
-        exponents(),
+        extreme_directions(),
     ]
 }
 
@@ -127,7 +127,7 @@ pub fn integers() -> impl Strategy<Value = Case> {
 
 /// Makes rays that start inside of a sphere, in its center or at a right angle to the vector to it:
 /// h = d·oc is 0 exactly, because all numbers are whole.
-pub fn across() -> impl Strategy<Value = Case> {
+pub fn with_h_zero() -> impl Strategy<Value = Case> {
     let turn = prop_oneof![Just(Vec3::ZERO), whole_vector(3)];
     (whole_vector(9), whole_vector(3), turn, 1..=9).prop_map(|(origin, direction, turn, depth)| {
         let direction = ahead_if_zero(direction);
@@ -271,7 +271,7 @@ pub fn log_uniform() -> impl Strategy<Value = Case> {
 }
 
 /// Makes rays at an ordinary sphere, with directions from 10⁻¹⁵⁰ to 10¹⁵⁰ units long.
-pub fn exponents() -> impl Strategy<Value = Case> {
+pub fn extreme_directions() -> impl Strategy<Value = Case> {
     (number(-150.0..=150.0), far(0.5..=0.5)).prop_map(|(exponent, case)| {
         case.with_ray(case.ray.origin, 10f64.powf(exponent) * case.ray.direction)
     })

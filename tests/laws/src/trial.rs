@@ -19,7 +19,9 @@ use crate::camera::{CameraPixel, the_ray_of_a_pixel_goes_through_its_center};
 use crate::face::{SetFaceNormal, the_normal_is_turned_against_the_ray};
 use crate::list::{ListSolver, World, the_nearest_of_all_members_is_returned};
 use crate::nearer_root::{self, Solver};
-use crate::prelude::{FUNCTIONS, Prelude, PreludeQuestion, small_numbers_are_worked_out_by_head};
+use crate::prelude::{
+    PRELUDE_FUNCTIONS, Prelude, PreludeQuestion, small_numbers_are_worked_out_by_head,
+};
 use crate::question::{Question, decided, of_hit, of_ray, telling_cases};
 use crate::ray_color::{self, ChapterScene, a_ray_has_its_color_from_anywhere};
 use crate::record::{self, RecordSolver};
@@ -168,7 +170,7 @@ impl Trial {
     /// The smallest case found that breaks a law, or the place of a `todo!()`.
     pub fn prelude(&self, prelude: &Prelude) -> Outcome {
         let mut outcome = Ok(());
-        for function in &FUNCTIONS {
+        for function in &PRELUDE_FUNCTIONS {
             let one = self.outcome(&LawSuite {
                 of: function.name(),
                 kinds: vec![function.questions().boxed()],

@@ -5,7 +5,7 @@
 //! band: up to the last digit that makes a difference, and then up to three more.
 
 use common::rtweekend::*;
-use laws::strategies::{anywhere, far, integers, near_the_surface, number, whole_vector};
+use laws::strategies::{any_case, far, integers, near_the_surface, number, whole_vector};
 use laws::{Case, IntervalCase};
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -104,7 +104,7 @@ fn moved(
 /// Most often from 0 on, and half of them to ∞.
 fn asked() -> impl Strategy<Value = IntervalCase> {
     let cases = prop_oneof![
-        anywhere(),
+        any_case(),
         far(0.5..=4.0),
         near_the_surface(1.0..=8.0),
         integers(),

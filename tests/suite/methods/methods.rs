@@ -31,7 +31,7 @@ mod every_method {
         /// The bounds are those of `half_b`, the worst of all.
         #[test]
         fn returns_the_nearest_root_in_the_interval(
-            asked in strategies::with_interval(strategies::anywhere())
+            asked in strategies::with_interval(strategies::any_case())
         ) {
             each_obeys(|solve| {
                 intervals::the_nearest_root_in_the_interval_is_returned(solve, &asked)
@@ -47,7 +47,7 @@ mod every_method {
 
         /// On the whole line, the nearest root is the nearer one.
         #[test]
-        fn obeys_the_laws_of_a_nearer_root(case in strategies::anywhere()) {
+        fn obeys_the_laws_of_a_nearer_root(case in strategies::any_case()) {
             each_obeys(|solve| {
                 let (least, greatest) = (f64::NEG_INFINITY, f64::INFINITY);
                 let nearer = |center, radius, ray: &Ray| solve(center, radius, ray, least, greatest);
@@ -75,7 +75,7 @@ fn half_b_is_chapter_5_to_the_bit() {
         let hit = Sphere::new(center, radius).hit(ray, t_min, t_max);
         hit.map(|hit| hit.t)
     };
-    let asked = strategies::with_interval(strategies::anywhere());
+    let asked = strategies::with_interval(strategies::any_case());
     for asked in samples(&asked, CASES) {
         assert_eq!(asked.solve(&half_b), asked.solve(&chapter_5), "{asked}");
     }

@@ -123,7 +123,7 @@ fn the_books_word_for_a_miss_is_one_unless_it_is_the_root() {
     let said = |z, function: FunctionKind| {
         let ray = Ray::new(Vec3::ZERO, Vec3::NEG_Z);
         let case = Case::new(Vec3::new(0.0, 0.0, z), 1.0, ray);
-        let hit = function.parse_answer(&IntervalCase::on_the_line(case), "-1", true);
+        let hit = function.parse_answer(&IntervalCase::unbounded(case), "-1", true);
         hit.map(|hit| hit.map(|hit| hit.t))
     };
     assert_eq!(said(0.0, FunctionKind::Root), Ok(Some(-1.0)));
@@ -134,7 +134,7 @@ fn the_books_word_for_a_miss_is_one_unless_it_is_the_root() {
 #[test]
 fn a_decimal_comma_is_told_from_other_nonsense() {
     let ray = Ray::new(Vec3::ZERO, Vec3::NEG_Z);
-    let asked = IntervalCase::on_the_line(Case::new(Vec3::ZERO, 1.0, ray));
+    let asked = IntervalCase::unbounded(Case::new(Vec3::ZERO, 1.0, ray));
     let why = |line| FunctionKind::Root.parse_answer(&asked, line, false).err();
     assert_eq!(why("0,5"), Some(NoAnswer::DecimalComma));
     assert_eq!(why("None"), Some(NoAnswer::Other));

@@ -9,28 +9,29 @@ use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
 ///
 /// A level takes up to 60 kB of stack while it is read, without optimization, and up to 3 kB in
 /// each call while it runs.
-pub const DEEPEST: usize = 200;
+pub const MAX_NESTING: usize = 200;
 
 /// Parses the text of a file, unless it is nested so deeply that the parser would overflow its
 /// stack.
 ///
 /// # Errors
-/// If the text is no Rust, or is nested deeper than [`DEEPEST`].
+/// If the text is no Rust, or is nested deeper than [`MAX_NESTING`].
 pub fn parse_file(text: &str) -> syn::Result<syn::File> {
     // What is no token is refused there, in the parser's words.
     if let Ok(tokens) = text.trim_start_matches('\u{feff}').parse() {
-        let message = format!("this is nested more than {DEEPEST} deep, and can't be read here");
+        let message =
+            format!("this is nested more than {MAX_NESTING} deep, and can't be read here");
         check(tokens).map_err(|at| syn::Error::new(at, message))?;
     }
     syn::parse_file(text)
 }
 
-/// Checks that tokens are not nested deeper than [`DEEPEST`].
+/// Checks that tokens are not nested deeper than [`MAX_NESTING`].
 ///
 /// # Errors
 /// The first place that is.
 pub(crate) fn check(tokens: TokenStream) -> Result<(), Span> {
-    depth(tokens, DEEPEST).map(drop)
+    depth(tokens, MAX_NESTING).map(drop)
 }
 
 /// Returns how deep a parser of the tokens may call itself, or the first place deeper than `room`.

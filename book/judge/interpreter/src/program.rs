@@ -7,7 +7,7 @@ use std::sync::{Arc, OnceLock};
 
 use common::rtweekend::*;
 
-use crate::limits::{TURNS, TURNS_OF_A_PICTURE, WIDEST};
+use crate::limits::{MAX_TURNS, MAX_TURNS_OF_A_PICTURE, MAX_WIDTH};
 use crate::machine::value::{Data, Value};
 use crate::machine::{Code, Machine};
 use crate::names::collect::collect;
@@ -126,7 +126,10 @@ impl Program {
     pub fn draw(&self, width: u32) -> Result<Picture, Fault> {
         let canvas = self.canvas(width)?;
         let (width, height) = canvas.size();
-        if ![width, height].iter().all(|it| (1..=WIDEST).contains(it)) {
+        if ![width, height]
+            .iter()
+            .all(|it| (1..=MAX_WIDTH).contains(it))
+        {
             return Err(stopped(
                 "there is no picture that is 1 to 4096 pixels wide and high",
             ));
@@ -199,8 +202,8 @@ impl Program {
     /// own.
     pub(crate) fn machine(&self) -> Machine<'_> {
         let turns = match self.code.names.own_ray {
-            Some(_) => TURNS_OF_A_PICTURE,
-            None => TURNS,
+            Some(_) => MAX_TURNS_OF_A_PICTURE,
+            None => MAX_TURNS,
         };
         Machine::new(&self.code, turns)
     }

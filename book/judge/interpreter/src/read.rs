@@ -5,7 +5,7 @@ use std::ops::Range;
 use proc_macro2::{LexError, TokenStream};
 use syn::spanned::Spanned;
 
-use crate::nesting::{self, DEEPEST};
+use crate::nesting::{self, MAX_NESTING};
 use crate::refusal::{Refusal, Span};
 
 /// Returns the span of a part of a syntax tree.
@@ -99,7 +99,7 @@ pub(crate) fn parse(file: usize, text: &str) -> Result<syn::File, Refusal> {
         .parse()
         .map_err(|error: LexError| no_token(file, text, &code, error.span()))?;
     nesting::check(tokens.clone()).map_err(|span| {
-        let what = format!("what is nested more than {DEEPEST} deep");
+        let what = format!("what is nested more than {MAX_NESTING} deep");
         Refusal::unread(at_span(file, span), &what)
     })?;
     syn::parse2(tokens).map_err(|error| no_tree(file, text, &error))

@@ -153,7 +153,7 @@ impl ChapterProgram {
     /// # Errors
     /// If a function breaks a law; the first one is reported.
     pub fn try_all_laws(&self, trial: &Trial) -> Outcome {
-        Prelude::of(self, |prelude| trial.prelude(prelude))?;
+        Prelude::of_program(self, |prelude| trial.prelude(prelude))?;
         trial.pixel_ray(&|pixel| self.pixel_ray(pixel))?;
         self.try_laws(trial)
     }

@@ -241,7 +241,7 @@ impl<'a> Interview<'a> {
             return false;
         };
         let answers = self.answers.borrow();
-        let answer = answers.get(&self.question_line(&IntervalCase::on_the_line(*case)));
+        let answer = answers.get(&self.question_line(&IntervalCase::unbounded(*case)));
         self.says_minus_one() && answer.is_some_and(|it| it.said.parse() == Ok(-1.0))
     }
 

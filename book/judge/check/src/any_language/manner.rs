@@ -37,7 +37,7 @@ impl Manner {
             FunctionKind::Record => telling_cases(&ordinary_with_interval()),
             _ => {
                 let cases = telling_cases(&ordinary()).into_iter();
-                cases.map(IntervalCase::on_the_line).collect()
+                cases.map(IntervalCase::unbounded).collect()
             }
         };
         let is_kept = |manner: &Self| {

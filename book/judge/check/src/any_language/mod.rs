@@ -138,7 +138,7 @@ pub fn try_laws(trial: &Trial, function: FunctionKind, ask: &AskProgram) -> Func
     };
     let solve = |center, radius, ray: &Ray| {
         let case = Case::new(center, radius, *ray);
-        Some(meant(&IntervalCase::on_the_line(case))?.t)
+        Some(meant(&IntervalCase::unbounded(case))?.t)
     };
     let decide = |center, radius, ray: &Ray| solve(center, radius, ray).is_some();
     let outcome = match function {

@@ -9,7 +9,7 @@ use common::rtweekend::Vec3;
 use super::checks::is_plainly;
 use super::value::{Address, Captures, Data, Value};
 use super::{Closure, EarlyExit, Eval, ExprInfo, Machine, Thunk};
-use crate::limits::DEEPEST;
+use crate::limits::MAX_CALL_DEPTH;
 use crate::refusal::{Refusal, Span};
 use crate::types::{Ctor, Type};
 
@@ -163,8 +163,8 @@ impl Machine<'_> {
         at: Span,
         body: impl FnOnce(&mut Self) -> Eval,
     ) -> Eval {
-        if self.depth == DEEPEST {
-            let message = format!("more than {DEEPEST} calls are open at once");
+        if self.depth == MAX_CALL_DEPTH {
+            let message = format!("more than {MAX_CALL_DEPTH} calls are open at once");
             let help = "the page goes no deeper: a function that calls itself may have no end";
             return self.refused(Refusal::stop(at, &message, help));
         }

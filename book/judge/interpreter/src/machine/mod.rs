@@ -20,7 +20,7 @@ use std::sync::atomic::AtomicBool;
 use std::sync::atomic::Ordering::Relaxed;
 use std::sync::{Arc, Mutex};
 
-use crate::limits::{DEEPEST_VALUE, MEMORY};
+use crate::limits::{MAX_BYTES, MAX_VALUE_DEPTH};
 use crate::names::Names;
 use crate::refusal::{Refusal, Span};
 pub(crate) use calls::Given;
@@ -250,7 +250,7 @@ impl<'c> Machine<'c> {
             base: 0,
             depth: 0,
             turns,
-            memory: MEMORY,
+            memory: MAX_BYTES,
             left: Value::default(),
             fault: None,
             constants: Vec::new(),
@@ -353,7 +353,7 @@ impl<'c> Machine<'c> {
         if matches!(value.data, Data::Float(_)) {
             return self.take(size_of::<Value>(), at);
         }
-        if value.depth() > DEEPEST_VALUE {
+        if value.depth() > MAX_VALUE_DEPTH {
             return self.panic(at, "this value is nested too deeply");
         }
         self.take(value.size(), at)

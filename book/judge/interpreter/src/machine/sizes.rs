@@ -1,6 +1,6 @@
 //! Sizes of values: what they take, and how deep they are nested.
 
-use crate::limits::{DEEPEST_VALUE, VISITS};
+use crate::limits::{MAX_VALUE_DEPTH, MAX_VISITS};
 use crate::machine::value::{Data, Value};
 
 impl Value {
@@ -17,13 +17,13 @@ impl Value {
     /// Returns how deep the value is nested, counted up to just above the limit. In a list, the
     /// first and the last element are visited.
     pub(crate) fn depth(&self) -> usize {
-        self.depth_within(DEEPEST_VALUE + 1, &mut { VISITS })
+        self.depth_within(MAX_VALUE_DEPTH + 1, &mut { MAX_VISITS })
     }
 
     fn depth_within(&self, most: usize, visits: &mut usize) -> usize {
         *visits = visits.saturating_sub(1);
         if most == 0 || *visits == 0 {
-            return DEEPEST_VALUE + 1;
+            return MAX_VALUE_DEPTH + 1;
         }
         let mut deepest = |all: &mut dyn Iterator<Item = &Self>| {
             all.map(|it| it.depth_within(most - 1, visits)).max()
