@@ -40,7 +40,8 @@ pub struct SphereHit {
 }
 
 impl Program {
-    /// Calls the chapter's `ray_color` with the ray, and with its `world()` if it has one.
+    /// Calls the program's `ray_color` with the ray, and with its `world()` if it has one, and
+    /// returns the color: linear, 0 to 1.
     ///
     /// Returns NaN in each component if the program has no such function or stops in it.
     pub fn ray_color(&self, ray: &Ray) -> Color {
@@ -59,8 +60,8 @@ impl Program {
         color().unwrap_or(Color::NAN)
     }
 
-    /// Calls the `hit_sphere` of chapters 2 to 4 and returns its `t`; 0 for a hit where it returns
-    /// a `bool`.
+    /// Calls the program's `hit_sphere`, as chapters 2 to 4 have it, and returns its `t` in lengths
+    /// of the ray's direction; 0 for a hit if the function returns a `bool`.
     ///
     /// Returns `None` for a miss, and also if the program has no such function or stops in it.
     pub fn hit_sphere(&self, center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
@@ -137,29 +138,29 @@ impl Program {
         }
     }
 
-    /// Calls the function of that name with integers, and returns the integers in the list that it
-    /// comes to.
+    /// Calls the function with the name `function` with `u32` arguments, and returns the integers
+    /// in the array or list that it returns.
     ///
-    /// Returns `None` if the program stops or has no such function, or if it comes to anything
+    /// Returns `None` if the program stops or has no such function, or if the result is anything
     /// else.
     pub fn call_with_integers(&self, function: &str, given: &[u32]) -> Option<Vec<i32>> {
         let given: Vec<Value> = given.iter().copied().map(u32_value).collect();
         self.called(function, &given)?.integers()
     }
 
-    /// Calls the function of that name with a color, and returns the integers in the list that it
-    /// comes to.
+    /// Calls the function with the name `function` with a color, and returns the integers in the
+    /// array or list that it returns.
     ///
-    /// Returns `None` if the program stops or has no such function, or if it comes to anything
+    /// Returns `None` if the program stops or has no such function, or if the result is anything
     /// else.
     pub fn call_with_color(&self, function: &str, color: Color) -> Option<Vec<i32>> {
         self.called(function, &[color.into()])?.integers()
     }
 
-    /// Calls the function of that name with vectors, and returns the number that it comes to, or
-    /// the three components of a vector.
+    /// Calls the function with the name `function` with vectors, and returns the one number that it
+    /// returns, or the three components of a vector.
     ///
-    /// Returns `None` if the program stops or has no such function, or if it comes to anything
+    /// Returns `None` if the program stops or has no such function, or if the result is anything
     /// else.
     pub fn call_with_vectors(&self, function: &str, given: &[Vec3]) -> Option<Vec<f64>> {
         let given: Vec<Value> = given.iter().copied().map(Value::from).collect();

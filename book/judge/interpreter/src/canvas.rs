@@ -12,7 +12,8 @@ use crate::program::{NO_PICTURE, Program, stopped, u32_value};
 use crate::refusal::Fault;
 use crate::types::Int;
 
-/// A picture that a program draws: each pixel is computed when it is asked for.
+/// A picture that a [`Program`] draws, whose pixels are computed one by one when they are asked
+/// for.
 #[derive(Clone)]
 pub struct Canvas {
     program: Program,
@@ -92,8 +93,9 @@ impl Canvas {
         self.size
     }
 
-    /// Computes the color of the pixel in column `i` and row `j`, from 0 at the top left. A picture
-    /// that was printed gives colors that round to its levels.
+    /// Computes the color, linear from 0 to 1, of the pixel in column `i` and row `j`, from 0 at
+    /// the top left. A picture that the program printed as text gives colors that round to its
+    /// levels.
     ///
     /// # Errors
     /// If the program stops on the way, or the compiler would refuse a line that runs.

@@ -12,15 +12,16 @@ use crate::refusal::{Fault, FaultKind};
 const MOST: usize = 10_000;
 
 impl Program {
-    /// Lists all functions with a body, in the order in which they are declared: the name,
-    /// `hit_sphere` or `Sphere::hit`, and the text from `fn` to the closing bracket.
+    /// Lists all functions with a body, in the order of their declarations: the name, `hit_sphere`
+    /// or `Sphere::hit`, and the source text from `fn` to the closing bracket.
     pub fn functions(&self) -> impl Iterator<Item = (&str, &str)> {
         let written = self.code.functions.iter().flat_map(|it| &it.written);
         written.map(|it| (&*it.name, &*it.text))
     }
 
-    /// Returns the program with another text of the function of that name, whose parameters and
-    /// result stay as declared. A text that was patched in before is not read again.
+    /// Returns the program with another source text, from `fn` to the closing bracket, for the
+    /// function of that name (`hit_sphere` or `Sphere::hit`). Types and count of the parameters
+    /// stay as declared. A text that was patched in before is not read again.
     ///
     /// # Errors
     /// If there is no such function, if the text is no function or takes another number of
@@ -33,9 +34,9 @@ impl Program {
         Ok(self.running(code))
     }
 
-    /// Returns the program in which the mutant with that number runs:
-    /// `mutants!(7, right, one, other)` in a text has the mutants 7 and 8. Where the number is no
-    /// mutant's, as 0, `right` runs.
+    /// Returns the program in which one mutant, an alternative to an expression of its text, runs:
+    /// `mutants!(7, right, one, other)` has the mutants 7 and 8. Where `number` is no mutant's, as
+    /// 0, `right` runs.
     ///
     /// All mutants are read at once (mutant schemata: Untch, Offutt and Harrold, 1993).
     pub fn with_mutant(&self, number: u32) -> Self {
@@ -55,9 +56,9 @@ impl Program {
         })
     }
 
-    /// Returns the program in which those functions of its text run in place of the library's
-    /// methods of vectors and rays that have the same names. A name without a function in the text
-    /// changes nothing.
+    /// Returns the program in which the named functions of its own text run in place of the
+    /// library's methods of vectors and rays with these names, such as `dot`. A name without a
+    /// function in the text changes nothing.
     pub fn instead_of_the_library(&self, functions: &[&'static str]) -> Self {
         let code = &*self.code;
         let numbered = |&name: &&'static str| Some((name, code.number_of(name)?));
@@ -67,8 +68,8 @@ impl Program {
         })
     }
 
-    /// Returns the program with the changes of both `self` and `other`, which were patched from
-    /// `from`; `None` if both have patched the same function. Nothing is read.
+    /// Returns the program with the patches of both `self` and `other`, which were patched from the
+    /// program `from`; `None` if both have patched the same function. Nothing is read again.
     pub fn merged_with(&self, other: &Self, from: &Self) -> Option<Self> {
         let [own, other, from] = [self, other, from].map(|it| &it.code);
         let mut code = Code::clone(own);

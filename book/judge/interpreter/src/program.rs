@@ -33,7 +33,8 @@ pub struct UncheckedLines {
     pub lines: RangeInclusive<usize>,
 }
 
-/// A crate's text that was read without a fault, ready to be drawn and asked.
+/// A Rust program, as a reader of the chapters types it, that was read without a fault and can be
+/// run.
 #[derive(Clone, Debug)]
 pub struct Program {
     pub(crate) code: Arc<Code>,
@@ -50,7 +51,8 @@ pub struct SourceFile {
 }
 
 impl SourceFile {
-    /// Makes a file of a name and a text.
+    /// Makes a file from its path, such as `src/lib.rs`, and its whole text. Nothing is read from
+    /// the disk.
     pub fn new(name: impl Into<String>, text: impl Into<String>) -> Self {
         Self {
             name: name.into(),
@@ -168,8 +170,11 @@ impl Program {
         self.refused.get()
     }
 
-    /// Lists the lines that neither a picture nor a call has run so far, in the order of files and
-    /// lines; lines that follow each other are joined. Empty if each line has run.
+    /// Lists the lines that no picture and no call has run so far, in the order of files and lines;
+    /// ranges that touch are joined. Empty if each line has run.
+    ///
+    /// Types are checked when a line runs, so these may have mistakes that the compiler would
+    /// refuse.
     pub fn unchecked(&self) -> Vec<UncheckedLines> {
         let marks = self.code.functions.iter().flat_map(|it| &it.marks);
         let unrun = marks.filter(|it| !it.has_run.load(Relaxed));

@@ -5,22 +5,23 @@ use std::ops::Range;
 
 use crate::program::UncheckedLines;
 
-/// A reason why a text does not run or stops, with its place and its words.
+/// A reason why a program's text can't be run, or why the program stops: its place and its words.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault {
-    /// The place in the text; `None` if the fault is that something is missing.
+    /// The place in the text; `None` if the fault is that something is missing from all files.
     pub place: Option<SourceSpan>,
-    /// The main sentence, in the compiler's words where rustc has a message for this.
+    /// The main message, one line without a full stop; in the compiler's words where rustc has a
+    /// message for this.
     pub message: String,
-    /// The words that stand below the underlined place; empty if there are none.
+    /// The words that a compiler would write below the place, one line; empty if there are none.
     pub label: String,
-    /// A hint at what to do; empty if there is none.
+    /// A hint at what to do, one line; empty if there is none.
     pub help: String,
     /// Who finds the fault: the compiler, the running program, or this interpreter alone.
     pub kind: FaultKind,
 }
 
-/// A kind of fault, by who finds it. The order is that in which faults are listed.
+/// A kind of fault, by who would find it. Faults are listed in the order of these kinds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum FaultKind {
     /// The compiler would refuse the text.
@@ -33,7 +34,7 @@ pub enum FaultKind {
     Stopped,
 }
 
-/// A place in the files that were read, within one line.
+/// A place in the files of a program: columns of one line.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct SourceSpan {
     /// The number of the file, in the order in which the files were given, from 0.
