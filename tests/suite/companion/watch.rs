@@ -35,7 +35,7 @@ fn chapter_3_is_typed_step_by_step_with_three_mistakes() {
     type_next();
     watch.see("src/lib.rs:");
     type_next();
-    let screen = watch.see("It does not compile");
+    let screen = watch.see("The program does not compile");
     assert!(plain(&screen).contains("src/lib.rs"), "{screen}");
     type_next();
     keep("step", &watch.see("Step 1 of 3 is right."));

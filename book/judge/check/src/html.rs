@@ -46,7 +46,7 @@ pub fn details(answer: &Answer, page: HostPage) -> String {
     let pages = answer.read.iter().filter(|_| page != HostPage::Report);
     let pages = pages.map(|slip| {
         format!(
-            "<p><a href=\"{}\">How it is right</a></p>",
+            "<p><a href=\"{}\">How the line is right</a></p>",
             escaped(slip.address())
         )
     });

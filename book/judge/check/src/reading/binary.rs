@@ -93,7 +93,7 @@ fn changed_ends_of_line(wanted: usize, header: &[u8], body: &[u8]) -> Option<&'s
     // misses more, unless it has many a 10.
     if pairs == 0 && levels.len() < wanted && wanted - levels.len() <= 2 * newlines {
         return Some(
-            "no byte 10 has a 13 before it, which may have been removed as if it ended a line",
+            "no byte 13 stands before a byte 10: such bytes may have been removed as ends of lines",
         );
     }
     None

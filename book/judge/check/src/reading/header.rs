@@ -60,7 +60,7 @@ pub(super) fn size(header: Header) -> Result<(u32, u32), Cause> {
     if width == 0 || height == 0 {
         return Err(Cause::new(
             "no-pixels",
-            format!("the header promises {width} × {height} pixels, which is none"),
+            format!("the header promises {width} × {height} pixels, which are none"),
             "Keep the height at 1 or more, as the book does: image_height = (image_height < 1) ? 1 : image_height. (Slip height-may-be-zero.)",
         ));
     }

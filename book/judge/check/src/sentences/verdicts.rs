@@ -75,7 +75,7 @@ impl Attempt<'_> {
         if let Some(LawsStatus::Broken(report)) = self.laws
             && !finding.is_answered
         {
-            let rest = format!("{but}; and a law is broken.");
+            let rest = format!("{but}; and your program breaks a law.");
             return Answer::of(Grade::Wrong, &self.name, "right", rest).with(law_rows(report));
         }
         let next = if finding.task.has_another_shape() {
@@ -98,10 +98,9 @@ impl Attempt<'_> {
             None | Some(LawsStatus::Obeyed | LawsStatus::Unknown(_) | LawsStatus::Coming) => {}
             Some(laws) => return right_but(laws, &name, self.commands.test),
         }
-        let again = if self.context.steps[step] {
-            ", again"
-        } else {
-            ""
+        let again = match self.context.steps[step] {
+            true => ", again",
+            false => "",
         };
         Answer {
             done: vec![step_done_line(chapter, number)],
@@ -133,12 +132,9 @@ impl Attempt<'_> {
 
     /// Adds the rows that explain a picture to the answer, and the pages on its slips.
     pub(crate) fn explained(&self, answer: Answer, finding: &Finding) -> Answer {
-        let read = finding
-            .only_mistake()
-            .iter()
-            .filter(|slip| !slip.page.is_empty());
+        let slips = finding.only_mistake().iter().copied();
         Answer {
-            read: read.copied().collect(),
+            read: slips.filter(|slip| !slip.page.is_empty()).collect(),
             ..answer
         }
         .with(finding.rows(self.context))
@@ -148,7 +144,7 @@ impl Attempt<'_> {
     /// are explained or like that chapter's.
     pub(crate) fn unrecognized(&self, verdict: &Verdict) -> Option<Answer> {
         let seen = match (verdict, verdict.finding()) {
-            // Levels that are none are said first.
+            // Numbers that are no levels come first.
             _ if !self.is_guessed => return None,
             (Verdict::NotAPicture { .. }, _) => return None,
             (Verdict::WrongShape { finding: None, .. }, _) => {
@@ -179,8 +175,9 @@ fn right_but(laws: &LawsStatus, subject: &str, test: &str) -> Answer {
                 .then(test)
         }
         LawsStatus::NotWritten(place) | LawsStatus::UnwrittenPrelude(place) => {
-            let rest = format!(", but not all is written: there is a todo!() at {place}.");
-            let next = "write that as well: the laws ask for it, and a later picture needs it";
+            let rest =
+                format!(", but a function is not written yet: there is a todo!() at {place}.");
+            let next = "write it as well: the laws ask the function, and a later picture needs it";
             is(Grade::OnTheWay, &rest).then(next)
         }
         LawsStatus::Unknown(errors) => {
@@ -194,7 +191,7 @@ fn right_but(laws: &LawsStatus, subject: &str, test: &str) -> Answer {
 }
 
 /// The end of a sentence about a right picture whose program breaks a law.
-const BUT_A_LAW: &str = ", but a law is broken, which must hold for every ray.";
+const BUT_A_LAW: &str = ", but your program breaks a law, which must hold for every ray.";
 
 /// Answers that what is called `name` is no picture or not the right one: `name is verdict`, with
 /// the problem and its fix. The answer is graded wrong if the verdict is the word `wrong`.
@@ -214,7 +211,7 @@ pub fn not_compiled(errors: usize, first: Vec<Row>) -> Answer {
         1 => String::new(),
         all => format!(" This is the first of {all} errors."),
     };
-    Answer::sentence(Grade::Wrong, format!("It does not compile.{more}")).with(first)
+    Answer::sentence(Grade::Wrong, format!("The program does not compile.{more}")).with(first)
 }
 
 /// Answers that the program stopped at the `todo!()` in `place`, such as `src/lib.rs:12`. Names the
@@ -232,9 +229,12 @@ pub fn not_written(chapter: Chapter, place: &str, obeyed: &[String]) -> Answer {
 
 /// Answers that a program that stopped at the `todo!()` in `place` breaks a law before that.
 pub fn broken_so_far(report: &Report, place: &str) -> Answer {
-    Answer::sentence(Grade::Wrong, "A law is broken in what is written so far.")
-        .with(law_rows(report))
-        .then(format!("put this right, and then go on at {place}"))
+    Answer::sentence(
+        Grade::Wrong,
+        "A function that is written so far breaks a law.",
+    )
+    .with(law_rows(report))
+    .then(format!("put this right, and then go on at {place}"))
 }
 
 /// Returns the color of a picture whose pixels are all the same; `None` if two of them differ.
