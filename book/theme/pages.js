@@ -1,8 +1,7 @@
-// What mdBook's pages lack for a narrow screen, for the keyboard, and for whoever has a
-// page read aloud.
+// Adds to mdBook's pages what they lack on a narrow screen, for a keyboard, and for a reader who has
+// them read aloud.
 
-// What opens the sidebar is a label to mdBook, which no keyboard reaches: a button stands
-// for it.
+// mdBook opens the sidebar by a label, which no keyboard reaches: a button takes its place.
 const label = document.getElementById("mdbook-sidebar-toggle");
 const opened = document.getElementById("mdbook-sidebar-toggle-anchor");
 const button = document.createElement("button");
@@ -21,7 +20,7 @@ label.style.display = "none";
 
 document.getElementById("mdbook-menu-bar").role = "banner";
 
-// The keyboard need not go through the list of pages.
+// A first link skips the list of pages for the keyboard.
 const main = document.querySelector("main");
 main.id = "text";
 main.tabIndex = -1;
@@ -31,23 +30,23 @@ skip.href = "#text";
 skip.textContent = "Skip to the text";
 document.body.prepend(skip);
 
-// The list of pages scrolls to this one, and Chromium then begins there with Tab.
+// The list of pages scrolls to the current one, and Chromium would then begin there with Tab.
 if (!location.hash) {
     document.body.tabIndex = -1;
     document.body.focus({ preventScroll: true });
     document.body.removeAttribute("tabindex");
 }
 
-// The arrows turn the page, unless something has the keyboard: what scrolls, what a figure
-// has, or a button that was pressed. mdBook listens at the document, behind the body.
+// The arrow keys turn the page only while nothing has the keyboard: no box that scrolls, no figure
+// and no button. mdBook listens at the document, which gets a key after the body.
 document.body.addEventListener("keydown", (event) => {
     if (/^Arrow(Left|Right)$/.test(event.key) && event.target !== document.body) {
         event.stopPropagation();
     }
 });
 
-// A table that is too wide for the page is restacked: a row becomes a block, in which
-// each field has its label (see book.css).
+// A table that is too wide for the page is stacked: each row becomes a block, in which each field has
+// its label (see book.css).
 for (const table of document.querySelectorAll("main table")) {
     const heads = [...table.querySelectorAll("thead th")];
     for (const row of table.querySelectorAll("tbody tr")) {
@@ -55,17 +54,18 @@ for (const table of document.querySelectorAll("main table")) {
             cell.dataset.label = heads[column]?.textContent.trim() ?? "";
         });
     }
-    // A head without words heads nothing.
+    // A head without words becomes a plain cell.
     const blank = heads.filter((head) => !head.textContent.trim());
     blank.forEach((head) => head.replaceWith(document.createElement("td")));
     table.tHead.hidden = blank.length === heads.length;
 }
 
+// Stacks the table of a box if it is too wide.
 function fit(box) {
     const table = box.querySelector(":scope > table");
     table?.classList.remove("stacked");
     table?.classList.toggle("stacked", box.scrollWidth > box.clientWidth);
-    // What scrolls all the same can be reached.
+    // A box that scrolls all the same can be reached by the keyboard.
     if (box.scrollWidth > box.clientWidth) {
         box.tabIndex = 0;
     } else {
@@ -73,7 +73,7 @@ function fit(box) {
     }
 }
 
-// Again whenever there is another width; the new height is no reason.
+// Fits a box again whenever its width changes; a new height is no reason.
 const widths = new Map();
 const observer = new ResizeObserver((entries) => requestAnimationFrame(() => {
     for (const { target } of entries) {
@@ -88,7 +88,7 @@ document.fonts.ready.then(() => {
     document.querySelectorAll(boxes).forEach((box) => observer.observe(box));
 });
 
-// Loads these scripts of the folder `live`, in this order.
+// Loads scripts of the folder `live`, in this order.
 function load(...files) {
     return Promise.all(files.map((file) => new Promise((done, fail) => {
         const script = document.createElement("script");
@@ -100,8 +100,8 @@ function load(...files) {
     })));
 }
 
-// What moves live figures is loaded when the first comes near the screen, and the judge where
-// there is something to judge.
+// The scripts of live figures are loaded when the first figure comes near the screen, and those of the
+// judge on the page Check your picture.
 const figures = [...document.querySelectorAll("figure.live")];
 const modules = new Set(figures.map((figure) => figure.dataset.module));
 const near = new IntersectionObserver((entries) => {
@@ -115,10 +115,10 @@ if (document.getElementById("check")) {
     load("judge", "worker", "inspector", "pixels", "check");
 }
 
-// A search finds the lesson first, which is the first part of the list of pages, and the sources
-// last: what a page says counts so many times. mdBook ranks pages by their words alone.
+// A search finds the lesson first, which is the first part of the list of pages, and the bibliography
+// last: their scores are multiplied by these numbers. mdBook ranks pages by their words alone.
 const LESSON = 4;
-const SOURCES = 0.1;
+const BIBLIOGRAPHY = 0.1;
 if (window.elasticlunr) {
     const { search } = elasticlunr.Index.prototype;
     elasticlunr.Index.prototype.search = function (...asked) {
@@ -128,11 +128,12 @@ if (window.elasticlunr) {
         const found = search.apply(this, asked);
         for (const result of found) {
             const [page] = window.search.doc_urls[result.ref].split("#");
-            result.score *= lesson.has(page) ? LESSON : page === "bibliography.html" ? SOURCES : 1;
+            result.score *= lesson.has(page) ? LESSON : page === "bibliography.html" ? BIBLIOGRAPHY : 1;
         }
         return found.sort((one, other) => other.score - one.score);
     };
-    // A link to a search may have been faster; mdBook does not search for the same words twice.
+    // A link to a search may have started it before. mdBook does not search for the same words twice,
+    // so other words come between.
     const bar = document.getElementById("mdbook-searchbar");
     if (window.search.index && bar.value) {
         for (const words of [`${bar.value} again`, bar.value]) {
@@ -142,8 +143,8 @@ if (window.elasticlunr) {
     }
 }
 
-// What a reader types can be typed beside its listing, and broken there. The
-// editor is loaded when it is first asked for, which takes seconds on a slow line.
+// A reader can type a chapter beside its listing, and break it there. The editor is loaded when it is
+// first opened, which takes seconds on a slow line.
 let editor = null;
 async function type(tools, isBroken = false, asked = tools) {
     const sign = document.createElement("p");
@@ -158,7 +159,7 @@ async function type(tools, isBroken = false, asked = tools) {
 }
 const allTools = document.querySelectorAll(".listing > .tools");
 for (const tools of allTools) {
-    // A link to a listing opens it.
+    // A link to a listing opens the editor there.
     if (location.hash === `#${tools.parentElement.querySelector(".source").id}`) {
         document.fonts.ready.then(() => type(tools));
     }
@@ -167,7 +168,8 @@ for (const tools of allTools) {
     });
 }
 
-// The page of a chapter begins with a way to type it, and the chapter before leads there.
+// The page of a chapter begins with a button that opens the editor, to which the page of the chapter
+// before links.
 const [first] = allTools;
 if (first && location.pathname.endsWith(`/${first.dataset.chapter}.html`)) {
     const door = first.querySelector("button").cloneNode(true);
@@ -180,7 +182,7 @@ if (first && location.pathname.endsWith(`/${first.dataset.chapter}.html`)) {
     }
 }
 
-// Whoever has typed a chapter has drawn its picture.
+// Shows the pictures that the reader's own chapters have drawn.
 for (const picture of document.querySelectorAll(".made img")) {
     const [, name] = picture.src.match(/(\w+)\.snap\.png$/);
     const drawn = localStorage.getItem(`drawn ${name}`);

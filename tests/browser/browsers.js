@@ -1,4 +1,4 @@
-// The browsers that are installed, each with one tab, and in it the pages of the woven book.
+// Opens the pages of the woven book in the browsers that are installed, each with one tab.
 //
 // puppeteer-core brings no browser of its own. It drives Chromium by the protocol of its
 // developer tools, and Firefox by WebDriver BiDi.
@@ -15,26 +15,27 @@ export const TARGET = fileURLToPath(new URL("../../target", import.meta.url));
 const BOOK = join(TARGET, "book");
 assert.ok(existsSync(BOOK), "There is no target/book yet: weave it by `cargo rtrace`.");
 
-// The pages that were written, and that for a missing one.
+// The file names of the book's pages, with the page that stands for a missing one.
 export const PAGES = readdirSync(BOOK).filter(
     (name) => name.endsWith(".html") && !["index.html", "print.html", "toc.html"].includes(name));
 export const textOf = (name) => readFileSync(join(BOOK, name), "utf8");
 
 const BROWSERS = {
-    // Only pages of this book are opened, and root has no sandbox.
+    // The sandbox does not work for root, and only pages of this book are opened.
     Chromium: { browser: "chrome", args: ["--no-sandbox", "--disable-gpu"],
         executablePath: find("CHROMIUM", ["chromium", "chromium-browser", "google-chrome"]) },
     Firefox: { browser: "firefox", executablePath: find("FIREFOX", ["firefox", "firefox-esr"]) },
 };
 
-// A program: there where the variable says, or by one of its names on the path.
+// Returns the path of a program: from the environment variable, or by one of its names on PATH.
 function find(variable, names) {
     const folders = process.env.PATH.split(delimiter);
     const places = folders.flatMap((folder) => names.map((name) => join(folder, name)));
     return process.env[variable] ?? places.find(existsSync);
 }
 
-// Registers a test for each of these browsers. One that is not installed is shown as skipped.
+// Registers a test for each of these browsers; `look` gets a page. A browser that is not installed is
+// reported as skipped.
 export function inBrowsers(sentence, look, names = Object.keys(BROWSERS)) {
     for (const name of names) {
         const browser = BROWSERS[name];
@@ -54,7 +55,7 @@ async function start(options) {
     const browser = await puppeteer.launch(options);
     const [page] = await browser.pages();
     const isOwn = (request) => /^(file|data|about|blob):/.test(request.url());
-    // Firefox draws a page of which it has read the half, and then misses parts of a formula.
+    // Firefox draws a page before it has read all of it, and then misses parts of a formula.
     const isHalf = ({ message }) => message.startsWith("Invalid markup: Incorrect number of children for <m");
     page.on("console", (said) => ["error", "warn"].includes(said.type()) && complaints.push(said.text()));
     page.on("pageerror", (error) => isHalf(error) || complaints.push(error.message));
@@ -63,12 +64,12 @@ async function start(options) {
     return page;
 }
 
-// What the browser has complained of since a page was opened, and each request to others.
+// Returns and forgets the browser's complaints since a page was opened, and each request that left it.
 export const complaintsSoFar = () => complaints.splice(0);
 
-// Opens a page, with a query or a fragment behind its name, and waits until all of it is there.
+// Opens a page of the book, `place` with its query or fragment, and waits until it is drawn.
 export async function open(page, place, width = 1200) {
-    // Where only the fragment differs, the page would stay as it is.
+    // A browser would not load the page anew if only the fragment differs.
     await page.goto("about:blank");
     await page.setViewport({ width, height: 800 });
     complaintsSoFar();
@@ -77,19 +78,19 @@ export async function open(page, place, width = 1200) {
     await nextFrame(page);
 }
 
-// Waits until everything has been drawn once more.
+// Waits until the page has been drawn once more.
 export const nextFrame = (page) => page.evaluate(() => new Promise((done) =>
     requestAnimationFrame(() => requestAnimationFrame(() => done()))));
 
-// Brings the first live figure near the screen, and waits until all that can move does, and
-// all pictures are painted.
+// Brings the first live figure near the screen, and waits until all of them can be moved and are
+// drawn.
 export async function alive(page) {
     await page.evaluate(() => document.querySelector("figure.live")?.scrollIntoView());
     await page.waitForFunction(() => !document.querySelector(
         "figure.live:not(.alive), figure.live:has(.sentence[aria-busy=true])"));
 }
 
-// What is said in a box once all is judged, of what has this name: the headline, and the rest.
+// Waits until the verdict in a box names `name`; returns the headline and the rest as text.
 export async function said(page, box, name) {
     await page.waitForFunction((box, name) => box.ariaBusy === "false"
         && box.querySelector(".verdict").textContent.includes(name), {}, await page.$(box), name);

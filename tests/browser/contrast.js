@@ -1,8 +1,8 @@
-// The texts on the page whose contrast with what is behind them is below 4.5, as WCAG 2.2
-// measures it. Unlike axe-core, this knows drawings, and is fast enough for each theme.
+// Returns the texts on the page whose contrast with their background is below 4.5, as WCAG 2.2
+// measures it. Unlike axe-core, this function knows drawings, and is fast enough for each theme.
 export function faintTexts() {
     const dot = new OffscreenCanvas(1, 1).getContext("2d", { willReadFrequently: true });
-    // How bright layers are, one over the other. Each has a color, and an opacity.
+    // Returns the luminance of layers, each a color with an opacity, one over the other.
     const luminance = (layers) => {
         for (const [color, opacity] of [["white", 1], ...layers]) {
             dot.globalAlpha = opacity;
@@ -16,7 +16,7 @@ export function faintTexts() {
     const around = (element) => element ? [...around(element.parentElement), element] : [];
     const styles = (element) => around(element).map((it) => getComputedStyle(it));
 
-    // The shapes that were drawn before a text of a drawing, where it stands, and its halo.
+    // Returns the shapes behind a text of a drawing, and its halo.
     const behind = (text) => {
         const { x, y, width, height } = text.getBoundingClientRect();
         const middle = new DOMPoint(x + width / 2, y + height / 2);

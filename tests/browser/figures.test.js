@@ -70,8 +70,8 @@ async function shown(page, name) {
     return page.evaluate(shownIn, name);
 }
 
-// What a figure says, what the text around it says of it, and its link: on the page as it is,
-// or in its text.
+// Returns a figure's words, the words of the page that follow it, and its link: on the current page, or
+// in the text of one.
 function shownIn(name, text) {
     const page = text ? new DOMParser().parseFromString(text, "text/html") : document;
     const figure = page.getElementById(name);

@@ -1,9 +1,9 @@
-// What is wrong with a page, at its width: this function runs in the page.
+// Returns the faults in the look of a page at its current width; the function runs in the page.
 export function faults() {
     const all = (selector) => [...document.querySelectorAll(selector)].filter((it) => it.checkVisibility());
     const as = (fault) => (element) => `${fault}: ${element.outerHTML.slice(0, 80)}`;
 
-    // Each element that sticks out to the right, unless it is in a box that scrolls.
+    // Finds elements that stick out to the right, unless they are in a box that scrolls.
     const width = document.documentElement.clientWidth;
     const scrolls = (element) => ["auto", "scroll"].includes(getComputedStyle(element).overflowX);
     const inScrollingBox = ({ parentElement: around }) =>
@@ -11,8 +11,8 @@ export function faults() {
     const isOut = (element) => element.getBoundingClientRect().right > width + 0.5 && !inScrollingBox(element);
     const whole = document.documentElement.scrollWidth - width;
 
-    // Pictures whose width and height are not in the ratio of their own, but for 2 %: a sphere in
-    // them is an egg.
+    // Finds pictures whose width and height are out of ratio by more than 2 %: a sphere in them is an
+    // egg.
     const isEgg = (picture) => {
         const style = getComputedStyle(picture);
         const own = picture.viewBox?.baseVal ?? picture;
@@ -20,12 +20,13 @@ export function faults() {
         return Math.abs(ratio * (own.naturalHeight ?? own.height) / (own.naturalWidth ?? own.width) - 1) > 0.02;
     };
 
-    // Words of less than ten pixels, or nine on the narrowest phone. A terminal's picture is 740
-    // wide with words of 14.
+    // Finds letters of less than 10 pixels, or 8.5 on the narrowest phone. The picture of a terminal is
+    // 740 units wide, with letters of 14.
     const isSmall = (element) => (element.localName === "img" ? 14 / 740 * element.width
         : parseFloat(getComputedStyle(element).fontSize) * element.getScreenCTM().a) < (innerWidth > 320 ? 10 : 8.5);
 
-    // Words of a drawing that lie on others. Above and below its letters a text has room to share.
+    // Finds words of a drawing that overlap others. A text has room above and below its letters, which
+    // others may share.
     const box = (text) => {
         const { left, right, top, bottom, width, height } = text.getBoundingClientRect();
         // Firefox counts the halo of the letters, too.

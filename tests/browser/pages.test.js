@@ -39,14 +39,14 @@ for (const place of PAGES) {
     });
 }
 
-// Links in a text that only their color tells.
+// Returns the links that only their color tells from the text around them.
 async function linksByColor() {
     const { violations } = await axe.run({ preload: false, runOnly: ["link-in-text-block"] });
     return violations.flatMap(({ id, nodes }) => nodes.map(({ target }) => `${id}: ${target}`));
 }
 
-// What bars a reader who listens, or has only a keyboard. A page from a file can't load its
-// style sheets once more: the browser would complain.
+// Returns the barriers for a reader who listens, or has only a keyboard. axe-core may not load style
+// sheets: the page comes from a file, so the browser would complain.
 async function barriers() {
     const rules = { "color-contrast": { enabled: false } };
     const { violations } = await axe.run({ preload: false, resultTypes: ["violations"], rules });

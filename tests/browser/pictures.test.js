@@ -47,12 +47,12 @@ inBrowsers("whatever is dropped is answered, and the page lives", async (page) =
     assert.deepEqual(complaintsSoFar(), []);
 });
 
-// The picture that a chapter draws, as the text of a P3 file in one line.
+// Returns the picture that a chapter draws, as the text of a P3 file on one line.
 function drawn(chapter) {
     return readFileSync(`${TARGET}/pictures/${chapter}.ppm`, "utf8").trim().replaceAll(/\s+/g, " ");
 }
 
-// A BMP file with 24 bits a pixel, rows from below, whose width is a multiple of 4.
+// Returns a BMP file with 24 bits a pixel, rows from the bottom; the width has to be a multiple of 4.
 function bitmap(width, height, levels) {
     const head = [[2, 0x4d42], [4, 54 + levels.length], [4, 0], [4, 54], [4, 40], [4, width], [4, height],
         [2, 1], [2, 24], [4, 0], [4, levels.length], [4, 2835], [4, 2835], [4, 0], [4, 0]];
@@ -66,7 +66,7 @@ function bitmap(width, height, levels) {
     return numbers.map((it) => String.fromCharCode(it)).join("");
 }
 
-// What is said of a file that is dropped, each letter a byte.
+// Drops a file on the page, each letter of `text` a byte; returns the page's answer.
 async function judged(page, name, text) {
     await page.evaluate((name, text) => {
         const dataTransfer = new DataTransfer();

@@ -1,6 +1,6 @@
-// Break it anywhere: each word of a chapter can be chosen, and in its place what people type there.
-// What that is, and what it draws, the module says: here is only a menu. That is a list of the
-// browser's own, so keys, fingers and screen readers know it.
+// Lets a reader break a chapter at any word: the reader chooses a word, and from a list a text that
+// people type instead. Rust makes the list and draws the broken program; this script only shows a
+// menu. The menu is the browser's own list, so that keys, fingers and screen readers know it.
 
 "use strict";
 
@@ -13,7 +13,7 @@ class Breaker {
         this.list.addEventListener("input", () => this.make(this.offered[this.list.selectedIndex - 1]));
         this.menu.addEventListener("click", ({ target }) => target.dataset.action === "mend" && this.leave());
         this.menu.addEventListener("keydown", (event) => {
-            // mdBook takes keys for its search.
+            // mdBook listens to keys for its search.
             event.stopPropagation();
             event.key === "Escape" && this.leave();
         });
@@ -23,7 +23,7 @@ class Breaker {
         }
     }
 
-    // The words that can be chosen: of each the file, and where it begins and ends.
+    // Gets the words that can be chosen: the index of the file, start and end of each.
     async open() {
         this.words = await Editor.drawing.within(LONG_PATIENCE, "words", { chapter: this.editor.name });
         this.editor.files.forEach((file) => file.color());
@@ -54,7 +54,8 @@ class Breaker {
         first && (first.tabIndex = 0);
     }
 
-    // Before the edit a word is where it was, and behind it so much later.
+    // Returns the words of a file (index, start, end), where the current edit has moved them; the words
+    // that it replaces are left out.
     placesIn(file) {
         const [start, end, added] = this.edit?.file === file ? this.edit.at : [Infinity, Infinity, 0];
         const here = this.words.map((word, n) => [n, ...word]).filter(([, of]) => this.editor.files[of] === file);
@@ -62,7 +63,7 @@ class Breaker {
             .map(([n, , from, to]) => to <= start ? [n, from, to] : [n, from + added, to + added]);
     }
 
-    // Shows what was made wrong.
+    // Highlights the text that the edit has put in.
     highlight(file, texts) {
         if (this.edit && this.edit.file !== file || !CSS.highlights) {
             return;
@@ -85,7 +86,7 @@ class Breaker {
         return this.editor.desk.querySelector(`[data-word="${n}"]`);
     }
 
-    // The first word at that place of a file, or behind it.
+    // Puts the keyboard on the first word at or behind a position of a file.
     begin(file, at) {
         const of = this.editor.files.indexOf(file);
         const n = this.words.findIndex(([it, start]) => it === of && start >= at);
@@ -100,7 +101,8 @@ class Breaker {
         }
     }
 
-    // Arrows lead from word to word, and to the nearest of the next line that has one.
+    // Moves the keyboard by an arrow from word to word, or to the nearest word of the next line that has
+    // one. Enter and the space bar choose a word.
     press(event) {
         const { key, target } = event;
         if (target.dataset.word && (key === "Enter" || key === " ")) {
@@ -136,7 +138,7 @@ class Breaker {
         }
         this.offered = offered;
         const text = this.editor.files[of].full.slice(start, end);
-        this.menu.querySelector("span").textContent = offered.length ? `In place of ${text}` : `Nothing is known that people type in place of ${text}`;
+        this.menu.querySelector("span").textContent = offered.length ? `In place of ${text}` : `This page knows nothing that people type in place of ${text}`;
         this.list.replaceChildren(new Option(`${text}, as it is`), ...offered.map(([label]) => new Option(label)));
         this.list.size = offered.length + 1;
         this.list.selectedIndex = 0;
@@ -144,7 +146,7 @@ class Breaker {
         this.list.focus({ preventScroll: true });
     }
 
-    // The menu is below its word; on a phone the style sheet has it at the bottom.
+    // Puts the menu below its word; on a phone, the style sheet puts it at the bottom.
     place(button) {
         this.menu.hidden = false;
         const around = this.menu.offsetParent.getBoundingClientRect();
@@ -155,7 +157,7 @@ class Breaker {
         this.menu.scrollIntoView({ block: "nearest" });
     }
 
-    // Makes the edit, or none.
+    // Makes an edit in the chapter's own text; null makes none.
     make(offered) {
         this.editor.files.forEach((file) => { file.area.value = file.full; });
         this.edit = null;

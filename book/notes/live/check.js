@@ -1,13 +1,13 @@
-// The page Check your picture: takes a file however it comes, asks the judge, and shows what
-// that says. No request leaves the page: the judge is in it.
+// The page Check your picture: takes a file that a reader chooses, drops or pastes, has it judged,
+// and shows the answer. No request leaves the page, because the judge is a part of it.
 
 "use strict";
 
-// A larger file is not read. The judge says so, in the words of the command.
+// The size in bytes above which a file is not read. The judge then says so.
 const MOST_BYTES = 2 ** 29;
-// How often a file is looked at that stays open, in milliseconds.
+// The time in milliseconds between two looks at a file that is watched.
 const LOOK = 500;
-// How many tries are remembered.
+// The number of tries that the page lists.
 const TRIES = 20;
 
 class CheckPage {
@@ -21,7 +21,7 @@ class CheckPage {
         this.inspector = form.querySelector(".inspector");
         this.waiting = form.querySelector(".waiting");
         this.pixels = new Pixels(form.querySelector(".pixels"), (column, row) => this.inspect(column, row));
-        // What is judged: a file and its name, and its handle if it can be watched.
+        // The file to be judged, and its handle if the page watches it.
         this.given = null;
         this.turn = 0;
         this.listen();
@@ -55,14 +55,14 @@ class CheckPage {
         } else if (name === "stop") {
             this.turn++;
             this.judge.start();
-            this.status.textContent = "Stopped.";
+            this.status.textContent = "You stopped the check.";
             this.wait(false);
         } else if (dataset.probe !== undefined) {
-            // The next picture is that of the probe.
+            // The next picture will be that of the probe.
             const [chapter, probe] = this.lists;
             chapter.value = this.answer.chapter;
             probe.value = dataset.probe;
-            this.status.textContent = "Draw it, and drop the new picture here.";
+            this.status.textContent = "Draw the probe, and drop its picture here.";
             form.elements.file.focus();
         }
     }
@@ -72,7 +72,7 @@ class CheckPage {
         const [item] = event.dataTransfer.items;
         const file = event.dataTransfer.files[0];
         const text = event.dataTransfer.getData("text");
-        // Only now: after a wait nothing of the event is left.
+        // This waits, so it comes last: nothing of the event is left after a wait.
         const handle = await item?.getAsFileSystemHandle?.().catch(() => null);
         file ? this.take(file, handle?.kind === "file" ? handle : null) : this.takeText(text);
     }
@@ -80,7 +80,7 @@ class CheckPage {
     paste(event) {
         const [file] = event.clipboardData.files;
         const text = event.clipboardData.getData("text");
-        // Into the field the text goes by itself.
+        // The browser itself puts text into the text field.
         if (file || (text && event.target !== this.form.elements.text)) {
             event.preventDefault();
             file ? this.take(file) : this.takeText(text);
@@ -88,7 +88,7 @@ class CheckPage {
     }
 
     takeText(text) {
-        text.trim() && this.take(new File([text], "what was pasted"));
+        text.trim() && this.take(new File([text], "your pasted text"));
     }
 
     take(file, handle = null) {
@@ -99,11 +99,11 @@ class CheckPage {
         }
     }
 
-    // Judges again whenever the file is saved, as long as it is the one that was given.
+    // Judges the file again whenever it is saved, until the reader gives another one.
     async watch(handle) {
         while (this.given?.handle === handle) {
             await new Promise((done) => setTimeout(done, LOOK));
-            // While it is written it may be gone.
+            // While another program writes the file, it may be gone.
             const file = await handle.getFile().catch(() => null);
             const last = this.given.file;
             const isNew = file && (file.lastModified !== last.lastModified || file.size !== last.size);
@@ -120,8 +120,8 @@ class CheckPage {
         }
         const turn = ++this.turn;
         const { file, handle } = this.given;
-        this.status.textContent = `${file.name} is being judged …`;
-        // What was said of another picture goes at once.
+        this.status.textContent = `Judging ${file.name} …`;
+        // The answer to the last picture goes at once.
         this.rest.replaceChildren();
         this.inspector.replaceChildren();
         this.pixels.box.hidden = true;
@@ -140,7 +140,7 @@ class CheckPage {
         }
     }
 
-    // Shows for how long a picture has been judged, if it takes more than a moment.
+    // Shows the seconds that judging has taken so far, if it takes more than one.
     wait(isBusy) {
         this.form.ariaBusy = String(isBusy);
         this.waiting.hidden = true;
@@ -158,9 +158,9 @@ class CheckPage {
         this.status.innerHTML = answer.verdict;
         this.rest.innerHTML = answer.rest;
         if (handle) {
-            this.rest.append(`${this.given.file.name} is watched: save it, and it is judged again.`);
+            this.rest.append(`This page watches ${this.given.file.name} and judges it again whenever you save it.`);
         }
-        // What was guessed is shown where it can be changed.
+        // A guess is shown in the list where the reader can change it.
         const [chapter, probe] = this.lists;
         const guessed = answer.chapter && chapter.selectedIndex === 0;
         chapter.options[0].text = guessed ? `guessed: ${answer.chapter}` : "guess it";
@@ -179,11 +179,11 @@ class CheckPage {
         const unreadable = error.message.includes("NotReadableError") || error.message.includes("NotFoundError");
         this.pixels.show([null, null, null]);
         this.status.textContent = unreadable
-            ? `${name} has changed since it was chosen: choose it again.`
-            : `${name} could not be judged: it needs more time or memory than a page has. The command has more: rtrace check.`;
+            ? `${name} has changed since you chose it: choose it again.`
+            : `${name} needs more time or memory than this page has. The command has more: cargo rtrace check.`;
     }
 
-    // The last try first, with what has changed since the one before.
+    // Puts this try at the top of the list, with the change since the last one.
     remember(before) {
         const { answer } = this;
         const entry = document.createElement("li");

@@ -1,5 +1,5 @@
-// The editor of a chapter: a text to type beside the listing, with its picture and the answer.
-// No request leaves the page: what reads, draws and judges is in it.
+// The editor of a chapter: a text field beside the listing, with the picture of the text and the
+// verdict on it. No request leaves the page, because the interpreter and the judge are a part of it.
 //
 // The text is a plain `textarea` that nothing is drawn in: its colors and the lines below faults
 // are two layers behind it. CodeMirror 6 (view, language, lint, lang-rust) was weighed against it:
@@ -17,27 +17,30 @@
 
 "use strict";
 
-// Each letter is drawn at once, small. After so many milliseconds without one the text is drawn
-// as the book has it, and judged.
+// The editor draws a small picture after each letter. After PAUSE milliseconds without a letter it
+// draws the text at the book's size, and shows the verdict LONG_PAUSE milliseconds after the letter.
 const PAUSE = 100;
 const LONG_PAUSE = 300;
-// Longer than that no text is read, and above that none is colored. No chapter has 8 kB.
+// The number of letters above which a text is not read, and above which it has no colors. No
+// chapter has 8 kB.
 const MOST_LETTERS = 100000;
 const MOST_COLORED = 20000;
-// So much room is left above the editor for the header, in pixels.
+// The room in pixels that the editor leaves above itself for the header.
 const HEADER = 60;
-// In milliseconds. The interpreter counts steps and names a loop without end long before.
+// The time in milliseconds after which a worker is replaced, for small questions and for large ones.
+// The interpreter counts steps, and names an endless loop long before.
 const PATIENCE = 2000;
 const LONG_PATIENCE = 30000;
-// What judges keeps every program that it has seen.
+// The number of verdicts after which the judging worker is replaced: it keeps every program that it
+// has seen.
 const JUDGED_BY_ONE = 100;
 
-// The answers of a worker that reads and draws, or judges.
-function typing(rust, { bytes, text, give }) {
+// Makes the methods that read, draw and judge a typed text.
+function editorMethods(rust, { bytes, text, give }) {
     const asked = (fields) => give(fields.join("\0"));
 
-    // Where it is, what it is, and more.
-    function said(length) {
+    // Splits the last answer into places, headline and rest.
+    function feedback(length) {
         const [places, headline, ...rest] = text(length).split("\n");
         const numbers = (place) => place.split(" ").map(Number);
         return { places: places ? places.split("\t").map(numbers) : [], headline, rest: rest.join("\n") };
@@ -53,7 +56,7 @@ function typing(rust, { bytes, text, give }) {
             asked(fields);
             const height = rust.draw(width, file, line);
             const length = rust.length();
-            return height ? { width, height, rgba: bytes(length).slice() } : { said: said(length) };
+            return height ? { width, height, rgba: bytes(length).slice() } : { said: feedback(length) };
         },
         words({ chapter }) {
             asked([chapter]);
@@ -64,8 +67,8 @@ function typing(rust, { bytes, text, give }) {
             const all = Array.from({ length: Math.floor(parts.length / 3) }, (_, n) => parts.slice(3 * n, 3 * n + 3));
             return all.map(([label, place, added]) => [label, place.split(" ").map(Number), added]);
         },
-        // What was drawn last.
-        judge: () => said(rust.judge()),
+        // Judges the text that was drawn last.
+        judge: () => feedback(rust.judge()),
         next({ fields, first }) {
             asked(fields);
             return text(rust.next_line(first)).split("\t");
@@ -78,20 +81,21 @@ function typing(rust, { bytes, text, give }) {
 }
 
 class Editor {
-    // The worker that draws at once, and the one that draws large and judges, are there for all
-    // chapters of a page.
+    // The worker that draws small pictures, and the one that draws large ones and judges them; all
+    // editors of a page share both.
     static drawing = null;
     static judging = null;
 
-    // A mistake is tried in a text that is not kept: what the reader typed stays.
+    // If `isBroken`, the reader breaks the chapter's own text, which is not kept: the text that the
+    // reader typed stays.
     constructor(name, isBroken) {
         this.name = name;
         this.isBroken = isBroken;
         this.width = name === "build_test" ? 256 : 400;
         this.turn = 0;
         this.judged = 0;
-        Editor.drawing ??= new Asked(typing, judgeModule);
-        Editor.judging ??= new Asked(typing, judgeModule);
+        Editor.drawing ??= new RustWorker(editorMethods, judgeModule);
+        Editor.judging ??= new RustWorker(editorMethods, judgeModule);
         this.desk = document.createElement("section");
         this.desk.className = "check typing alive";
         this.desk.classList.toggle("broken", isBroken);
@@ -99,7 +103,7 @@ class Editor {
         this.desk.innerHTML = DESK.replaceAll("NAME", name);
         this.desk.addEventListener("click", (event) => this.click(event));
         this.dialog = this.desk.querySelector("dialog");
-        // mdBook takes the key for its search.
+        // mdBook listens to this key for its search.
         this.dialog.addEventListener("keydown", ({ key }) => key === "Escape" && this.dialog.close());
         this.verdict = this.desk.querySelector(".verdict");
         this.rest = this.desk.querySelector(".rest");
@@ -128,7 +132,8 @@ class Editor {
         }
     }
 
-    // Beside a listing, in its own file: where its first empty function is, or its first word.
+    // Shows the editor beside a listing, in the listing's file, with the first empty function of the
+    // listing selected, or its first word.
     show(listing) {
         this.listing = listing;
         listing.before(this.desk);
@@ -143,7 +148,7 @@ class Editor {
         this.changed();
     }
 
-    // The desk goes below the header, or as much higher as the selected line needs.
+    // Scrolls so that the editor begins below the header, or higher if the selected line needs it.
     scroll(file) {
         scrollBy(0, this.desk.getBoundingClientRect().top - HEADER);
         this.isBroken || file.reveal();
@@ -156,12 +161,13 @@ class Editor {
         this.listing.querySelector(".tools button").focus({ preventScroll: true });
     }
 
-    // What was typed before, by the names of the files. Its key has a version: another form of
-    // it would have another key.
+    // The key under which the browser keeps the reader's files. It has a version, so that a new format
+    // can have a new key.
     get key() {
         return `typed 1 ${this.name}`;
     }
 
+    // Returns the kept files: an object of texts by file names.
     kept() {
         try {
             return JSON.parse(localStorage.getItem(this.key)) ?? {};
@@ -190,27 +196,27 @@ class Editor {
         file.choice.querySelector("input").checked = true;
     }
 
-    // The chapter, and the name and the text of each file.
+    // Returns the chapter's name, and the name and the text of each file.
     fields() {
         const files = this.files.flatMap((file) => [file.name, file.area.value.replaceAll("\0", "")]);
         return [this.name, ...files];
     }
 
-    // The file and the line at whose end the reader types; or no line.
+    // Returns the index of the file, and the line (from 1) at whose end the reader types; 0 for none.
     caret() {
         const { area } = this.chosen;
         const isTyping = document.activeElement === area && !this.isBroken;
         return [this.files.indexOf(this.chosen), isTyping ? this.chosen.lineOfEnd() : 0];
     }
 
-    // A line is judged when it is left.
+    // Judges an unfinished line when the caret leaves it.
     moved() {
         if (this.isCalm && String(this.caret()) !== this.typedAt) {
             this.changed();
         }
     }
 
-    // Draws what there is until no letter comes meanwhile, and then looks closer.
+    // Draws the text again and again until no letter comes meanwhile, and then judges it.
     async changed() {
         const now = ++this.turn;
         this.typed = performance.now();
@@ -234,11 +240,12 @@ class Editor {
         }
     }
 
-    // Draws the text. Returns what is said of one that is no program, or that stops.
+    // Draws the text. Returns the feedback on a text that is no program or stops, and nothing for a
+    // picture.
     async draw(worker, width, patience) {
         const fields = this.fields();
         if (fields.join("").length > MOST_LETTERS) {
-            return refusal("So long a text is not read here.");
+            return refusal(`This page reads no text of more than ${MOST_LETTERS} letters.`);
         }
         const turn = this.turn;
         const caret = this.caret();
@@ -259,7 +266,7 @@ class Editor {
         this.yours.getContext("2d").putImageData(data, 0, 0);
     }
 
-    // Draws as the book has it, and says what that has come to.
+    // Draws the text at the book's size, and shows the verdict.
     async judge(turn) {
         this.judged += 1;
         if (this.judged % JUDGED_BY_ONE === 0 || Editor.judging.waiting.size > 0) {
@@ -283,16 +290,16 @@ class Editor {
         }
     }
 
-    // For the page after the last chapter.
+    // Keeps the picture for the page after the last chapter.
     remember() {
         try {
             localStorage.setItem(`drawn ${this.name}`, this.yours.toDataURL());
         } catch {
-            // It has the chapter's picture.
+            // That page then shows the chapter's picture.
         }
     }
 
-    // To the desk of the next page of the book.
+    // Adds a link to the editor of the next page of the book.
     leadOn() {
         const next = document.querySelector("a[rel~=next]");
         if (next) {
@@ -304,6 +311,7 @@ class Editor {
         }
     }
 
+    // Shows feedback; the picture beside it is from before if `isOld`.
     say({ places, headline, rest }, isOld = false) {
         this.isCalm = headline.includes("is-calm");
         this.desk.classList.toggle("old", isOld && !this.isCalm);
@@ -312,7 +320,7 @@ class Editor {
             this.verdict.innerHTML = headline;
         }
         this.rest.innerHTML = rest;
-        // Where a line of the text is named, a button leads there.
+        // A place such as src/lib.rs:12 becomes a button that leads there.
         for (const told of this.rest.querySelectorAll("code, .printed")) {
             this.lead(told);
         }
@@ -362,7 +370,7 @@ class Editor {
         this.chosen.area.focus();
     }
 
-    // Tells how the next line begins, or types it.
+    // Says where the next line goes and how it begins, or types it.
     help(isTyped, [n, above, isLast, line]) {
         const file = this.files[n];
         if (!line) {
@@ -391,7 +399,7 @@ class Editor {
     }
 }
 
-// A file of the reader's: its text, and behind it the layers of colors and faults.
+// A file of the reader: a text field, and behind it the layers of colors and of underlined faults.
 class TypedFile {
     constructor(editor, name, skeleton, full) {
         Object.assign(this, { editor, name, skeleton, full });
@@ -409,7 +417,7 @@ class TypedFile {
         this.area.ariaLabel = name;
         this.area.setAttribute("aria-describedby", `said-${editor.name}`);
         this.area.addEventListener("input", () => this.changed());
-        // Also the keyboard of a phone comes and goes.
+        // The keyboard of a phone comes and goes, too.
         this.area.addEventListener("keyup", () => this.reveal());
         for (const event of ["keyup", "click", "blur"]) {
             this.area.addEventListener(event, () => editor.moved());
@@ -428,7 +436,7 @@ class TypedFile {
         this.editor.changed();
     }
 
-    // So that the browser can undo it.
+    // Replaces a part of the text, all of it by default, so that the browser's undo can bring it back.
     replace(text, [start, end] = [0, this.area.value.length]) {
         if (this.area.value.slice(start, end) !== text) {
             const { hidden } = this.panel;
@@ -440,9 +448,9 @@ class TypedFile {
         }
     }
 
-    // A new line keeps the indentation, a closing brace ends it, and a line that goes on with a
-    // condition has more of it: as rustfmt has it. Tab leads out of the text, as it leads out of
-    // any field.
+    // Indents as rustfmt does: a new line keeps the indentation, a closing brace takes four spaces
+    // away, and a line that continues a condition gets four more. Tab leaves the text field, as it
+    // leaves any other.
     press(event) {
         const { value, selectionStart: at } = this.area;
         if (event.isComposing || event.ctrlKey || event.metaKey || event.altKey) {
@@ -469,8 +477,8 @@ class TypedFile {
         }
     }
 
-    // Scrolls until the line that is typed is seen: below the answer, which stays on the screen
-    // of a phone, and above what helps and the keyboard.
+    // Scrolls until the line with the caret is seen: below the verdict, which stays on the screen of a
+    // phone, and above the buttons and the keyboard.
     reveal() {
         const { value, selectionStart } = this.area;
         const height = parseFloat(getComputedStyle(this.area).lineHeight);
@@ -499,14 +507,14 @@ class TypedFile {
         }
     }
 
-    // The line at whose end the caret is, from 1; or 0.
+    // Returns the line, counted from 1, at whose end the caret stands; 0 if it is not at an end.
     lineOfEnd() {
         const { value, selectionStart: at, selectionEnd } = this.area;
         const isEnd = at === selectionEnd && /^ *(\n|$)/.test(value.slice(at));
         return isEnd ? value.slice(0, at).split("\n").length : 0;
     }
 
-    // The lines as they begin, in letters of the text.
+    // Returns the position at which each line begins.
     starts() {
         const starts = [0];
         for (let at = this.area.value.indexOf("\n"); at >= 0; at = this.area.value.indexOf("\n", at + 1)) {
@@ -515,7 +523,8 @@ class TypedFile {
         return starts;
     }
 
-    // Columns are counted in characters, and a text in halves of the long ones.
+    // Returns two positions in the text, of columns of a line. Columns count characters; positions
+    // count UTF-16 units.
     range(line, from, to) {
         const start = this.starts()[line] ?? this.area.value.length;
         const [text] = this.area.value.slice(start).split("\n", 1);
@@ -524,7 +533,7 @@ class TypedFile {
         return [start + length(from), start + length(to)];
     }
 
-    // Underlines these places: file, line and columns.
+    // Underlines these places, each a file, a line from 1, and two columns from 0.
     mark(places) {
         const { value } = this.area;
         this.area.ariaInvalid = String(places.length > 0);
@@ -551,8 +560,8 @@ class TypedFile {
         this.area.setSelectionRange(at, at + length);
     }
 
-    // Where the first function of that code is that is not written yet; or where the code begins.
-    // And how much is to be typed over.
+    // Returns the position and the length of the `todo!()` in the first empty function of this code; or
+    // the position where the code begins, and 0.
     toType(code) {
         const { value } = this.area;
         const starts = [...code.matchAll(/\bfn \w+/g)].map(([name]) => value.indexOf(name)).filter((at) => at >= 0);
@@ -561,7 +570,7 @@ class TypedFile {
         return at === undefined ? [starts[0] ?? 0, 0] : [value.indexOf("todo!()", at), "todo!()".length];
     }
 
-    // Types a line above that one, or in its place.
+    // Types a line above another one, or in its place.
     insert(line, text, isInstead) {
         const [start, end] = this.range(line, 0, isInstead ? Infinity : 0);
         const isAtEnd = start === this.area.value.length;
@@ -570,7 +579,8 @@ class TypedFile {
     }
 }
 
-// How far the condition is indented that goes on in the last of these lines; null if none does.
+// Returns the indentation of the condition that continues in the last of these lines; null if none
+// does.
 function indentOfCondition(lines) {
     const isMore = (line) => /^\s*(&&|\|\|)/.test(line);
     const start = lines.findLast((line) => !isMore(line)) ?? "";
@@ -588,11 +598,11 @@ const refusal = (words) => {
 
 function gaveUp({ message }) {
     return message === "it takes too long"
-        ? "It did not end in time. Does every loop end, and every function that calls itself?"
-        : "This text is more than this page can take: it is nested too deeply, or needs too much memory.";
+        ? "Your program did not end in time. Does every loop end, and every function that calls itself?"
+        : "This page cannot run your text, which is nested too deeply or needs too much memory.";
 }
 
-// What stands between backticks is code.
+// Makes an item of a list, with the text between backticks as code.
 function withCode(says) {
     const item = document.createElement("li");
     says.split("`").forEach((part, n) => {
@@ -617,31 +627,31 @@ const DESK = `<fieldset class="names"><legend>File</legend></fieldset>
 <div class="rest"></div>
 </div>
 <div class="written">
-<p class="how">Choose a name, a number or a sign: click it, or go there with the arrows and press Enter. A list offers
-what people type in its place.</p>
+<p class="how">Choose a name, a number or a sign: click it, or move to it with the arrow keys and press Enter. A list
+then offers what people type in its place.</p>
 <div class="files"></div>
 <div class="instead" hidden><label><span></span><select></select></label>
-<button type="button" data-action="mend">Mend it (Escape)</button></div>
+<button type="button" data-action="mend">Undo the mistake (Escape)</button></div>
 <p class="controls">
 <button type="button" data-action="hint">Hint</button>
 <button type="button" data-action="next">Show the next line</button>
-<button type="button" data-action="full">Show all of it</button>
+<button type="button" data-action="full">Show the whole chapter</button>
 <button type="button" data-action="again">Start again</button>
-<button type="button" data-action="home">Take it home</button>
+<button type="button" data-action="home">Take your text home</button>
 <button type="button" data-action="close">Close</button>
 </p>
 </div>
 </div>
-<p class="unkept" hidden>This browser keeps nothing for this page: take your text home before you leave.</p>
-<div class="home" hidden><p>Unpack it in the folder of the workspace: nothing that is there is written over.</p>
+<p class="unkept" hidden>Your browser does not let this page keep your text: take the text home before you leave.</p>
+<div class="home" hidden><p>Unpack the archive in the folder of the workspace: tar overwrites none of the files there.</p>
 <pre><code>tar -xkf NAME.tar
 cargo rtrace watch NAME</code></pre></div>
-<dialog aria-label="Start again"><p>Begin with empty functions? What you have typed goes; undo (Ctrl+Z) brings it back.</p>
+<dialog aria-label="Start again"><p>Begin with empty functions? They replace your text; undo (Ctrl+Z) brings it back.</p>
 <p class="controls"><button type="button" data-action="empty">Start again</button>
-<button type="button" data-action="stay">Keep it</button></p></dialog>
+<button type="button" data-action="stay">Keep my text</button></p></dialog>
 <details open><summary>The steps</summary><ol class="steps"></ol></details>
 <details class="listed"><summary>The chapter's own lines</summary></details>
-<p class="small">What you type is kept in this browser, and nowhere else.</p>`;
+<p class="small">This browser keeps your text; it goes nowhere else.</p>`;
 
 // The editors that were opened on this page, by their chapters.
 const editors = {};

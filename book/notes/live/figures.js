@@ -1,8 +1,7 @@
-// Live figures: carries what a reader does to Rust, and Rust's answer to the page.
+// Live figures: carries a reader's moves to Rust, and Rust's answers to the page.
 //
-// What is shown, said and allowed is computed by the package `page`, compiled into
-// the modules. This script knows nothing of rays: only numbers in, and lines of text out.
-// What Rust says is read by start.js.
+// The package `page`, compiled into the modules, computes all that a figure shows, says and allows.
+// This script knows nothing of rays: it sends numbers, and gets lines of text, which start.js reads.
 
 "use strict";
 
@@ -14,16 +13,16 @@ class LiveFigure {
         this.stage = figure.querySelector(".stage");
         this.sentence = figure.querySelector(".sentence");
         this.handles = [...figure.querySelectorAll(".handle")];
-        // The sliders or the list of each number, by the place of the number.
+        // The sliders or the list of each parameter, by its index.
         this.inputs = [];
         for (const input of figure.querySelectorAll("[data-number]")) {
             (this.inputs[input.dataset.number] ??= []).push(input);
         }
-        // Not what is in them now: Firefox remembers that from the last visit.
+        // The attribute and not the current value, which Firefox keeps from the last visit.
         this.defaults = this.inputs.map(
             ([input]) => Number(input.getAttribute("value") ?? input.options[0].value));
         this.numbers = this.fromLink() ?? [...this.defaults];
-        // What is to be done before the next frame; of several drags only the last.
+        // The change to be made before the next frame: the last one, if there are several drags.
         this.waiting = null;
 
         this.handles.forEach((handle, n) => this.listenToPointer(handle, n));
@@ -36,13 +35,14 @@ class LiveFigure {
         figure.classList.add("alive");
     }
 
-    // A link such as ?ray=0,0,1,0.5,2#ray carries the numbers of the figure `ray`.
+    // Returns the numbers in a link such as ?ray=0,0,1,0.5,2#ray, or null if it has none for this
+    // figure.
     fromLink() {
         const numbers = new URLSearchParams(location.search).get(this.figure.id)?.split(",").map(Number);
         return numbers?.length === this.inputs.length ? numbers : null;
     }
 
-    // Mouse, finger and pen: the handle follows, from where it was grasped.
+    // Lets the handle follow mouse, finger and pen, from the point where it was grasped.
     listenToPointer(handle, n) {
         let grip = null;
         handle.addEventListener("pointerdown", (event) => {
@@ -75,12 +75,12 @@ class LiveFigure {
         }
     }
 
-    // The size of the drawing in its own units.
+    // Returns the size of the drawing in its own units.
     sheet() {
         return this.stage.querySelector("svg").viewBox.baseVal;
     }
 
-    // Arrows move a handle in both directions, by ten steps with Shift.
+    // Moves a handle by the arrow keys, left and right or up and down; by ten steps with Shift.
     press(event) {
         const slider = event.target;
         if (slider.type !== "range") {
@@ -115,7 +115,7 @@ class LiveFigure {
         this.request(() => {});
     }
 
-    // Draws once before the next frame, however often it is asked to.
+    // Makes a change and draws, once before the next frame, however often it is called.
     request(change) {
         if (!this.waiting) {
             requestAnimationFrame(() => this.draw());
@@ -140,7 +140,7 @@ class LiveFigure {
         const of = (kind) => lines.filter(([first]) => first === kind).map(([, ...rest]) => rest);
         const sheet = this.sheet();
         of("handle").forEach(([x, y], n) => {
-            // What leaves the drawing can be fetched back from its rim.
+            // A handle that would leave the drawing stays at its rim, so that it can be dragged back.
             const percent = (place, size) => `${100 * Math.min(Math.max(place / size, 0), 1)}%`;
             this.handles[n].style.left = percent(x, sheet.width);
             this.handles[n].style.top = percent(y, sheet.height);
@@ -149,7 +149,7 @@ class LiveFigure {
             for (const input of this.inputs[n]) {
                 input.max = most;
                 input.value = value;
-                // A list says its choice itself.
+                // A list reads its choice aloud by itself.
                 if (input.type === "range") {
                     input.ariaValueText = words;
                 }
@@ -162,7 +162,7 @@ class LiveFigure {
         });
     }
 
-    // The reader has let go: the sentence may be read aloud, and the link leads here.
+    // Ends a move: lets the sentence be read aloud, and the link lead to the current state.
     settle() {
         requestAnimationFrame(() => {
             this.sentence.ariaBusy = "false";

@@ -1,10 +1,11 @@
-// The numbers of a pixel: lines of Rust, a label and then what each program has for it,
-// become the rows of a table.
+// Shows the numbers behind a pixel as a table. Rust writes them as lines: a label, and then the value
+// that each program computes.
 
 "use strict";
 
-// Shows in `box` the lines under these heads. A number that the second program has otherwise
-// than the first is marked; of the line `yours` there is the color beside the right one.
+// Shows the lines in `box`, a column for each program under its head. A value that differs from the
+// first program's is bold. The line `yours`, the levels of the reader's pixel, becomes a sentence
+// below.
 function showNumbers(box, lines, [column, row], heads) {
     const rows = lines.split("\n").map((line) => line.split("\t"));
     const yours = rows.findIndex(([label]) => label === "yours");
@@ -38,13 +39,13 @@ function showNumbers(box, lines, [column, row], heads) {
     box.replaceChildren(table);
     if (levels) {
         const sentence = document.createElement("p");
-        sentence.append("Your picture has here ", patch(levels), levels, ".");
+        sentence.append("Your picture has ", patch(levels), levels, " here.");
         box.append(sentence);
     }
 }
 
-// Where an arrow leads from a pixel, ten pixels with Shift; nothing for any other key.
-function beside([column, row], event) {
+// Returns the pixel to which an arrow key leads, ten pixels away with Shift; null for any other key.
+function pixelByArrow([column, row], event) {
     const step = event.shiftKey ? 10 : 1;
     const way = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowDown: [0, 1], ArrowUp: [0, -1] }[event.key];
     if (!way || event.ctrlKey || event.altKey || event.metaKey) {
@@ -54,12 +55,12 @@ function beside([column, row], event) {
     return [column + step * way[0], row + step * way[1]];
 }
 
-// The nearest pixel of a picture of that size.
-function within(pixel, size) {
+// Returns the pixel of a picture of that size which is nearest to `pixel`.
+function nearestPixel(pixel, size) {
     return pixel.map((it, n) => Math.min(Math.max(it, 0), size[n] - 1));
 }
 
-// A square of that color.
+// Returns a small square of the color with these levels, such as "128 178 255".
 function patch(levels) {
     const square = document.createElement("span");
     square.className = "patch";

@@ -1,10 +1,11 @@
-// Pictures that are looked at together, as large as single pixels: the right one, the
-// reader's, the difference, and one over the other.
+// Shows pictures side by side, enlarged up to single pixels: the right one, the reader's, the
+// difference, and the right one over the reader's with a slider between.
 
 "use strict";
 
 class Pixels {
-    // `box` has the canvases and the controls; `pick` is told of each pixel that is chosen.
+    // `box` has the canvases and the controls; `pick` is called with the column and the row of each
+    // pixel that a reader chooses.
     constructor(box, pick) {
         this.box = box;
         this.pick = pick;
@@ -20,7 +21,8 @@ class Pixels {
         new ResizeObserver(() => this.draw()).observe(box);
     }
 
-    // Shows the pictures; another of the same size leaves the view as it is.
+    // Shows new pictures. If they have the size of the old ones, zoom and chosen pixel stay. `first` is
+    // the first pixel that differs.
     show(pictures, first) {
         const [width, height] = [this.width, this.height];
         this.pictures.forEach((picture) => picture?.close());
@@ -40,12 +42,13 @@ class Pixels {
         this.draw();
     }
 
-    // The part of the pictures that is shown: the chosen pixel in the middle, if it can be.
+    // Returns the part of the pictures that is shown (left, top, width and height in pixels), with the
+    // chosen pixel as near to the middle as possible.
     view() {
         const [wide, high] = [this.width / this.zoom, this.height / this.zoom];
         const [column, row] = this.chosen ?? [this.width / 2, this.height / 2];
-        const within = (middle, size, all) => Math.min(Math.max(middle + 0.5 - size / 2, 0), all - size);
-        return [within(column, wide, this.width), within(row, high, this.height), wide, high];
+        const start = (middle, size, all) => Math.min(Math.max(middle + 0.5 - size / 2, 0), all - size);
+        return [start(column, wide, this.width), start(row, high, this.height), wide, high];
     }
 
     draw() {
@@ -83,7 +86,7 @@ class Pixels {
         context.drawImage(picture, ...this.view(), 0, 0, width, height);
     }
 
-    // A frame around the chosen pixel, that can be seen on any color.
+    // Draws a frame around the chosen pixel that can be seen on any color.
     mark(context) {
         if (!this.chosen) {
             return;
@@ -108,7 +111,7 @@ class Pixels {
     }
 
     press(event) {
-        const next = beside(this.chosen ?? this.first, event);
+        const next = pixelByArrow(this.chosen ?? this.first, event);
         if (next) {
             this.choose(...next);
         } else if (event.key === "+" || event.key === "-") {
@@ -117,7 +120,7 @@ class Pixels {
     }
 
     choose(column, row) {
-        this.chosen = within([column, row], [this.width, this.height]);
+        this.chosen = nearestPixel([column, row], [this.width, this.height]);
         this.draw();
         this.pick(...this.chosen);
     }

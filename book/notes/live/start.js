@@ -1,4 +1,4 @@
-// Makes alive what a page has of live figures.
+// Starts the live figures of a page.
 
 "use strict";
 
@@ -10,7 +10,8 @@ for (const name of modules) {
     });
 }
 
-// The functions of a module, which is base64 of gzip: from a file nothing else is loaded.
+// Returns the functions of a WebAssembly module. The module is a text, base64 of gzip, because a page
+// that is opened from a file may load nothing but scripts.
 async function instantiate(base64) {
     const compressed = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
     const module = new Blob([compressed]).stream().pipeThrough(new DecompressionStream("gzip"));
@@ -19,12 +20,12 @@ async function instantiate(base64) {
     return instance.exports;
 }
 
-// The answer of Rust that is so many bytes long, until the next call.
+// Returns the last answer of Rust, which is `length` bytes long and stays until the next call.
 function bytes(rust, length) {
     return new Uint8Array(rust.memory.buffer, rust.place(), length);
 }
 
-// The same as text.
+// Returns the last answer of Rust as text.
 function read(rust, length) {
     return new TextDecoder().decode(bytes(rust, length));
 }

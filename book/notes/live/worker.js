@@ -1,11 +1,12 @@
-// Rust in a worker, so that the page never waits for it.
+// Runs Rust, compiled to WebAssembly, in a worker, so that the page never waits for it.
 //
-// From a file no worker is loaded: functions become one as text, in a Blob.
+// A page that is opened from a file may not load a worker's script. So the functions below become
+// one as text, in a Blob.
 
 "use strict";
 
-// What a worker is: `work` makes answers of the functions of a module. The first question
-// brings that along, as base64 of gzip.
+// The main function of a worker. `work` makes an object of methods that answer questions, from the
+// functions of a WebAssembly module. The first message brings that module, as base64 of gzip.
 function serve(work) {
     let rust = null;
     let answers = null;
@@ -18,11 +19,13 @@ function serve(work) {
         return instance.exports;
     }
 
-    // The answer of Rust that is so many bytes long, until the next call; and as text.
+    // Return the last answer of Rust, which is `length` bytes long and stays until the next call:
+    // as bytes, or as text.
     const bytes = (length) => new Uint8Array(rust.memory.buffer, rust.place(), length);
     const text = (length) => new TextDecoder().decode(bytes(length));
 
-    // Puts what Rust is asked about where Rust wants it. Returns the length of the first part.
+    // Writes a question, a text and perhaps bytes, into the memory of Rust. Returns the length of the
+    // text in bytes.
     function give(question, ...parts) {
         const all = [new TextEncoder().encode(question), ...parts];
         let place = rust.take(all.reduce((sum, part) => sum + part.length, 0));
@@ -46,10 +49,10 @@ function serve(work) {
     };
 }
 
-// The answers of the judge of pictures.
-function judging(rust, { bytes, text, give }) {
-    // The lines of facts, of the verdict, and of the rest.
-    function said(length) {
+// Makes the methods that judge pictures.
+function judgeMethods(rust, { bytes, text, give }) {
+    // Splits the last answer into facts, verdict and rest.
+    function parsed(length) {
         const [facts, verdict, ...rest] = text(length).split("\n");
         const [chapter, probe, cause, size, different] = facts.split("\t");
         const [width, height, column, row] = size.split(" ").map(Number);
@@ -62,23 +65,23 @@ function judging(rust, { bytes, text, give }) {
     async function judge({ file, most, asked }) {
         const question = [file.name, ...asked].join("\0");
         if (file.size > most) {
-            return said(rust.too_large(give(question)));
+            return parsed(rust.too_large(give(question)));
         }
         const bytes = new Uint8Array(await file.arrayBuffer());
-        const answer = said(rust.check(give(question, bytes)));
+        const answer = parsed(rust.check(give(question, bytes)));
         // A WebP begins with RIFF. It loses levels in ways that the judge does not know.
         const isWebP = bytes[0] === 0x52 && bytes[1] === 0x49;
         return { ...answer, isForeign: answer.cause === "other-format" && !isWebP };
     }
 
-    // Of a format that Rust does not read: the pixels that the browser has made of it.
+    // Judges a file of a format that Rust does not read, by the pixels that the browser shows.
     async function judgePixels({ file, asked, pixels: { width, height, data } }) {
         const question = [file.name, ...asked].join("\0");
         const why = new Uint8Array(await file.slice(0, 64).arrayBuffer());
-        return said(rust.decoded(give(question, why, data), why.length, width, height));
+        return parsed(rust.decoded(give(question, why, data), why.length, width, height));
     }
 
-    // The right picture, the reader's, and the difference; null if there is none.
+    // Returns the right picture, the reader's and the difference; null for one that is not there.
     async function pictures({ width, height }) {
         const all = [];
         for (const which of [0, 1, 2]) {
@@ -99,13 +102,14 @@ function judging(rust, { bytes, text, give }) {
     };
 }
 
-// What the browser makes of a picture, with its colors as they are; null if it can't read it.
-// It is a worker's whole life: Firefox 140 computes slowly in a thread that has drawn.
-function decoding() {
+// The main function of a worker that decodes one picture with the browser, without changing its
+// colors. Answers null if the browser cannot read the file. The worker serves for nothing else:
+// Firefox 140 computes slowly in a thread that has drawn.
+function decodePicture() {
     onmessage = async ({ data: file }) => {
         const options = { colorSpaceConversion: "none", premultiplyAlpha: "none" };
         const bitmap = await createImageBitmap(file, options).catch(() => null);
-        // Rust says no to more, and a canvas may not hold it.
+        // Rust refuses larger pictures, and a canvas may not hold them.
         if (!bitmap || bitmap.width * bitmap.height > 2 ** 24) {
             postMessage(null);
             return;
@@ -117,7 +121,7 @@ function decoding() {
     };
 }
 
-// A worker that does what such a function does.
+// Starts a worker with this script.
 function workerOf(code) {
     const url = URL.createObjectURL(new Blob([code]));
     const worker = new Worker(url);
@@ -125,9 +129,9 @@ function workerOf(code) {
     return worker;
 }
 
-// Asks a worker. What has trapped or takes too long can't be called again, and is replaced: a
-// hostile file has only itself to spoil.
-class Asked {
+// A worker that answers questions by methods of `work`. A worker that has crashed or takes too long
+// is replaced by a new one, so a hostile file spoils only its own answer.
+class RustWorker {
     constructor(work, base64) {
         this.code = `(${serve})(${work})`;
         this.base64 = base64;
@@ -146,7 +150,7 @@ class Asked {
             data.error ? reject?.(new Error(data.error)) : resolve?.(data.answer);
         };
         this.started = this.ask("start", { base64: this.base64 });
-        // A question that comes later hears of it.
+        // The next question reports this error.
         this.started.catch(() => {});
     }
 
@@ -158,8 +162,8 @@ class Asked {
         });
     }
 
-    // The answer within so many milliseconds, or an Error: "replaced" if the worker has been
-    // replaced meanwhile.
+    // Returns the answer, or throws an Error after `patience` milliseconds; the message is "replaced"
+    // if another call has replaced the worker meanwhile.
     async within(patience, what, question) {
         await this.started;
         const worker = this.worker;
@@ -183,13 +187,12 @@ class Asked {
     }
 }
 
-// The judge of pictures. One that is asked for a new picture while judging an old one is
-// replaced.
-class Judge extends Asked {
+// The worker that judges pictures. A question about a new picture ends the work on an old one.
+class Judge extends RustWorker {
     static PATIENCE = 60000;
 
     constructor() {
-        super(judging, judgeModule);
+        super(judgeMethods, judgeModule);
     }
 
     get choices() {
@@ -211,9 +214,9 @@ class Judge extends Asked {
     }
 }
 
-// The width, the height and the bytes of a picture that the browser reads, or null.
+// Returns the width, the height and the bytes of a picture as the browser reads it, or null.
 async function pixelsOf(file) {
-    const worker = workerOf(`(${decoding})()`);
+    const worker = workerOf(`(${decodePicture})()`);
     try {
         return await new Promise((resolve) => {
             worker.onmessage = ({ data }) => resolve(data);
