@@ -139,7 +139,7 @@ impl<'a> Evidence<'a> {
     /// Searches for a change of the reader's own lines that makes the program right.
     pub(crate) fn repair(&self) -> Option<&Repair> {
         let before = self.context.steps.len().saturating_sub(1);
-        let repair = || Repair::of(&self.task, self.reading, &self.context.sources, before);
+        let repair = || Repair::find(&self.task, self.reading, &self.context.sources, before);
         self.repair.get_or_init(repair).as_ref()
     }
 

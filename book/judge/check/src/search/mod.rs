@@ -29,7 +29,7 @@ pub use everywhere::{FileEdit, edits_everywhere};
 use forwards::PictureSearch;
 pub(crate) use forwards::{DrawingMutants, Mutant};
 use functions::functions;
-pub(crate) use repair::{Change, Correction, Repair};
+pub(crate) use repair::{Correction, LineChange, Repair};
 
 /// Of a larger picture not every pixel is drawn for each edit.
 const LARGEST: usize = 500_000;

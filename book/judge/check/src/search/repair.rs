@@ -5,6 +5,7 @@
 
 use std::cell::Cell;
 
+use common::rtweekend::Picture;
 use interpreter::{Program, SourceFile};
 
 use super::backwards::{Fix, RepairSearch};
@@ -20,7 +21,7 @@ use crate::task::Task;
 #[derive(Clone, Debug)]
 pub struct Repair {
     /// What is to be changed.
-    pub changes: Vec<Change>,
+    pub changes: Vec<LineChange>,
     /// The reader's files with all of it.
     pub(crate) files: Vec<SourceFile>,
     /// True if the picture was right before.
@@ -31,7 +32,7 @@ pub struct Repair {
 
 /// A place in the reader's files, and what is right there.
 #[derive(Clone, Debug)]
-pub struct Change {
+pub struct LineChange {
     /// The reader's line.
     pub yours: SourceLine,
     /// What should be there.
@@ -63,16 +64,19 @@ impl Repair {
         let found = searched(task, reading, sources, |it| it.transplanted())?;
         let (yours, right) = (found.line, Correction::InOwnLanguage(found.right));
         Some(Self {
-            changes: vec![Change { yours, right }],
+            changes: vec![LineChange { yours, right }],
             files: Vec::new(),
             is_hidden: false,
             step: None,
         })
     }
 
-    /// Finds what makes a program right that draws this picture of the scene, or of one of so many
-    /// steps on the way to it.
-    pub(crate) fn of(
+    /// Finds the smallest change of the reader's files that makes the program right, which now draws
+    /// this picture, for the task or for one of the first `steps` steps on the way to it.
+    ///
+    /// Of files in other languages than Rust a line is tried in the chapter's program. Returns `None`
+    /// if the program can't be read, draws another picture, is right, or if no edit is found.
+    pub(crate) fn find(
         task: &Task,
         reading: &Reading,
         sources: &Sources,
@@ -85,37 +89,23 @@ impl Repair {
         if files.is_empty() {
             return Self::transplanted(task, reading, sources);
         }
-        let (yours, loops) = drawing(&files, reading)?;
-        let chapter = slips::ChapterProgram::right(task.chapter);
-        let chapter = chapter.code();
-        let (own, theirs) = (functions(&yours), functions(chapter));
-        let right = |task: &Task| task.right_picture(reading.width, task.height(reading.width));
-        let goal_of = |task: &Task| {
-            let goal = Goal::new(task.chapter, &right(task), reading);
-            if loops { goal.looping(task) } else { goal }
-        };
-        let swapped = || with_one_of_the_chapter(&yours, &own, &theirs);
-        let on_the_way = (0..steps).find_map(|step| {
-            let task = task.at_step(step);
-            let goal = goal_of(&task);
-            let there = swapped().filter(|it| goal.is_met_by(it));
-            let mut goals = there.map(|it| goal_of(&task).asking(&it));
-            Some((task, goals.find(|goal| !goal.is_met_by(&yours))?))
-        });
-        let (task, goal) = match on_the_way {
+        let reader = ReaderProgram::read(&files, reading)?;
+        let right = slips::ChapterProgram::right(task.chapter);
+        let chapter = functions(right.code());
+        let (task, goal) = match reader.step(task, reading, &chapter, steps) {
             Some(found) => found,
-            // Of another scene only the picture is known.
-            None if task.probe.is_some() => (*task, goal_of(task)),
-            None => (*task, goal_of(task).asking(chapter)),
+            // No questions are known about the scene of a probe.
+            None if task.probe.is_some() => (*task, reader.goal(task, reading)),
+            None => (*task, reader.goal(task, reading).asking(right.code())),
         };
-        let is_hidden = right(&task) == reading.picture();
-        if is_hidden && goal.is_answered_by(&yours) {
+        let is_hidden = right_picture(&task, reading) == reading.picture();
+        if is_hidden && goal.is_answered_by(&reader.program) {
             return None;
         }
         let search = RepairSearch {
-            program: &yours,
-            yours: &own,
-            chapter: &theirs,
+            program: &reader.program,
+            yours: &reader.functions,
+            chapter: &chapter,
             goal: &goal,
             read: Cell::default(),
         };
@@ -131,37 +121,77 @@ impl Repair {
     }
 }
 
-/// Reads the program of these files, if it draws this picture, and tells whether its own loop
-/// over the pixels does.
-fn drawing(files: &[SourceFile], reading: &Reading) -> Option<(Program, bool)> {
-    let yours = program(files)?;
-    let has_a_loop = files.iter().any(|it| it.text.contains("struct Ray"));
-    let draws = || {
-        let picture = yours.draw(reading.width);
-        picture.is_ok_and(|it| it == reading.picture())
-    };
-    let is_it = goal::draws(&yours, reading, goal::LOOKED) || has_a_loop && draws();
-    let loops = has_a_loop && yours.draw(1).is_ok();
-    is_it.then_some((yours, loops))
+/// Draws the right picture of a task, as wide as the one that was read.
+fn right_picture(task: &Task, reading: &Reading) -> Picture {
+    task.right_picture(reading.width, task.height(reading.width))
 }
 
-/// The reader's program with one function of the chapter's in place of the reader's: on the way
-/// to the chapter, it shows what its step does.
-fn with_one_of_the_chapter<'a>(
-    program: &'a Program,
-    yours: &'a [ParsedFunction],
-    right: &'a [ParsedFunction],
-) -> impl Iterator<Item = Program> + 'a {
-    let pairs = yours
-        .iter()
-        .flat_map(move |own| right.iter().map(move |it| (own, it)));
-    let same = pairs.filter(|(own, it)| own.name == it.name);
-    same.filter_map(|(own, it)| program.patched(&own.name, &it.text).ok())
+/// A reader's program that draws the picture that is judged.
+struct ReaderProgram {
+    program: Program,
+    functions: Vec<ParsedFunction>,
+    /// True if the files have a loop over all pixels, and the interpreter can run it.
+    has_own_loop: bool,
+}
+
+impl ReaderProgram {
+    /// Reads the program of these files, if it draws this picture.
+    fn read(files: &[SourceFile], reading: &Reading) -> Option<Self> {
+        let program = program(files)?;
+        let has_a_loop = files.iter().any(|it| it.text.contains("struct Ray"));
+        let draws = || {
+            let picture = program.draw(reading.width);
+            picture.is_ok_and(|it| it == reading.picture())
+        };
+        let is_it = goal::draws(&program, reading, goal::LOOKED) || has_a_loop && draws();
+        is_it.then(|| Self {
+            functions: functions(&program),
+            has_own_loop: has_a_loop && program.draw(1).is_ok(),
+            program,
+        })
+    }
+
+    /// Makes the goal of a task: to draw its right picture, also by the reader's own loop.
+    fn goal(&self, task: &Task, reading: &Reading) -> Goal {
+        let goal = Goal::new(task.chapter, &right_picture(task, reading), reading);
+        match self.has_own_loop {
+            true => goal.looping(task),
+            false => goal,
+        }
+    }
+
+    /// Finds the first of so many steps on the way to a task that the program is meant to be: with
+    /// one function of the chapter it draws the step's picture, and without it does not answer as
+    /// it does with it. Returns the step as a task, and its goal.
+    fn step(
+        &self,
+        task: &Task,
+        reading: &Reading,
+        chapter: &[ParsedFunction],
+        steps: usize,
+    ) -> Option<(Task, Goal)> {
+        (0..steps).find_map(|step| {
+            let task = task.at_step(step);
+            let goal = self.goal(&task, reading);
+            let there = self.with_one_of(chapter).filter(|it| goal.is_met_by(it));
+            let mut goals = there.map(|it| self.goal(&task, reading).asking(&it));
+            Some((task, goals.find(|goal| !goal.is_met_by(&self.program))?))
+        })
+    }
+
+    /// Returns the program with one of its functions replaced by the chapter's of the same name, for
+    /// each function that both have.
+    fn with_one_of(&self, chapter: &[ParsedFunction]) -> impl Iterator<Item = Program> {
+        let own = self.functions.iter();
+        let pairs = own.flat_map(|own| chapter.iter().map(move |it| (own, it)));
+        let same = pairs.filter(|(own, it)| own.name == it.name);
+        same.filter_map(|(own, it)| self.program.patched(&own.name, &it.text).ok())
+    }
 }
 
 impl Fix<'_> {
     /// Finds the lines that are changed.
-    fn changes(&self, files: &[SourceFile]) -> Vec<Change> {
+    fn changes(&self, files: &[SourceFile]) -> Vec<LineChange> {
         let line = |files: &[SourceFile], function: &ParsedFunction, n: usize| {
             let (file, start) = function.place(files).unwrap_or_default();
             let SourceFile { name, text } = &files[file];
@@ -172,7 +202,7 @@ impl Fix<'_> {
                 text: squeezed(text.lines().nth(before + n).unwrap_or_default()),
             }
         };
-        let change = |n: usize, right: Correction| Change {
+        let change = |n: usize, right: Correction| LineChange {
             yours: line(files, self.yours, n),
             right,
         };

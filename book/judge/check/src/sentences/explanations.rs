@@ -11,7 +11,7 @@ use crate::answer::{Row, RowKind};
 use crate::candidate::Conversion;
 use crate::context::Context;
 use crate::names;
-use crate::search::{Change, Correction, DrawingMutants, Mutant, Repair};
+use crate::search::{Correction, DrawingMutants, LineChange, Mutant, Repair};
 use crate::sources::CorrectedLine;
 use crate::task::Task;
 use crate::verdict::{Finding, Mistakes};
@@ -200,7 +200,7 @@ impl Repair {
             1 => "with this change",
             _ => "with these changes",
         };
-        let is_spelled = |it: &Change| matches!(it.right, Correction::InOwnLanguage(_));
+        let is_spelled = |it: &LineChange| matches!(it.right, Correction::InOwnLanguage(_));
         let tried = if self.changes.iter().all(is_spelled) {
             "the chapter with your line in its place draws your picture".to_owned()
         } else if self.is_hidden {
@@ -208,12 +208,12 @@ impl Repair {
         } else {
             format!("{with} your program draws the picture")
         };
-        let changes = self.changes.iter().flat_map(Change::rows);
+        let changes = self.changes.iter().flat_map(LineChange::rows);
         changes.chain(row(RowKind::Tried, &tried))
     }
 }
 
-impl Change {
+impl LineChange {
     /// Lists the reader's line and the right one; or only the right one, where a line is missing.
     fn rows(&self) -> Vec<Row> {
         let right = match &self.right {
