@@ -635,9 +635,9 @@ then offers what people type in its place.</p>
 <p class="controls">
 <button type="button" data-action="hint">Hint</button>
 <button type="button" data-action="next">Show the next line</button>
-<button type="button" data-action="full">Show the whole chapter</button>
+<button type="button" data-action="full">Show the chapter</button>
 <button type="button" data-action="again">Start again</button>
-<button type="button" data-action="home">Take your text home</button>
+<button type="button" data-action="home">Take it home</button>
 <button type="button" data-action="close">Close</button>
 </p>
 </div>

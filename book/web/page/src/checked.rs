@@ -221,7 +221,7 @@ fn laid_out(facts: &str, answer: &Answer) -> String {
 /// Returns the HTML paragraph below the verdict on a file that only the browser could read.
 fn read_by_browser(cause: &Cause) -> String {
     format!(
-        "<p>Your browser has read this file: {}. It was judged as what the browser shows.</p>",
+        "<p>Your browser has read this file: {}. The verdict is on the picture that the browser shows.</p>",
         escaped(&cause.problem)
     )
 }

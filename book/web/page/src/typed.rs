@@ -153,7 +153,7 @@ impl Draft {
         });
         match lines.collect::<Vec<_>>().join(", ") {
             none if none.is_empty() => none,
-            lines => format!(" Not checked, since it never ran: {lines}."),
+            lines => format!(" Never run, and so not checked: {lines}."),
         }
     }
 
