@@ -23,7 +23,7 @@ pub struct Answer {
     pub pictures: Option<Pictures>,
     /// The slips that were made, whose pages tell how their lines are right.
     pub read: Vec<&'static Slip>,
-    /// What to do next; empty if the rows say it.
+    /// The advice on what to do next; empty if the rows say it.
     pub next: String,
     /// Lines to add to the reader's list of done things.
     pub done: Vec<String>,
@@ -42,7 +42,7 @@ pub struct Headline {
     pub rest: String,
 }
 
-/// How good a verdict is; gives its color.
+/// The grade of a verdict, from right to no picture; gives its color.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Grade {
     /// The subject is right, and nothing is left to do: green.
@@ -97,8 +97,8 @@ pub enum RowKind {
     Missing,
     /// The reason why a line is wrong (`why`).
     Why,
-    /// How the mistakes or repairs in the rows before were tried, and how well they explain the
-    /// picture (`tried`).
+    /// A clause on how the mistakes or repairs in the rows before were tried, and how well they
+    /// explain the picture (`tried`).
     Tried,
     /// An observation about the picture (`seen`).
     Seen,

@@ -41,7 +41,7 @@ pub struct Attempt<'a> {
     pub name: String,
     /// The flaw of a file that could be read, such as an encoding in UTF-16; `None` if it has none.
     pub flaw: Option<Cause>,
-    /// What is known of the reader's program.
+    /// The context of the picture: files, answers and warnings of the reader's program.
     pub context: &'a Context<'a>,
     /// The outcome of the laws; `None` where the functions can't be asked.
     pub laws: Option<&'a LawsStatus>,

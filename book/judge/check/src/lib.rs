@@ -1,11 +1,12 @@
-//! What judges a picture, ours or a reader's.
+//! The judge of a picture, ours or a reader's.
 //!
-//! In the order in which a file passes through it: [`reading`] makes a picture of bytes that
-//! may be anything, the judge asks which program draws it, `search` tries what makes the
-//! reader's own program right, and the [`verdict`] becomes an [`answer`] in the words of [`sentences`],
-//! which [`text`] and [`html`] lay out. If the picture is right, [`blind_spots`] knows what it
-//! hides. Of a picture without a chapter's name [`guess`] says which chapter it is. [`any_language`] puts a function under the laws that is
-//! asked by lines of text.
+//! A file passes through these modules in turn: [`reading`] makes a picture of bytes that may be
+//! anything. [`judge()`] asks which program draws the picture, and `search` tries which change makes
+//! the reader's own program right. An [`attempt`] puts the [`verdict`] into an [`answer`], in the
+//! words of [`sentences`], and [`text`] or [`html`] lays it out.
+//!
+//! Beside them, [`blind_spots`] finds the mistakes that a right picture hides, [`guess`] the chapter
+//! of a picture without a name, and [`any_language`] puts a function in any language under the laws.
 
 pub mod answer;
 pub mod any_language;

@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::limits::{MOST_BYTES, MOST_PIXELS};
 
-/// What keeps a file from being a picture, or a picture from being the right one.
+/// The fault of a file that is no picture, or of a picture that is refused, with its fix.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Cause {
     /// The name of the cause for programs, such as `too-few-numbers`; it never changes.

@@ -1,4 +1,4 @@
-//! What a reader can do next: draw a further picture, look at a line, write the next step.
+//! Advice on what to do next: a further picture to draw, a line to look at, a step to write.
 
 use slips::{Slip, steps};
 

@@ -1,5 +1,5 @@
-//! What explains a picture, as rows: the reader's lines and what should be there, or else what is
-//! seen; and what the laws and other programs have said.
+//! The explanation of a picture as rows: the reader's lines and the right ones, or else what is
+//! seen; and the rows of a broken law, or of lines that were printed.
 
 use std::iter;
 

@@ -1,5 +1,5 @@
-//! Every sentence that a reader gets, in the order in which it is read: the [`verdicts`], the
-//! [`explanations`], and the [`advice`] on what to do next.
+//! Every sentence that a reader gets, in the order in which it is read: the verdicts, the
+//! explanations, and the advice on what to do next.
 
 mod advice;
 mod explanations;
