@@ -44,8 +44,8 @@ fn make(reader: &TestReader, chapter: Chapter, mistake: &Typing) {
     if !folder.exists() {
         reader.make(chapter.name(), &[]);
     }
-    for (name, text) in chapter.files() {
-        fs::write(folder.join(name), text).expect("it is saved");
+    for file in chapter.files() {
+        fs::write(folder.join(file.name), file.text).expect("it is saved");
     }
     reader.make_changes(chapter.name(), mistake);
 }

@@ -21,6 +21,15 @@ pub enum Chapter {
     SpeedVsAccuracy,
 }
 
+/// A source of a chapter, compiled into this program.
+#[derive(Clone, Copy, Debug)]
+pub struct ChapterFile {
+    /// The path in a crate of the reader's own, with `/`, such as `src/lib.rs`.
+    pub name: &'static str,
+    /// The whole text.
+    pub text: &'static str,
+}
+
 /// How many spheres a scene has room for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SphereCount {
@@ -102,12 +111,15 @@ impl Chapter {
         }
     }
 
-    /// Lists the sources that a reader types, each with its name in a crate of their own and its
-    /// text; none for [`Chapter::SpeedVsAccuracy`].
-    pub fn files(self) -> &'static [(&'static str, &'static str)] {
+    /// Lists the sources that a reader types, by their names from `a` to `z`; none for
+    /// [`Chapter::SpeedVsAccuracy`].
+    pub fn files(self) -> &'static [ChapterFile] {
         macro_rules! files {
             ($folder:literal: $($name:literal),*) => {
-                &[$(($name, include_str!(concat!("../../../../chapters/", $folder, "/", $name)))),*]
+                &[$(ChapterFile {
+                    name: $name,
+                    text: include_str!(concat!("../../../../chapters/", $folder, "/", $name)),
+                }),*]
             };
         }
         match self {

@@ -4,29 +4,32 @@
 
 pub mod source;
 
+use interpreter::SourceFile;
 use slips::{Chapter, lawful};
 
-/// Lists the files of the chapter, as the page lists them, with `todo!()` in the functions that are
-/// to be typed: each with its name, in the order in which they are typed.
-pub fn files(chapter: Chapter, own: bool) -> Vec<(&'static str, String)> {
-    let (of_lib, of_others) = if own {
+/// Lists the files that a reader types in a chapter, in the order in which they are typed. Each has
+/// the chapter's own text with `todo!()` in place of the body of each function to be typed. They
+/// use the reader's own prelude if `own_prelude` is true, or else that of `common`. Empty for
+/// [`Chapter::SpeedVsAccuracy`].
+pub fn files(chapter: Chapter, own_prelude: bool) -> Vec<SourceFile> {
+    let (of_lib, of_others) = if own_prelude {
         let modules = include_str!("../files/own/head.rs");
         (modules, "use crate::rtweekend::*;\n")
     } else {
         (PRELUDE, PRELUDE)
     };
-    let skeleton = |&(name, text): &(&'static str, &str)| {
-        let text = source::to_type(text, given(chapter)).replace(GROUND, "");
-        if name != "src/lib.rs" {
-            return (name, text.replace(PRELUDE, of_others));
+    let skeletons = chapter.files().iter().map(|file| {
+        let text = source::to_type(file.text, given(chapter)).replace(GROUND, "");
+        if file.name != "src/lib.rs" {
+            return SourceFile::new(file.name, text.replace(PRELUDE, of_others));
         }
         let is_head = |line: &&str| line.starts_with("//!") || line.is_empty();
         let lines = text.lines().skip_while(is_head);
         let text: String = lines.map(|line| format!("{line}\n")).collect();
-        (name, text.replace(PRELUDE, of_lib))
-    };
-    let mut files: Vec<_> = chapter.files().iter().map(skeleton).collect();
-    files.sort_by_key(|(name, _)| ORDER.iter().position(|it| it == name));
+        SourceFile::new(file.name, text.replace(PRELUDE, of_lib))
+    });
+    let mut files: Vec<_> = skeletons.collect();
+    files.sort_by_key(|file| ORDER.iter().position(|name| *name == file.name));
     files
 }
 
@@ -53,57 +56,66 @@ fn given(chapter: Chapter) -> &'static [&'static str] {
     }
 }
 
-/// Lists the [`files`] for a reader whose prelude is ours.
-pub fn plain(chapter: Chapter) -> Vec<(&'static str, String)> {
-    files(chapter, false)
+/// A function that the reader wrote in an earlier chapter, and its use in the skeleton of a later
+/// one.
+pub struct CarriedFunction {
+    /// The name of the function in the earlier chapter.
+    pub name: &'static str,
+    /// A text that is in exactly one item of the skeleton: the item that the function goes to.
+    pub item: &'static str,
+    /// The place that the function takes beside that item.
+    pub place: CarriedPlace,
 }
 
-/// How a function that the reader wrote in the chapter before goes on, near an item of the
-/// skeleton.
-pub enum How {
-    /// It takes the place of the item.
-    InPlace,
-    /// It stands before the item, by this name.
-    As(&'static str),
-    /// It stands before the item as a comment, to be looked at.
-    Shown,
+/// Where a function of an earlier chapter goes, seen from an item of a skeleton.
+#[derive(Clone, Copy)]
+pub enum CarriedPlace {
+    /// The function replaces the item.
+    Instead,
+    /// The function is inserted above the item, under this new name.
+    AboveAs(&'static str),
+    /// The function is inserted above the item as a comment, to be looked at.
+    AboveAsComment,
 }
 
-/// Lists the functions of the chapter before that go on in this one, each with a text that stands
-/// in the item beside which it goes on.
-pub fn carried(chapter: Chapter) -> &'static [(&'static str, &'static str, How)] {
-    match chapter {
-        Chapter::RedSphere => &[("ray_color", "fn ray_color", How::As("sky"))],
+/// Lists the functions of the chapter before that go on in `chapter`; empty if none do.
+pub fn carried_functions(chapter: Chapter) -> Vec<CarriedFunction> {
+    use CarriedPlace::{AboveAs, AboveAsComment, Instead};
+    let functions: &[_] = match chapter {
+        Chapter::RedSphere => &[("ray_color", "fn ray_color", AboveAs("sky"))],
         Chapter::Normals => &[
-            ("ray_color", "fn ray_color", How::Shown),
-            ("hit_sphere", "fn hit_sphere", How::Shown),
+            ("ray_color", "fn ray_color", AboveAsComment),
+            ("hit_sphere", "fn hit_sphere", AboveAsComment),
         ],
         // Both draw normals, so only what hits the sphere is typed again.
         Chapter::HalfBSphere => &[
-            ("ray_color", "fn ray_color", How::InPlace),
-            ("hit_sphere", "fn hit_sphere", How::Shown),
+            ("ray_color", "fn ray_color", Instead),
+            ("hit_sphere", "fn hit_sphere", AboveAsComment),
         ],
         Chapter::HittableList => &[
-            ("ray_color", "fn ray_color", How::Shown),
-            ("hit_sphere", "impl Hittable for Sphere", How::Shown),
+            ("ray_color", "fn ray_color", AboveAsComment),
+            ("hit_sphere", "impl Hittable for Sphere", AboveAsComment),
         ],
         _ => &[],
-    }
+    };
+    let carried = |&(name, item, place)| CarriedFunction { name, item, place };
+    functions.iter().map(carried).collect()
 }
 
-/// The sky, for a reader who types the prelude and has not typed it in chapter 1.
+/// The function `sky`, empty, for a reader who types the prelude and has not typed the sky in
+/// chapter 1.
 pub const OWN_SKY: &str = include_str!("../files/own/sky.rs");
 
-/// The files of a prelude that the reader types.
-pub const OWN_PRELUDE: [(&str, &str); 4] = [
-    (
-        "src/rtweekend.rs",
-        include_str!("../files/own/rtweekend.rs"),
-    ),
-    ("src/vec3.rs", include_str!("../files/own/vec3.rs")),
-    ("src/ray.rs", include_str!("../files/own/ray.rs")),
-    ("src/render.rs", include_str!("../files/own/render.rs")),
-];
+/// Lists the empty files of a prelude of the reader's own, in the order in which they are typed.
+pub fn own_prelude() -> [SourceFile; 4] {
+    [
+        ("rtweekend", include_str!("../files/own/rtweekend.rs")),
+        ("vec3", include_str!("../files/own/vec3.rs")),
+        ("ray", include_str!("../files/own/ray.rs")),
+        ("render", include_str!("../files/own/render.rs")),
+    ]
+    .map(|(name, text)| SourceFile::new(format!("src/{name}.rs"), text))
+}
 
 /// Has rust-analyzer in Visual Studio Code build in a folder of its own: while it checks a file
 /// that was saved, it locks that in which it builds, and `watch` would have to wait.

@@ -5,18 +5,36 @@ use std::ops::Range;
 use syn::spanned::Spanned;
 use syn::{Block, Ident, ImplItem, Item};
 
-/// Lists the items that have a name, with their places in bytes, documentation included.
+/// An item of a Rust source that has a name, such as a function, a type or an `impl`.
+pub struct NamedItem {
+    /// The name; of an `impl`, the name of its type.
+    pub name: String,
+    /// The place in the source, in bytes, documentation included.
+    pub place: Range<usize>,
+    /// The text at that place.
+    pub text: String,
+}
+
+/// Lists the named items of a Rust source, from the top. Imports are named after their paths; other
+/// items without a name are left out.
 ///
 /// # Errors
-/// The line that is not Rust, and the reason.
-pub fn items(source: &str) -> Result<Vec<(String, Range<usize>)>, String> {
-    let file = syn::parse_file(source).map_err(|cause| said(&cause))?;
-    let named = |item: &Item| Some((name(item, source)?, item.span().byte_range()));
+/// Returns the line at which the source is not Rust, and the reason.
+pub fn items(source: &str) -> Result<Vec<NamedItem>, String> {
+    let file = syn::parse_file(source).map_err(|cause| describe_error(&cause))?;
+    let named = |item: &Item| {
+        let place = item.span().byte_range();
+        Some(NamedItem {
+            name: name(item, source)?,
+            text: source[place.clone()].to_owned(),
+            place,
+        })
+    };
     Ok(file.items.iter().filter_map(named).collect())
 }
 
-/// Writes why a source can't be read, with the line.
-pub fn said(cause: &syn::Error) -> String {
+/// Describes why a source is not Rust: the line, counted from 1, and the reason.
+pub fn describe_error(cause: &syn::Error) -> String {
     format!("line {}: {cause}", cause.span().start().line)
 }
 

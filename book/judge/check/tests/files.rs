@@ -59,7 +59,7 @@ fn a_readers_line_is_named_if_the_chapter_with_it_draws_the_readers_picture() {
             ],
         ),
     ] {
-        let (_, text) = Chapter::HalfBSphere.files()[0];
+        let text = Chapter::HalfBSphere.files()[0].text;
         let typed = text.replace(right, wrong);
         let program =
             interpreter::read(&[SourceFile::new("src/lib.rs", typed)]).expect("it is a program");

@@ -19,10 +19,15 @@ fn read<T: AsRef<str>>(files: &[(&str, T)]) -> Result<Program, Fault> {
     interpreter::read(&files.collect::<Vec<_>>()).map_err(|faults| faults[0].clone())
 }
 
+fn texts(chapter: Chapter) -> Vec<(&'static str, &'static str)> {
+    let files = chapter.files().iter();
+    files.map(|file| (file.name, file.text)).collect()
+}
+
 /// Returns the files of a chapter with the first of these words replaced.
 fn replaced(chapter: Chapter, right: &str, wrong: &str) -> Vec<(&'static str, String)> {
     let files = chapter.files().iter();
-    let mut files: Vec<_> = files.map(|it| (it.0, it.1.to_owned())).collect();
+    let mut files: Vec<_> = files.map(|it| (it.name, it.text.to_owned())).collect();
     let changed = files.iter_mut().find(|it| it.1.contains(right));
     let (_, text) = changed.unwrap_or_else(|| panic!("{right} is not there"));
     *text = text.replacen(right, wrong, 1);
@@ -36,7 +41,7 @@ fn with(chapter: Chapter, right: &str, wrong: &str) -> Result<Program, Fault> {
 #[test]
 fn the_chapters_draw_their_pictures_from_their_texts() {
     for chapter in Chapter::OF_THE_BOOK {
-        let program = read(chapter.files()).expect("rustc compiles it");
+        let program = read(&texts(chapter)).expect("rustc compiles it");
         for width in WIDTHS {
             let drawn = program.draw(width).expect("nothing stops it");
             assert_eq!(drawn, chapter.picture(width), "{chapter:?} at {width}");
@@ -47,7 +52,7 @@ fn the_chapters_draw_their_pictures_from_their_texts() {
 /// Two functions with other texts, one after the other, and one that does not go with the rest.
 #[test]
 fn a_function_that_is_read_anew_draws_what_the_whole_text_does() {
-    let (_, text) = Chapter::Normals.files()[0];
+    let text = Chapter::Normals.files()[0].text;
     let mistakes = [
         ("hit_sphere", "discriminant < 0.0", "discriminant > 0.0"),
         ("ray_color", "0.5 * (normal + Vec3::ONE)", "normal"),
@@ -80,13 +85,13 @@ fn a_mutant_runs_by_its_number_and_one_that_is_refused_is_lost_alone() {
     let mutants = "let a = mutants!(4, 0.5 * mutants!(7, (unit_direction.y + 1.0), \
          (unit_direction.y - 1.0)), unit_direction);";
     let sum = "mutants!(9, (1.0 - a) * white + a * blue, white, a * white + (1.0 - a) * blue)";
-    let text = Chapter::Gradient.files()[0].1;
+    let text = Chapter::Gradient.files()[0].text;
     let text = text.replace("let a = 0.5 * (unit_direction.y + 1.0);", mutants);
     let text = text.replace(ROWS[1].0, sum);
     let all = read(&[("src/lib.rs", &text)]).expect("it is read");
     let is_same = |number, other: &Program| all.with_mutant(number).draw(40) == other.draw(40);
     let typed = |row: usize| with(Chapter::Gradient, ROWS[row].0, ROWS[row].1);
-    let right = read(Chapter::Gradient.files()).expect("rustc compiles it");
+    let right = read(&texts(Chapter::Gradient)).expect("rustc compiles it");
     for nothing in [0, 5, 8, 11] {
         assert!(is_same(nothing, &right), "{nothing}");
     }
@@ -99,7 +104,7 @@ fn a_mutant_runs_by_its_number_and_one_that_is_refused_is_lost_alone() {
 
 #[test]
 fn what_the_compiler_reads_is_read() {
-    let (_, normals) = Chapter::Normals.files()[0];
+    let normals = Chapter::Normals.files()[0].text;
     let sky = "fn sky(ray: &Ray) -> Color {\n    Color::new(0.0, ray.direction.y, 1.0)\n}\n";
     let own_sky = format!("{normals}\n{sky}");
     let program = read(&[("src/lib.rs", &own_sky)]).expect("its own name goes first");
@@ -116,13 +121,13 @@ fn what_the_compiler_reads_is_read() {
 #[test]
 fn a_prelude_of_ones_own_draws_the_picture_and_is_asked() {
     let chapter = Chapter::HittableList;
-    let files = chapter.files().iter().map(|(name, text)| {
+    let files = texts(chapter).into_iter().map(|(name, text)| {
         let text = text.replace("use common::rtweekend::*;", "use crate::rtweekend::*;");
-        let text = match *name {
+        let text = match name {
             "src/lib.rs" => format!("{text}\nmod rtweekend;\n"),
             _ => text,
         };
-        (*name, text)
+        (name, text)
     });
     let mut files: Vec<(&str, String)> = files.collect();
     // An `impl` may be read before its trait.
@@ -134,7 +139,7 @@ fn a_prelude_of_ones_own_draws_the_picture_and_is_asked() {
         program.draw(16).expect("nothing stops it"),
         chapter.picture(16)
     );
-    let right = read(chapter.files()).expect("rustc compiles it");
+    let right = read(&texts(chapter)).expect("rustc compiles it");
     let ray = Ray::new(Vec3::ZERO, Vec3::new(0.1, 0.2, -1.0));
     assert_eq!(program.ray_color(&ray), right.ray_color(&ray));
     let ball = Ball::new(0.0, 0.0, -1.0, 0.5);

@@ -20,7 +20,7 @@ const DOT: &str = include_str!("text/dot.rs");
 pub fn typed_files(chapter: Chapter) -> Vec<SourceFile> {
     let files = chapter.files().iter();
     files
-        .map(|&(name, text)| SourceFile::new(name, text))
+        .map(|file| SourceFile::new(file.name, file.text))
         .collect()
 }
 

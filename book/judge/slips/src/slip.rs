@@ -280,6 +280,6 @@ impl Slip {
         let mut files = chapter.files().iter();
         // The precision of all numbers is no line.
         let is_line = self.edits.iter().all(|edit| !edit.is_precision());
-        is_line && files.any(|(_, text)| self.stands_in(text))
+        is_line && files.any(|file| self.stands_in(file.text))
     }
 }

@@ -24,8 +24,8 @@ pub fn next(yours: &Draft, first: usize) -> Option<NextLine> {
     let files = yours.files.iter().enumerate();
     let mut files = files.clone().skip(first).chain(files);
     files.find_map(|(file, SourceFile { name, text })| {
-        let (_, theirs) = yours.chapter.files().iter().find(|(it, _)| it == name)?;
-        missing(file, theirs, text)
+        let theirs = yours.chapter.files().iter().find(|it| it.name == name)?;
+        missing(file, theirs.text, text)
     })
 }
 

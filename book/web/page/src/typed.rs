@@ -72,22 +72,19 @@ pub fn beginning(chapter: Chapter) -> Vec<String> {
 impl Draft {
     /// Returns the files of a chapter with `todo!()` in place of each function's body.
     pub fn skeleton(chapter: Chapter) -> Self {
-        let files = skeletons::plain(chapter).into_iter();
         Self {
             chapter,
-            files: files
-                .map(|(name, text)| SourceFile::new(name, text))
-                .collect(),
+            files: skeletons::files(chapter, false),
             caret: None,
         }
     }
 
     /// Returns the chapter's own files, complete.
     pub fn full(chapter: Chapter) -> Self {
-        let own = |name: &str| chapter.files().iter().find(|(it, _)| *it == name);
+        let own = |name: &str| chapter.files().iter().find(|it| it.name == name);
         let files = Self::skeleton(chapter).files.into_iter();
         let full = files.map(|file| match own(&file.name) {
-            Some((name, full)) => SourceFile::new(*name, *full),
+            Some(full) => SourceFile::new(full.name, full.text),
             None => file,
         });
         Self {

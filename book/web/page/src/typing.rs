@@ -54,8 +54,8 @@ impl Draft {
         let name = &self.files.get(caret.file)?.name;
         let text = self.text_before(caret)?;
         let typed = without_blanks(&text[statement(text)?]);
-        let (_, theirs) = self.chapter.files().iter().find(|(it, _)| it == name)?;
-        let theirs = without_blanks(theirs);
+        let theirs = self.chapter.files().iter().find(|it| it.name == name)?;
+        let theirs = without_blanks(theirs.text);
         let mut begun = theirs.match_indices(&typed);
         let goes_on = |end: usize| !theirs[end..].starts_with([';', '}']);
         begun

@@ -64,8 +64,8 @@ fn panel(title: &str, file: &str, alt: &str) -> String {
 /// Returns a sentence that names the files which only the later chapter has: empty, if there are
 /// none.
 fn new_files(before: Chapter, after: Chapter) -> String {
-    let is_old = |name: &str| before.files().iter().any(|(old, _)| *old == name);
-    let names = after.files().iter().map(|(name, _)| *name);
+    let is_old = |name: &str| before.files().iter().any(|old| old.name == name);
+    let names = after.files().iter().map(|file| file.name);
     let added: Vec<String> = names
         .filter(|name| !is_old(name))
         .map(|name| format!("`{}`", name.trim_start_matches("src/")))

@@ -6,8 +6,9 @@ use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use interpreter::nesting;
-use skeletons::{How, source};
+use interpreter::{SourceFile, nesting};
+use skeletons::CarriedPlace;
+use skeletons::source::{self, NamedItem};
 use slips::Chapter;
 
 use crate::limited;
@@ -15,8 +16,8 @@ use crate::limited;
 /// The crate that a reader wrote for a chapter.
 pub(super) struct EarlierCrate {
     chapter: String,
-    /// The named items of `src/lib.rs` with their texts; or why it can't be read.
-    items: Result<Vec<(String, String)>, String>,
+    /// The named items of `src/lib.rs`, from the top; or why that file can't be read.
+    items: Result<Vec<NamedItem>, String>,
     pub(super) folder: PathBuf,
     /// The other files of `src`, by their names as seen from the crate.
     pub(super) files: Vec<PathBuf>,
@@ -30,8 +31,8 @@ impl EarlierCrate {
         Self {
             chapter: chapter.to_string_lossy().into_owned(),
             items: items.and_then(|text| {
-                nesting::parse_file(&text).map_err(|it| source::said(&it))?;
-                items_of(&text)
+                nesting::parse_file(&text).map_err(|it| source::describe_error(&it))?;
+                source::items(&text)
             }),
             folder: folder.to_owned(),
             files: other_files(folder, Path::new("src")),
@@ -47,7 +48,7 @@ impl EarlierCrate {
 
 /// The files of a chapter to be typed, and a sentence about their origin.
 pub(super) struct CarriedFiles {
-    pub(super) files: Vec<(&'static str, String)>,
+    pub(super) files: Vec<SourceFile>,
     pub(super) said: String,
 }
 
@@ -64,35 +65,39 @@ pub(super) fn carry_over(
         // Their own prelude takes the place of ours.
         used.push("common::rtweekend::*".to_owned());
     }
-    for (_, skeleton) in &files {
-        let items = items_of(skeleton).expect("a skeleton is Rust");
-        used.extend(items.into_iter().map(|(name, _)| name));
+    for skeleton in &files {
+        let items = source::items(&skeleton.text).expect("a skeleton is Rust");
+        used.extend(items.into_iter().map(|item| item.name));
     }
-    for (name, at, how) in skeletons::carried(chapter) {
-        used.push((*name).to_owned());
-        if let How::As(other) = how {
-            used.push((*other).to_owned());
+    for function in skeletons::carried_functions(chapter) {
+        let name = function.name;
+        used.push(name.to_owned());
+        if let CarriedPlace::AboveAs(other) = function.place {
+            used.push(other.to_owned());
         }
-        if let Some((_, text)) = items.iter().find(|(it, _)| it == name) {
-            let file = files.iter_mut().find(|(_, text)| text.contains(at));
-            let (_, skeleton) = file.expect("a skeleton has the item");
-            let place = place(skeleton, at);
-            match how {
-                How::InPlace => skeleton.replace_range(place, text),
-                How::As(other) => {
+        if let Some(NamedItem { text, .. }) = items.iter().find(|item| item.name == name) {
+            let has_item = |file: &&mut SourceFile| file.text.contains(function.item);
+            let file = files.iter_mut().find(has_item);
+            let skeleton = &mut file.expect("a skeleton has the item").text;
+            let place = place(skeleton, function.item);
+            match function.place {
+                CarriedPlace::Instead => skeleton.replace_range(place, text),
+                CarriedPlace::AboveAs(other) => {
                     let text = text.replacen(&format!("fn {name}("), &format!("fn {other}("), 1);
                     skeleton.insert_str(place.start, &format!("{text}\n\n"));
                 }
                 // What was never written has nothing to show.
-                How::Shown if text.contains("todo!()") => {}
-                How::Shown => skeleton.insert_str(place.start, &as_comment(text)),
+                CarriedPlace::AboveAsComment if text.contains("todo!()") => {}
+                CarriedPlace::AboveAsComment => {
+                    skeleton.insert_str(place.start, &as_comment(text));
+                }
             }
         }
     }
-    let (_, lib) = files.last_mut().expect("a chapter has a file");
-    for (name, text) in items {
+    let lib = files.last_mut().expect("a chapter has a file");
+    for NamedItem { name, text, .. } in items {
         if !used.contains(name) {
-            *lib += &format!("\n{text}\n");
+            lib.text += &format!("\n{text}\n");
         }
     }
     CarriedFiles { files, said }
@@ -101,13 +106,13 @@ pub(super) fn carry_over(
 /// Finds the place, in bytes, of the item of the skeleton that has this text.
 fn place(skeleton: &str, text: &str) -> Range<usize> {
     let items = source::items(skeleton).expect("a skeleton is Rust");
-    let mut places = items.into_iter().map(|(_, place)| place);
+    let mut places = items.into_iter().map(|item| item.place);
     let has_it = |place: &Range<usize>| skeleton[place.clone()].contains(text);
     places.find(has_it).expect("a skeleton has the item")
 }
 
 /// Returns the items of the chapter before, and a sentence about their origin.
-fn origin(written: Option<&EarlierCrate>) -> (&[(String, String)], String) {
+fn origin(written: Option<&EarlierCrate>) -> (&[NamedItem], String) {
     let Some(EarlierCrate { chapter, items, .. }) = written else {
         return (&[], String::new());
     };
@@ -129,14 +134,6 @@ fn as_comment(text: &str) -> String {
     let lines = text.lines().filter(|line| !is_doc(line));
     let comment: String = lines.map(|line| format!("// {line}\n")).collect();
     format!("// What you wrote before:\n//\n{comment}\n")
-}
-
-/// Lists the items of the source that have a name, with their texts.
-fn items_of(source: &str) -> Result<Vec<(String, String)>, String> {
-    let items = source::items(source)?.into_iter();
-    Ok(items
-        .map(|(name, place)| (name, source[place].to_owned()))
-        .collect())
 }
 
 /// Lists the files below a folder of the crate, however deep, but for the chapter itself and hidden

@@ -14,6 +14,7 @@ use check::names::name_from_here;
 use check::workspace::workspace;
 use clap::Args;
 use common::engine::output;
+use interpreter::SourceFile;
 use slips::{Chapter, steps};
 
 use crate::chapter::ChapterParser;
@@ -74,7 +75,7 @@ struct NewCrate {
     /// Files to be copied as they are, each with the name that it gets.
     copies: Vec<(PathBuf, PathBuf)>,
     /// The other files, by their names. One of the chapter takes the place of a copy.
-    files: Vec<(&'static str, String)>,
+    files: Vec<SourceFile>,
     /// A sentence about what was carried over from the chapter before, or why nothing was.
     carried: String,
 }
@@ -94,15 +95,16 @@ impl NewCrate {
         let has_own = written.as_ref().is_some_and(EarlierCrate::has_own_prelude);
         let own = arguments.own_prelude || has_own;
         let mut carried = carry::carry_over(chapter, own, written.as_ref());
-        let (_, lib) = carried.files.last_mut().expect("a chapter has a file");
+        let lib = &mut carried.files.last_mut().expect("a chapter has a file").text;
         lib.insert_str(0, &settings::chapter_head(chapter));
         if own && written.is_none() && chapter > Chapter::Gradient {
             *lib += &format!("\n{}", skeletons::OWN_SKY);
         }
-        let prelude = skeletons::OWN_PRELUDE.map(|(name, text)| (name, text.to_owned()));
-        let prelude = prelude.into_iter().filter(|_| own && !has_own);
+        let prelude = (own && !has_own).then(skeletons::own_prelude);
         // In the order in which they are typed.
         let files = prelude
+            .into_iter()
+            .flatten()
             .chain(carried.files)
             .chain(given(chapter, own, folder, workspace));
         let copies = written.map_or(Vec::new(), |EarlierCrate { folder, files, .. }| {
@@ -113,7 +115,7 @@ impl NewCrate {
             chapter,
             before: before.map(Path::to_owned),
             copies,
-            files: files.filter(|(_, text)| !text.is_empty()).collect(),
+            files: files.filter(|file| !file.text.is_empty()).collect(),
             carried: carried.said,
         })
     }
@@ -142,7 +144,7 @@ impl NewCrate {
         for (file, name) in &self.copies {
             fs::copy(file, place(name)?)?;
         }
-        for (name, text) in &self.files {
+        for SourceFile { name, text } in &self.files {
             let mut file = File::create(place(name.as_ref())?)?;
             self.keep_private(&file, name)?;
             file.write_all(text.as_bytes())?;
@@ -177,8 +179,9 @@ impl NewCrate {
     fn as_text(&self, crates: &ReaderCrates) -> String {
         let file = crates.folder_of(self.chapter).join("src/lib.rs");
         let mut said = format!("{} is yours.\n{}", name_from_here(&file), self.carried);
-        let is_to_type = |(_, text): &&(_, String)| text.contains("todo!()");
-        let to_type = self.files.iter().filter(is_to_type).map(|&(name, _)| name);
+        let is_to_type = |file: &&SourceFile| file.text.contains("todo!()");
+        let to_type = self.files.iter().filter(is_to_type);
+        let to_type = to_type.map(|file| &file.name[..]);
         if let [before @ .., last] = &to_type.collect::<Vec<_>>()[..]
             && !before.is_empty()
         {
@@ -196,12 +199,7 @@ impl NewCrate {
 }
 
 /// Writes the files that the reader need not touch.
-fn given(
-    chapter: Chapter,
-    own: bool,
-    folder: &Path,
-    workspace: &Path,
-) -> [(&'static str, String); 6] {
+fn given(chapter: Chapter, own: bool, folder: &Path, workspace: &Path) -> [SourceFile; 6] {
     let ours = settings::workspace_from_crate(folder, workspace);
     let path = settings::with_slashes(&ours);
     // The standard library asks the system for a random number to seed its hash tables.
@@ -220,4 +218,5 @@ fn given(
         ),
         (".vscode/settings.json", skeletons::EDITOR.to_owned()),
     ]
+    .map(|(name, text)| SourceFile::new(name, text))
 }

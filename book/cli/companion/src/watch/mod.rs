@@ -359,12 +359,12 @@ fn not_written(chapter: Chapter, place: &str, asked: Option<LawsResult>) -> Answ
     let Some(asked) = asked else {
         return sentences::not_written(chapter, place, &[]);
     };
-    let files = skeletons::plain(chapter);
+    let files = skeletons::files(chapter, false);
     let is_there = |place: &&str, name: &str| place.starts_with(&format!("{name}:"));
     let places = || asked.unwritten.iter().map(String::as_str).chain([place]);
     let mut first = files
         .iter()
-        .filter_map(|(name, _)| places().find(|place| is_there(place, name)));
+        .filter_map(|file| places().find(|place| is_there(place, &file.name)));
     let place = first.next().unwrap_or(place);
     match &asked.outcome {
         LawsStatus::Broken(report) | LawsStatus::BrokenPrelude(report) => {

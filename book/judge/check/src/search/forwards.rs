@@ -154,7 +154,7 @@ impl<'a> PictureSearch<'a> {
         }
         // What stands in the chapter itself was typed last.
         let files = self.right.chapter.files();
-        let is_own = |it: &ParsedFunction| files.iter().any(|(_, text)| text.contains(&it.text));
+        let is_own = |it: &ParsedFunction| files.iter().any(|file| file.text.contains(&it.text));
         all.sort_by_cached_key(|(_, _, function, edit)| {
             let elsewhere = if is_own(function) { 0 } else { ELSEWHERE };
             edit.rank + edit.brackets(&function.text) + elsewhere
