@@ -1,5 +1,5 @@
-//! Search for a repair: first the function that holds the mistake, by putting the chapter's in
-//! its place, and then the likeliest edit inside of it that is as good.
+//! Fault localization and program repair: finds the function with the mistake, by putting the
+//! chapter's in its place, and then the likeliest edit of it that makes the program right.
 
 use std::cell::Cell;
 use std::collections::HashSet;
@@ -11,18 +11,22 @@ use super::functions::ParsedFunction;
 use super::goal::Goal;
 use super::{mutation, nearer};
 
-/// So many bytes of functions are read, which takes two seconds at most.
+/// The most bytes of functions that the search may read, which takes two seconds at most.
 const READ: usize = 1 << 20;
-/// Nobody would recognize the mistake in a less likely edit.
+/// The greatest [rank](RankedEdit::rank) of an edit that is shown: in one of a greater rank a
+/// reader would not recognize the mistake.
 const READABLE: u32 = 16;
 
-/// A function of the reader's with the text that makes the program right.
+/// A function of a reader and its repaired text.
 pub(super) struct Fix<'a> {
+    /// The function as it is.
     pub(super) yours: &'a ParsedFunction,
+    /// The text that repairs the program.
     pub(super) text: String,
 }
 
 impl<'a> Fix<'a> {
+    /// Makes the fix of an edit of a function.
     fn edit((yours, edit): &(&'a ParsedFunction, RankedEdit)) -> Self {
         Self {
             yours,
@@ -31,30 +35,35 @@ impl<'a> Fix<'a> {
     }
 }
 
-/// A reader's program and what it is compared with.
+/// The search for the edit that makes a reader's program right.
 pub(super) struct RepairSearch<'a> {
+    /// The program as it is.
     pub(super) program: &'a Program,
+    /// The functions of the program.
     pub(super) yours: &'a [ParsedFunction],
+    /// The functions of the chapter's program.
     pub(super) chapter: &'a [ParsedFunction],
+    /// The test that a right program passes.
     pub(super) goal: &'a Goal,
-    /// How many bytes of functions have been read.
+    /// The bytes of functions that have been read, at most [`READ`].
     pub(super) read: Cell<usize>,
 }
 
-/// A function of the reader's, and those of the same name that are right.
+/// A function of the reader, and those of the same name in the chapter; never empty.
 type Common<'a> = (&'a ParsedFunction, Vec<&'a ParsedFunction>);
 
-/// Undoes what is often mistyped.
+/// Makes the edits that undo what people often mistype.
 fn generic(function: &ParsedFunction) -> Vec<RankedEdit> {
     let all = mutation::mutations(function).into_iter();
     all.map(|it| it.edit(&function.text)).collect()
 }
 
-/// Functions with other texts.
+/// Functions of the reader, each with another text to try.
 type Patches<'a> = Vec<(&'a ParsedFunction, String)>;
 
 impl<'a> RepairSearch<'a> {
-    /// Finds what makes the program right, if something does.
+    /// Finds the functions whose repair makes the program right, one or two; `None` if no edit does
+    /// within the limits.
     pub(super) fn find(&self) -> Option<Vec<Fix<'a>>> {
         let common = self.common();
         let swapped = |(yours, right): &Common<'a>| {
@@ -76,7 +85,7 @@ impl<'a> RepairSearch<'a> {
         found.map(|edit| vec![Fix::edit(&edit)])
     }
 
-    /// Finds the functions that the reader and the chapter have in common.
+    /// Pairs the reader's functions with those of the same name in the chapter.
     fn common(&self) -> Vec<Common<'a>> {
         let common = self.yours.iter().map(|yours| {
             let right = self.chapter.iter().filter(|it| it.name == yours.name);
@@ -85,17 +94,20 @@ impl<'a> RepairSearch<'a> {
         common.filter(|(_, right)| !right.is_empty()).collect()
     }
 
-    /// Returns true if the program is right with these texts, as long as one more may be tried.
+    /// Returns true if the program with these patches meets the goal; false once [`READ`] is
+    /// exceeded.
     fn is_right(&self, changes: &Patches) -> bool {
         let bytes: usize = changes.iter().map(|(_, text)| text.len()).sum();
         self.read.set(self.read.get() + bytes);
         self.may_try() && self.meets_the_goal(changes)
     }
 
+    /// Returns true if the search may go on.
     fn may_try(&self) -> bool {
         self.read.get() <= READ
     }
 
+    /// Returns true if the program with these patches is read and meets the goal.
     fn meets_the_goal(&self, changes: &Patches) -> bool {
         let mut changes = changes.iter();
         let first = changes
@@ -108,7 +120,8 @@ impl<'a> RepairSearch<'a> {
         program.is_some_and(|it| self.goal.is_met_by(&it))
     }
 
-    /// Finds the likeliest edit that makes the program right, in this function or in what it calls.
+    /// Finds the likeliest edit of a function, or of a helper that it calls, that makes the program
+    /// right together with the other patches.
     fn repair(
         &self,
         common: &Common<'a>,
@@ -117,7 +130,7 @@ impl<'a> RepairSearch<'a> {
         self.first(self.edits(common), others)
     }
 
-    /// Makes the edits of a function and of the helpers that it calls.
+    /// Lists the edits of a function and of the helpers that it calls, to try them.
     fn edits(&self, (yours, right): &Common<'a>) -> Vec<(&'a ParsedFunction, RankedEdit)> {
         let mutations = generic(yours);
         let own = self.of_chapter(yours, right).into_iter().chain(mutations);
@@ -136,7 +149,8 @@ impl<'a> RepairSearch<'a> {
         edits
     }
 
-    /// Drops those that write a call of a helper out: that would hide a mistake of the helper.
+    /// Drops the edits that remove a call of a helper, since they would hide a mistake in the
+    /// helper.
     fn keeping_calls(&self, yours: &ParsedFunction, mut edits: Vec<RankedEdit>) -> Vec<RankedEdit> {
         for helper in self.helpers(yours) {
             edits.retain(|it| !it.writes_out(helper.short_name(), &yours.text));
@@ -144,8 +158,8 @@ impl<'a> RepairSearch<'a> {
         edits
     }
 
-    /// The edits by which a function comes nearer to the chapter's, and to what that calls and the
-    /// reader does not have.
+    /// Lists the edits that bring a function nearer to the chapter's, or to a function that the
+    /// chapter's calls and the reader does not have.
     fn of_chapter(&self, yours: &ParsedFunction, right: &[&ParsedFunction]) -> Vec<RankedEdit> {
         let is_missing = |it: &&ParsedFunction| self.yours.iter().all(|own| own.name != it.name);
         let is_called = |it: &&ParsedFunction| {
@@ -158,14 +172,15 @@ impl<'a> RepairSearch<'a> {
         self.keeping_calls(yours, edits.collect())
     }
 
-    /// Finds the chapter's function that is most like this one.
+    /// Finds the function of the chapter whose body is most like that of this one.
     fn likest(&self, own: &ParsedFunction) -> Option<&'a ParsedFunction> {
         let like = |it: &&ParsedFunction| it.body.likeness(&own.body);
         let all = self.chapter.iter();
         all.max_by(|one, other| like(one).total_cmp(&like(other)))
     }
 
-    /// The edits of a function that the chapter does not have, by what is most like it there.
+    /// Lists the edits of a function that the chapter does not have: those that bring it nearer to
+    /// the chapter's most similar one, and those of what people mistype.
     fn of_likest(&self, own: &ParsedFunction) -> Vec<RankedEdit> {
         let right = self.likest(own);
         let theirs = right.map_or(Vec::new(), |right| nearer::edits(own, right));
@@ -173,7 +188,8 @@ impl<'a> RepairSearch<'a> {
         [theirs, generic(own)].concat()
     }
 
-    /// The reader's own functions that this one calls, and those that they call.
+    /// Lists the functions that only the reader has and that this one calls, directly or through
+    /// others.
     fn helpers(&self, caller: &ParsedFunction) -> Vec<&'a ParsedFunction> {
         let is_own = |it: &&ParsedFunction| self.chapter.iter().all(|other| other.name != it.name);
         let mut called: Vec<&ParsedFunction> = Vec::new();
@@ -191,7 +207,8 @@ impl<'a> RepairSearch<'a> {
         called
     }
 
-    /// Finds the likeliest of the edits that make the program right.
+    /// Finds the edit of the lowest rank that makes the program right together with the other
+    /// patches.
     fn first(
         &self,
         mut edits: Vec<(&'a ParsedFunction, RankedEdit)>,
@@ -210,7 +227,7 @@ impl<'a> RepairSearch<'a> {
         })
     }
 
-    /// Finds mistakes in two functions: each is repaired while the other is the chapter's.
+    /// Finds mistakes in two functions, by repairing each while the other is the chapter's.
     fn in_two(&self, common: &[Common<'a>]) -> Option<Vec<Fix<'a>>> {
         let pairs = (0..common.len()).flat_map(|n| (0..n).map(move |m| [n, m]));
         let swap = |n: usize| (common[n].0, common[n].1[0].text.clone());
@@ -226,13 +243,14 @@ impl<'a> RepairSearch<'a> {
         None
     }
 
-    /// Returns the fixes, if the program is right with all of them together.
+    /// Returns the fixes if the program meets the goal with all of them together.
     fn whole(&self, fixes: Vec<Fix<'a>>) -> Option<Vec<Fix<'a>>> {
         let changes = fixes.iter().map(|it| (it.yours, it.text.clone())).collect();
         self.meets_the_goal(&changes).then_some(fixes)
     }
 
-    /// Finds a mistake in what the chapter does not have, or where its functions don't fit.
+    /// Finds a mistake where no function of the chapter can replace the reader's, by trying the
+    /// edits of all functions.
     fn in_any(&self, common: &[Common<'a>]) -> Option<Vec<Fix<'a>>> {
         let of_common = common.iter().flat_map(|it| self.edits(it));
         let is_own = |it: &&ParsedFunction| common.iter().all(|(other, _)| other.name != it.name);

@@ -2,28 +2,31 @@
 
 use std::ops::Range;
 
-/// A change of a function's text.
+/// A replacement in a function's text, with a measure of how unlikely it is.
 #[derive(Clone, Debug)]
 pub(super) struct RankedEdit {
-    /// What is replaced; an empty place takes what is left out there.
+    /// The bytes that are replaced; empty where text is inserted.
     pub(super) at: Range<usize>,
+    /// The text that replaces these bytes; empty if they are left out.
     pub(super) new: String,
-    /// The lower, the likelier.
+    /// A rank by which edits are tried: 2 for each word that changes, and penalties. The lower, the
+    /// likelier is the edit to undo what a person did.
     pub(super) rank: u32,
 }
 
-/// An expression or a statement of the chapter's costs no more than so many words, and a few for
-/// its length.
+/// The most words that a whole expression or statement of the chapter counts for in a rank, but for
+/// an eighth of its length.
 const MOST: u32 = 3;
 
 impl RankedEdit {
-    /// Makes an edit that is so much less likely than its words say.
+    /// Makes an edit of a text; `penalty` is added to the rank that its words give.
     pub(super) fn new(text: &str, at: Range<usize>, new: String, penalty: u32) -> Self {
         let rank = penalty + 2 * words_apart(&text[at.clone()], &new);
         Self { at, new, rank }
     }
 
-    /// Makes one by which something is the chapter's as a whole: it may have many words.
+    /// Makes an edit that puts a whole expression or statement of the chapter in its place; many
+    /// new words then add little to its rank.
     pub(super) fn whole(text: &str, at: Range<usize>, new: String, penalty: u32) -> Self {
         // A choice is long to read in the place of a value.
         if new.contains(" if ") {
@@ -34,27 +37,29 @@ impl RankedEdit {
         Self { at, new, rank }
     }
 
-    /// Returns the function with the edit.
+    /// Returns a text with the edit made.
     pub(super) fn applied_to(&self, text: &str) -> String {
         let mut text = text.to_owned();
         text.replace_range(self.at.clone(), &self.new);
         text
     }
 
-    /// Counts the brackets that it adds, twice: people lose brackets, and seldom add some.
+    /// Returns twice the number of brackets that the edit adds to a text: people lose brackets, and
+    /// seldom add some.
     pub(super) fn brackets(&self, text: &str) -> u32 {
         let count = |text: &str| text.matches('(').count() as u32;
         2 * count(&self.new).saturating_sub(count(&text[self.at.clone()]))
     }
 
-    /// Returns true if a function is called less often with it.
+    /// Returns true if the edit of a text removes a call of the function `name`.
     pub(super) fn writes_out(&self, name: &str, text: &str) -> bool {
         let count = |text: &str| words(text).iter().filter(|it| **it == name).count();
         count(&text[self.at.clone()]) > count(&self.new)
     }
 }
 
-/// Counts the words and signs by which two texts differ (Levenshtein, 1966). Brackets don't count.
+/// Counts the words and signs to change, insert or leave out so that a text becomes another
+/// (Levenshtein, 1966). Round brackets don't count.
 fn words_apart(one: &str, other: &str) -> u32 {
     let (one, other) = (words(one), words(other));
     let mut row: Vec<u32> = (0..=other.len() as u32).collect();
@@ -74,6 +79,7 @@ fn words_apart(one: &str, other: &str) -> u32 {
     row[other.len()]
 }
 
+/// Splits a text into its words and signs, without blanks and round brackets.
 pub(super) fn words(text: &str) -> Vec<&str> {
     let is_word = |c: char| c.is_alphanumeric() || c == '_';
     let mut words = Vec::new();

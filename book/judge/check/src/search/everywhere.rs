@@ -7,20 +7,24 @@ use interpreter::{Program, SourceFile};
 use super::functions::functions;
 use super::mutation::mutations;
 
-/// An edit of a file, as people make them when they type.
+/// A replacement in a file of a program, like the mistakes that people make when they type.
 #[derive(Clone, Debug)]
 pub struct FileEdit {
-    /// The place of the file in the list of files.
+    /// The index of the file in the list that was given to [`edits_everywhere`].
     pub file: usize,
-    /// The bytes that are replaced.
+    /// The bytes of the file's text that are replaced; empty where text is inserted.
     pub at: Range<usize>,
-    /// The text that takes their place.
+    /// The text that replaces these bytes; empty if they are left out.
     pub new: String,
-    /// The lower, the likelier.
+    /// A measure of how unlikely the edit is, from 0: 2 for each word that changes, and a penalty
+    /// by its kind. Comparable within a program only.
     pub rank: u32,
 }
 
-/// Lists all single edits of the functions of a program that was read from these files.
+/// Lists all single edits of a program's functions that a person may make by mistake, in the order
+/// of the functions and of the places in them.
+///
+/// `files` are those that the program was read from; functions of other files are left out.
 pub fn edits_everywhere(program: &Program, files: &[SourceFile]) -> Vec<FileEdit> {
     let mut all = Vec::new();
     for function in functions(program) {

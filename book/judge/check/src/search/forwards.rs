@@ -1,5 +1,5 @@
-//! Mutation testing, turned round: of the mutants of a chapter those that draw a picture, to the
-//! last pixel. They tell what a reader may have typed.
+//! Inverse mutation testing: finds the mutants of a chapter that draw a given picture, to the last
+//! pixel, and so the mistakes that a reader may have typed.
 
 use std::collections::HashSet;
 use std::rc::Rc;
@@ -16,60 +16,71 @@ use crate::pixels::{distance, spread};
 use crate::reading::Reading;
 use crate::sources::{CorrectedLine, LineComparison, LineStatus, StatementDiff, Transplant};
 
-/// So many wrong and right pixels are looked at first, and then so many of all.
+/// The number of wrong pixels, and of right ones, that are compared first.
 const FIRST: u32 = 24;
+/// The number of pixels of all that are compared then.
 const LOOKED: u32 = 1500;
-/// A picture that more edits draw does not tell which was made. So many are shown.
+/// The most edits for which a picture tells something of the mistake: many edits draw only sky.
 const MOST: usize = 5;
+/// The number of edits that are shown.
 const SHOWN: usize = 3;
 
-/// What was typed before the chapter, or for it, is less likely wrong.
+/// The addition to the rank of an edit outside of the chapter's own files: what was typed before,
+/// or for the reader, is less likely wrong.
 const ELSEWHERE: u32 = 4;
 
-/// The edits that draw a picture.
+/// The single edits of a chapter that draw a given picture.
 #[derive(Clone, Debug, Default)]
 pub struct DrawingMutants {
-    /// The likeliest, in their order.
+    /// The likeliest edits, the likeliest first; at most three.
     pub all: Vec<Mutant>,
-    /// How many were found, of those that change the same value in the same way only one.
+    /// The number of edits that were found; those that always have the same effect count as one.
     pub count: usize,
 }
 
-/// An edit of a line.
+/// A single edit of a chapter, as the lines before and after it.
 #[derive(Clone, Debug)]
 pub struct Mutant {
-    /// The chapter's line.
+    /// The line of the chapter, or the lines that the edit touches, on one line.
     pub right: String,
-    /// This line with the edit; nothing if it is left out.
+    /// The line with the edit; empty if the edit leaves it out.
     pub wrong: String,
-    /// The reader's line that has it, and what should be there.
+    /// The line of the reader that has the edit, with its correction; `None` if it is not found.
     pub(crate) yours: Option<CorrectedLine>,
+    /// The effects of the program with the edit.
     does: Option<Behavior>,
 }
 
-/// What a program does, seen from outside.
+/// The effects of a program by which it is told from others.
 #[derive(Clone, Debug)]
 struct Behavior {
+    /// The program.
     program: ChapterProgram,
+    /// The answers of its functions to the questions of the laws.
     answers: Answers,
-    /// The pixels of small pictures.
+    /// The pixels of its pictures at the widths in [`SMALL`].
     small: Vec<[i32; 3]>,
 }
 
-/// So wide are pictures of other sizes.
+/// The widths in pixels of the pictures by which edits are told apart.
 const SMALL: [u32; 2] = [24, 33];
 
-/// A picture and the right program of its scene, beside what a reader typed.
+/// The search for the edits of a right program that draw a reader's picture.
 pub(super) struct PictureSearch<'a> {
+    /// The right program.
     right: &'a ChapterProgram,
+    /// The picture to draw.
     reading: &'a Reading,
+    /// The functions of the right program.
     functions: &'a [ParsedFunction],
+    /// The statements of the right program beside those of the reader.
     lines: &'a LineComparison<'a>,
-    /// The pixels that are looked at, those first that tell most.
+    /// The pixels that are compared, those first that most wrong programs draw otherwise.
     places: Vec<u32>,
 }
 
 impl<'a> PictureSearch<'a> {
+    /// Begins a search, by choosing the pixels to compare.
     pub(super) fn new(
         right: &'a ChapterProgram,
         functions: &'a [ParsedFunction],
@@ -85,8 +96,9 @@ impl<'a> PictureSearch<'a> {
         }
     }
 
-    /// Finds the reader's line with which the chapter draws the picture. Where several do, as with
-    /// one that shows only sky, it is one that stands for what the chapter's stands for.
+    /// Finds the reader's line that makes the chapter's program draw the picture when it is put
+    /// there. Of several, as where only sky is drawn, one that has the purpose of the chapter's
+    /// line; `None` if that does not decide.
     pub(super) fn transplanted(&self) -> Option<CorrectedLine> {
         let all = self.lines.transplants().into_iter();
         let found: Vec<_> = all.filter(|it| self.is_drawn_with(it)).collect();
@@ -96,13 +108,15 @@ impl<'a> PictureSearch<'a> {
         same.next().or_else(only).map(|it| it.yours.clone())
     }
 
+    /// Returns true if the program with a transplant draws the picture.
     fn is_drawn_with(&self, it: &Transplant) -> bool {
         let program = self.right.with_function(&it.function, &it.text);
         program.is_some_and(|it| self.may_draw(&it) && self.draws(&it))
     }
 
-    /// Finds the single edits that draw the picture, as far as the reader's lines can have them.
-    /// Where no lines are known and too many do, not all are looked for.
+    /// Finds the single edits that draw the picture and that the reader's lines do not rule out.
+    ///
+    /// Where no lines are known, the search ends once so many are found that they tell nothing.
     pub(super) fn mutants(&self) -> DrawingMutants {
         let mut drawn = DrawingMutants::default();
         let mut seen = HashSet::new();
@@ -137,7 +151,8 @@ impl<'a> PictureSearch<'a> {
         drawn.checked(|it| self.draws(it))
     }
 
-    /// Writes all mutations of each function into it, each with its number, the likeliest first.
+    /// Lists all mutations, the likeliest first: a program that has all mutations of one function,
+    /// the number of the mutation in it, the function, and the edit.
     fn mutated(&self) -> Vec<(Rc<ChapterProgram>, u32, &'a ParsedFunction, RankedEdit)> {
         let mut all = Vec::new();
         for function in self.functions {
@@ -162,22 +177,25 @@ impl<'a> PictureSearch<'a> {
         all
     }
 
+    /// Returns true if a program draws the chosen pixels.
     fn may_draw(&self, program: &ChapterProgram) -> bool {
         draws(program, self.reading, self.places.iter().copied())
     }
 
+    /// Returns true if a program draws the whole picture.
     fn draws(&self, program: &ChapterProgram) -> bool {
         draws(program, self.reading, 0..self.reading.pixels.len() as u32)
     }
 }
 
 impl DrawingMutants {
-    /// Returns true if they are so few that the picture tells something of the mistake.
+    /// Returns true if there are edits, and so few that the picture tells something of the mistake.
     pub(crate) fn is_told(&self) -> bool {
         (1..=MOST).contains(&self.count)
     }
 
-    /// Adds a mutant, unless one is known that changes the same value in the same way.
+    /// Adds a mutant, unless one has the same effects; one that is found in the reader's files
+    /// replaces it.
     fn add(&mut self, mutant: Mutant) {
         let mut known = self.all.iter_mut();
         match known.find(|it| it.does_as(&mutant)) {
@@ -187,8 +205,8 @@ impl DrawingMutants {
         }
     }
 
-    /// Keeps those that stand in the reader's files, if some do; and of few those that draw all of
-    /// the picture.
+    /// Keeps those that are found in the reader's files, if some are, counts them, and if they are
+    /// few drops those that do not draw every pixel.
     fn checked(mut self, draws: impl Fn(&ChapterProgram) -> bool) -> Self {
         if self.all.iter().any(|it| it.yours.is_some()) {
             self.all.retain(|it| it.yours.is_some());
@@ -205,6 +223,7 @@ impl DrawingMutants {
 }
 
 impl Mutant {
+    /// Makes the mutant of an edit of a function, with nothing known of its effects.
     fn new(function: &ParsedFunction, edit: &RankedEdit) -> Self {
         let wrong = edit.applied_to(&function.text);
         let after = function.text.len() - edit.at.end;
@@ -216,6 +235,7 @@ impl Mutant {
         }
     }
 
+    /// Returns true if two mutants draw the same small pictures and give the same answers.
     fn does_as(&self, other: &Self) -> bool {
         let both = self.does.as_ref().zip(other.does.as_ref());
         both.is_some_and(|(one, other)| {
@@ -225,6 +245,7 @@ impl Mutant {
 }
 
 impl Behavior {
+    /// Runs a program to see its effects.
     fn of(program: ChapterProgram) -> Self {
         Self {
             answers: answers(&program),
@@ -237,7 +258,8 @@ impl Behavior {
     }
 }
 
-/// Returns the whole lines around a part of a text.
+/// Returns the whole lines around a part of a text, on one line; `before` and `after` are the bytes
+/// before and behind the part.
 fn lines(text: &str, before: usize, after: usize) -> String {
     let end = text.len() - after;
     let start = text[..before].rfind('\n').map_or(0, |at| at + 1);
@@ -245,7 +267,8 @@ fn lines(text: &str, before: usize, after: usize) -> String {
     squeezed(&text[start..end])
 }
 
-/// Chooses pixels of which wrong programs draw few: wrong ones, right ones, and some of all.
+/// Chooses the pixels to compare: in turn one that the right program draws otherwise and one that
+/// it draws, then some of all.
 fn places(right: &ChapterProgram, reading: &Reading) -> Vec<u32> {
     let total = reading.pixels.len() as u32;
     let output = right.run(reading.width);
@@ -262,7 +285,7 @@ fn places(right: &ChapterProgram, reading: &Reading) -> Vec<u32> {
     pairs.chain(spread(LOOKED, total)).collect()
 }
 
-/// Returns true if the program draws these pixels.
+/// Returns true if a program draws a picture of the same size with these pixels, by their indices.
 fn draws(
     program: &ChapterProgram,
     reading: &Reading,
@@ -273,7 +296,8 @@ fn draws(
         && places.all(|n| is_drawn(&output, reading, n))
 }
 
-/// Returns true if a pixel is printed so, or stored so by what has only levels.
+/// Returns true if a program prints the `n`th pixel of the picture, or would after its levels are
+/// clamped to 0 to 255.
 fn is_drawn(output: &Output, reading: &Reading, n: u32) -> bool {
     output.printed(n).is_some_and(|levels| {
         let levels = levels.map(|it| it.clamp(i16::MIN.into(), i16::MAX.into()) as i16);

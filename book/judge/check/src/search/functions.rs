@@ -5,18 +5,21 @@ use interpreter::{Program, SourceFile};
 use super::parsed::Reader;
 use super::tree::RustTree;
 
-/// A function with a body.
+/// A function of a program in Rust, with its syntax tree.
 #[derive(Clone, Debug)]
 pub(super) struct ParsedFunction {
-    /// Its name; a method's with the type that it belongs to.
+    /// The name, for a method with its type: `Sphere::hit`.
     pub(super) name: String,
+    /// The text, from `fn` to the last brace.
     pub(super) text: String,
+    /// The names of the parameters; empty for a pattern.
     pub(super) parameters: Vec<String>,
+    /// The block of the function; places in it are bytes of the text.
     pub(super) body: RustTree,
 }
 
 impl ParsedFunction {
-    /// Reads a function, from `fn` to its last brace.
+    /// Parses a function from its text, from `fn` to the last brace; `None` if it is not Rust.
     pub(super) fn read(name: &str, text: &str) -> Option<Self> {
         let item: syn::ImplItemFn = syn::parse_str(text).ok()?;
         let parameter = |it: &syn::FnArg| match it {
@@ -34,26 +37,28 @@ impl ParsedFunction {
         })
     }
 
-    /// Returns its own name, without that of a type.
+    /// Returns the name without that of a type.
     pub(super) fn short_name(&self) -> &str {
         self.name.rsplit(':').next().unwrap_or(&self.name)
     }
 
-    /// Where it stands in the files: in which, and where its text begins.
+    /// Finds the function in a list of files: the index of its file, and the byte of that file's
+    /// text at which it begins.
     pub(super) fn place(&self, files: &[SourceFile]) -> Option<(usize, usize)> {
         let mut places = files.iter().enumerate();
         places.find_map(|(n, file)| Some((n, file.text.find(&self.text)?)))
     }
 }
 
-/// Returns all functions of a program.
+/// Parses all functions of a program.
 pub(super) fn functions(program: &Program) -> Vec<ParsedFunction> {
     let all = program.functions();
     all.filter_map(|(name, text)| ParsedFunction::read(name, text))
         .collect()
 }
 
-/// Returns the files with other texts for some functions.
+/// Returns the files with other texts for these functions. Functions that are in no file are left
+/// out.
 pub(super) fn with(files: &[SourceFile], changes: &[(&ParsedFunction, &str)]) -> Vec<SourceFile> {
     let mut changed = files.to_vec();
     for (function, text) in changes {

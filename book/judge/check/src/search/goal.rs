@@ -1,8 +1,8 @@
-//! Differential testing: whether a program draws the right pixels and answers as the chapter's
-//! functions do.
+//! Differential testing: compares a program with a right one by the pixels that it draws and by the
+//! answers of its functions.
 //!
-//! Pixels alone take some nonsense for right. The questions of the laws, which no pixel asks,
-//! settle it, and find what the picture hides.
+//! By pixels alone some wrong programs are right. The questions of the laws, which no pixel asks,
+//! find what the picture hides.
 
 use common::rtweekend::*;
 use interpreter::{ExpectedPixel, Program, SourceFile};
@@ -13,33 +13,40 @@ use crate::pixels::spread;
 use crate::reading::Reading;
 use crate::task::Task;
 
-/// So many wrong and right pixels are looked at, the wrong ones first.
+/// The number of wrong pixels, and of right ones, that are compared first.
 pub(super) const LOOKED: u32 = 100;
-/// A picture is drawn whole up to this size; of a larger one so many pixels are.
+/// The most pixels of a picture that a repaired program has to draw; of a larger picture they are a
+/// sample.
 pub(super) const DRAWN: u32 = 100_000;
-/// So wide is a picture that a reader's own loop draws for each text that is tried.
+/// The width in pixels of the picture that the reader's own loop draws for each text that is tried.
 const SMALL: u32 = 24;
-/// One in so many of the questions that tell mistakes apart is asked.
+/// One in so many questions of [`lawful::questions`] is asked.
 const ASKED: usize = 3;
 
-/// What a right program does.
+/// The test that a right program passes: pixels, answers, and maybe a small picture by its own
+/// loop.
 pub(super) struct Goal {
+    /// The width of the picture in pixels.
     width: u32,
+    /// Pixels that are compared first.
     sample: Vec<ExpectedPixel>,
+    /// Pixels that are compared last: all, or a sample of [`DRAWN`].
     all: Vec<ExpectedPixel>,
+    /// The chapter of the program.
     chapter: Chapter,
-    /// What the chapter answers; nothing where it is not asked.
+    /// The answers of the right program; empty if no questions are asked.
     answers: Answers,
-    /// What a reader's own loop over all pixels is to draw, at [`SMALL`].
+    /// The picture that the reader's own loop has to draw, [`SMALL`] pixels wide; `None` if it need
+    /// not.
     small: Option<Picture>,
 }
 
-/// Reads a program, if the interpreter takes it.
+/// Reads a program from its files, `lib.rs` first; `None` if the interpreter refuses it.
 pub(super) fn program(files: &[SourceFile]) -> Option<Program> {
     interpreter::read(files).ok()
 }
 
-/// Returns true if the program draws this picture, by the look of so many pixels.
+/// Returns true if a program draws a picture, judged by `count` of its pixels.
 pub(super) fn draws(program: &Program, reading: &Reading, count: u32) -> bool {
     let pixel = |index: u32| ExpectedPixel {
         index,
@@ -51,7 +58,8 @@ pub(super) fn draws(program: &Program, reading: &Reading, count: u32) -> bool {
 }
 
 impl Goal {
-    /// Takes the right picture, and so many of its pixels.
+    /// Makes the goal to draw a right picture, whose pixels that differ from those of a reader's
+    /// picture are compared first. No questions are asked yet.
     pub(super) fn new(chapter: Chapter, right: &Picture, reading: &Reading) -> Self {
         let (width, total) = (right.width(), right.width() * right.height());
         let rgb = right.rgb();
@@ -81,7 +89,7 @@ impl Goal {
         }
     }
 
-    /// Adds what a reader's own loop over all pixels is to draw.
+    /// Adds that the reader's own loop over all pixels has to draw a small picture of the task.
     pub(super) fn looping(self, task: &Task) -> Self {
         let small = task.right_picture(SMALL, task.height(SMALL));
         Self {
@@ -90,20 +98,21 @@ impl Goal {
         }
     }
 
-    /// Adds questions to which a right program has the answers.
+    /// Adds that questions have to be answered as by this right program.
     pub(super) fn asking(self, right: &Program) -> Self {
         let right = slips::ChapterProgram::typed(self.chapter, right.clone());
         let answers = answers(&right);
         Self { answers, ..self }
     }
 
-    /// Returns true if the program answers all questions as the chapter does.
+    /// Returns true if a program answers all questions as the right program does, or none are
+    /// asked.
     pub(super) fn is_answered_by(&self, program: &Program) -> bool {
         let program = slips::ChapterProgram::typed(self.chapter, program.clone());
         self.answers.mismatch_with(&program, 1).differing == 0
     }
 
-    /// Returns true if the program is right, by its answers and by what it draws.
+    /// Returns true if a program reaches the goal: it draws the pixels and gives the answers.
     pub(super) fn is_met_by(&self, program: &Program) -> bool {
         let has = |sample: &[ExpectedPixel]| {
             program.count_matching(self.width, sample).ok() == Some(sample.len())
@@ -116,7 +125,7 @@ impl Goal {
     }
 }
 
-/// Returns what a program answers to questions about all of its functions.
+/// Asks a program questions about all of its functions, and returns them with its answers.
 pub(super) fn answers(program: &slips::ChapterProgram) -> Answers {
     let questions = lawful::questions(program.chapter).into_iter();
     Answers::of(program, questions.step_by(ASKED).collect())

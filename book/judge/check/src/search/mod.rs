@@ -1,8 +1,8 @@
 //! One search for edits, both ways: forwards from the chapter, for those that draw the reader's
 //! picture; backwards from the reader's text, for those that make it right.
 //!
-//! Both try the likeliest first: edits that bring one text nearer to the other, and those that
-//! people make when they type. Nothing is said here that did not draw the picture.
+//! Both try the likeliest edits first: those that bring one text nearer to the other, and those that
+//! people make when they type. An edit is found only if its program was run and drew the picture.
 
 mod backwards;
 mod edit;
@@ -31,11 +31,11 @@ pub(crate) use forwards::{DrawingMutants, Mutant};
 use functions::functions;
 pub(crate) use repair::{Correction, LineChange, Repair};
 
-/// Of a larger picture not every pixel is drawn for each edit.
+/// The most pixels of a picture for which edits are searched, since each edit has to draw it.
 const LARGEST: usize = 500_000;
 
-/// Finds the single edits of the chapter that draw the picture, as far as the reader's files can
-/// have them.
+/// Finds the single edits of a task's chapter that draw a picture and that the reader's files do
+/// not rule out. None are looked for with a probe, or for a picture of more than 500,000 pixels.
 pub(crate) fn drawn(task: &Task, reading: &Reading, sources: &Sources) -> DrawingMutants {
     if task.probe.is_some() || reading.pixels.len() > LARGEST {
         return DrawingMutants::default();
@@ -43,7 +43,8 @@ pub(crate) fn drawn(task: &Task, reading: &Reading, sources: &Sources) -> Drawin
     searched(task, reading, sources, |it| Some(it.mutants())).unwrap_or_default()
 }
 
-/// Searches forwards, from the edition to which the lines keep, or else from that of the scene.
+/// Runs a search on the program of the edition whose statements the reader's files have most of;
+/// without files on the task's own program.
 fn searched<T>(
     task: &Task,
     reading: &Reading,

@@ -1,5 +1,5 @@
-//! Mutation operators: the single edits that people make when they type, at each expression of
-//! a function. Forwards they are mistakes; backwards they undo some.
+//! Mutation operators: the single edits that people make when they type, at each expression of a
+//! function. In the chapter they make mistakes, in a reader's program they undo some.
 
 use std::cmp::Reverse;
 use std::collections::HashSet;
@@ -10,8 +10,8 @@ use super::renaming::locals;
 use super::roots::roots;
 use super::tree::{RustOp, RustTree};
 
-/// Words and signs, each of which is mistaken for the others of its group, and how unlikely that
-/// is.
+/// Groups of words or signs that are mistaken for each other, each with the penalty for such an
+/// edit.
 const MISTAKEN: [(u32, &[&str]); 11] = [
     (7, &["+", "-"]),
     (9, &["*", "/"]),
@@ -25,26 +25,30 @@ const MISTAKEN: [(u32, &[&str]); 11] = [
     (8, &["min", "max"]),
     (8, &["floor", "round", "ceil", "trunc"]),
 ];
-/// Numbers that stand in the place of others, and in that of the factor of a level.
+/// The numbers that are tried in the place of another.
 const NUMBERS: [f64; 11] = [0.0, 1.0, -1.0, 2.0, 3.0, 4.0, 0.1, 0.3, 0.5, 0.7, 1e-3];
+/// The factors that are tried in the place of 255.999.
 const LEVELS: [f64; 4] = [255.0, 255.5, 255.99, 256.0];
-/// Of so many names in an expression each is swapped with each other.
+/// The most names in an expression that are swapped with each other.
 const SWAPPED: usize = 8;
 
-/// A tree that may stand in the place of another, and what makes it unlikely: more than an edit
-/// that brings one text nearer to another.
+/// A tree that may replace another, and the penalty for it. Penalties here are greater than those
+/// of edits that bring one text nearer to another.
 type Alternative = (RustTree, u32);
 
-/// A node of a function and what may stand in its place.
+/// A mutation of a function: a node of its tree, and the tree that replaces it.
 pub(super) struct Mutation<'t> {
+    /// The node that is replaced.
     old: &'t RustTree,
-    /// How firm the place wants it.
+    /// The least [level](RustOp::level) of an expression that needs no brackets in the place.
     least: u8,
+    /// The tree that replaces the node.
     new: RustTree,
+    /// The penalty for the mutation, added to the rank of its edit.
     penalty: u32,
 }
 
-/// Makes all mutations of a function. Those of one node follow one another.
+/// Lists all mutations of a function. Those of one node follow one another.
 pub(super) fn mutations(function: &ParsedFunction) -> Vec<Mutation<'_>> {
     let mut names: Vec<String> = function.parameters.clone();
     names.extend(locals(&function.body).iter().map(|it| it.name.to_owned()));
@@ -69,20 +73,21 @@ pub(super) fn mutations(function: &ParsedFunction) -> Vec<Mutation<'_>> {
 }
 
 impl Mutation<'_> {
-    /// Makes the edit of its function's text.
+    /// Returns the mutation as an edit of the function's text.
     pub(super) fn edit(&self, text: &str) -> RankedEdit {
         let new = self.new.within(self.least);
         RankedEdit::new(text, self.old.at.clone(), new, self.penalty)
     }
 }
 
-/// Writes a function with all of its mutations in it, counted from a number on: so they are read
-/// at once, and each is run by its number (mutant schemata: Untch, Offutt and Harrold, 1993).
+/// Writes a function that has all of its mutations, numbered from `first`. It is read once, and
+/// each mutation is run by its number (mutant schemata: Untch, Offutt and Harrold, 1993).
 pub(super) fn schemata(function: &ParsedFunction, mutations: &[Mutation], first: u32) -> String {
     let head = &function.text[..function.body.at.start];
     format!("{head}{}", written(&function.body, 0, mutations, first))
 }
 
+/// Writes a tree with its mutations, in brackets if it binds less firmly than `least`.
 fn written(tree: &RustTree, least: u8, mutations: &[Mutation], first: u32) -> String {
     let text = tree.text_of(&|part, least| {
         let text = written(part, least, mutations, first);
@@ -116,6 +121,7 @@ fn written(tree: &RustTree, least: u8, mutations: &[Mutation], first: u32) -> St
     }
 }
 
+/// Lists the mutations of a tree and of all trees inside of it, but for swapped names.
 fn of_tree<'t>(tree: &'t RustTree, least: u8, names: &[String]) -> Vec<Mutation<'t>> {
     let mutation = |(new, penalty): Alternative| Mutation {
         old: tree,
@@ -137,7 +143,8 @@ fn of_tree<'t>(tree: &'t RustTree, least: u8, names: &[String]) -> Vec<Mutation<
     all
 }
 
-/// Counts the first parts of a tree that are no values: a function's name, and what is changed.
+/// Returns 1 if the first part of a tree is no value, as a function's name or the target of an
+/// assignment, else 0.
 fn fixed(tree: &RustTree) -> usize {
     let is_fixed = match &tree.op {
         RustOp::Call => true,
@@ -153,7 +160,7 @@ fn fixed(tree: &RustTree) -> usize {
     usize::from(is_fixed)
 }
 
-/// Makes the same edit in all three components.
+/// Lists the mutations of the first component, each made in all three components of `tree`.
 fn in_all(tree: &RustTree, three: [&RustTree; 3], names: &[String]) -> Vec<Alternative> {
     let first = of_tree(three[0], 0, names).into_iter();
     let all = first.map(|it| {
@@ -167,7 +174,7 @@ fn in_all(tree: &RustTree, three: [&RustTree; 3], names: &[String]) -> Vec<Alter
     all.collect()
 }
 
-/// Finds the three parts of a tree that are the same but for x, y and z.
+/// Finds three parts of a tree that differ in x, y and z only.
 fn components(tree: &RustTree) -> Option<[&RustTree; 3]> {
     let three: [&RustTree; 3] = match (&tree.op, &tree.parts[..]) {
         (RustOp::Call, [_, x, y, z]) | (RustOp::Other(_), [x, y, z]) => [x, y, z],
@@ -178,7 +185,7 @@ fn components(tree: &RustTree) -> Option<[&RustTree; 3]> {
     (is_like(1) && is_like(2) && !three[0].is_same(three[1])).then_some(three)
 }
 
-/// Returns the tree with the letter of another axis for each x.
+/// Returns the tree with y, for axis 1, or z, for axis 2, in the place of each x.
 fn on_axis(tree: &RustTree, axis: usize) -> RustTree {
     let letter = ["x", "y", "z"][axis].to_owned();
     tree.mapped(&|it| {
@@ -196,7 +203,7 @@ fn on_axis(tree: &RustTree, axis: usize) -> RustTree {
     })
 }
 
-/// Returns what may stand in the place of a node.
+/// Lists the trees that may replace a node.
 fn others(tree: &RustTree, names: &[String]) -> Vec<Alternative> {
     let mut all = mistaken(tree);
     let first = tree.parts.first();
@@ -229,7 +236,7 @@ fn others(tree: &RustTree, names: &[String]) -> Vec<Alternative> {
     all
 }
 
-/// Puts one word or sign in the place of another of its group.
+/// Replaces a word or sign by each other one of its groups in [`MISTAKEN`].
 fn mistaken(tree: &RustTree) -> Vec<Alternative> {
     let (RustOp::Sign(name) | RustOp::Method(name) | RustOp::Field(name)) = &tree.op else {
         return Vec::new();
@@ -251,7 +258,7 @@ fn mistaken(tree: &RustTree) -> Vec<Alternative> {
     others.collect()
 }
 
-/// Leaves one side of a sign out, swaps the sides, and moves brackets or loses them.
+/// Mutates an operator: leaves a side out, swaps the sides, moves brackets or loses them.
 fn of_sign(tree: &RustTree, sign: &str) -> Vec<Alternative> {
     let (one, other) = (&tree.parts[0], &tree.parts[1]);
     let mut all = vec![(one.clone(), 8), (other.clone(), 8)];
@@ -282,7 +289,7 @@ fn of_sign(tree: &RustTree, sign: &str) -> Vec<Alternative> {
     all
 }
 
-/// Puts another number there, or another name, or a factor that belongs elsewhere.
+/// Mutates a number or a name: replaces it, negates it, or doubles or halves it.
 fn of_leaf(tree: &RustTree, text: &str, names: &[String]) -> Vec<Alternative> {
     if text.contains('.')
         && let Ok(number) = text.parse::<f64>()
@@ -311,7 +318,7 @@ fn of_leaf(tree: &RustTree, text: &str, names: &[String]) -> Vec<Alternative> {
     all
 }
 
-/// Turns a condition round, or leaves it out.
+/// Mutates an `if`: exchanges its branches, or keeps one of them without the condition.
 fn of_choice(tree: &RustTree) -> Vec<Alternative> {
     let (condition, branches) = (&tree.parts[0], &tree.parts[1..]);
     if matches!(condition.op, RustOp::Let(..)) {
@@ -328,7 +335,7 @@ fn of_choice(tree: &RustTree) -> Vec<Alternative> {
     all
 }
 
-/// Swaps two of what a function is given, or of a list, or puts one of them there twice.
+/// Mutates arguments or a list: swaps two of them, or puts one in the place of another.
 fn of_list(tree: &RustTree) -> Vec<Alternative> {
     let first = match &tree.op {
         RustOp::Method(name) if name == "dot" => 0,
@@ -352,7 +359,7 @@ fn of_list(tree: &RustTree) -> Vec<Alternative> {
     all.collect()
 }
 
-/// Swaps two names, wherever they stand in an expression.
+/// Lists the mutations that swap two names throughout an expression.
 fn exchanged_names<'t>(root: &'t RustTree, names: &[String]) -> Vec<Mutation<'t>> {
     let nodes = root.nodes();
     let is_bound = nodes
@@ -377,7 +384,7 @@ fn exchanged_names<'t>(root: &'t RustTree, names: &[String]) -> Vec<Mutation<'t>
     pairs.collect()
 }
 
-/// Adds a sign.
+/// Returns the negative of a tree.
 fn negated(tree: &RustTree) -> RustTree {
     RustTree::new(RustOp::Prefix("-".to_owned()), vec![tree.clone()])
 }

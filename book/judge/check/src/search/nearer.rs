@@ -1,5 +1,5 @@
-//! Edits that put the chapter's expressions and statements, in the reader's letters, where the
-//! reader has others.
+//! Tree differencing: edits that put the chapter's expressions and statements, with the reader's
+//! names, where the reader has others.
 
 use std::ops::Range;
 
@@ -9,21 +9,23 @@ use super::renaming::{LocalName, in_common_names, locals};
 use super::roots::{RootRole, roots};
 use super::tree::{RustOp, RustTree};
 
-/// A reader's expression is compared with so many of the chapter's.
+/// The number of the chapter's expressions, most alike first, that are tried in the place of one.
 const COMPARED: usize = 3;
-/// What is less like it, from 0 to 1 and by its role, is tried only as the first.
+/// An expression that scores less, by likeness and role, is tried only if no other is more alike.
 const UNLIKE: f64 = 0.3;
-/// What the same role adds to a likeness; a name that is the same decides.
+/// The score for the same role, added to a likeness from 0 to 1.
 const SAME_ROLE: f64 = 0.6;
+/// The score for the value of a variable of the same name, which outweighs all else.
 const SAME_NAME: f64 = 5.0;
-/// A part of a difference has to have so much in common with the other side as a whole.
+/// The least likeness of a part to the whole of the other expression, so that both are compared.
 const HALF: f64 = 0.5;
-/// A part is less likely than the whole by so much.
+/// The penalty for an edit after which two expressions still differ.
 const PARTIAL: u32 = 4;
-/// No expression here is deeper.
+/// The greatest depth at which expressions are compared.
 const DEEPEST: u8 = 12;
 
-/// Makes the edits by which a function comes nearer to the chapter's.
+/// Lists the edits that bring a reader's function nearer to the chapter's: expressions, and
+/// statements that are missing or too many.
 pub(super) fn edits(yours: &ParsedFunction, right: &ParsedFunction) -> Vec<RankedEdit> {
     let (own, theirs) = in_common_names(yours, right);
     let name = |at: &Range<usize>, new: &str| with_names_of(yours, &own, at, new);
@@ -32,8 +34,8 @@ pub(super) fn edits(yours: &ParsedFunction, right: &ParsedFunction) -> Vec<Ranke
     edits
 }
 
-/// Makes the edits by which a helper comes nearer to what the chapter's function has where the
-/// reader's calls it: its expressions, in the names of the helper's parameters.
+/// Lists the edits that bring a helper nearer to what the chapter's function has where the reader's
+/// calls the helper: the expressions there, in the names of the helper's parameters.
 pub(super) fn edits_of_helper(
     helper: &ParsedFunction,
     caller: &ParsedFunction,
@@ -57,7 +59,8 @@ pub(super) fn edits_of_helper(
     edits.collect()
 }
 
-/// Finds what the helper is given in a call of it, with the name of its parameter.
+/// Pairs the arguments in a call with the names of the helper's parameters; `None` if the tree is
+/// no call of the helper.
 fn given<'a>(
     call: &'a RustTree,
     helper: &'a ParsedFunction,
@@ -73,7 +76,7 @@ fn given<'a>(
     Some(arguments.iter().zip(names).collect())
 }
 
-/// Returns the tree with names for what has one.
+/// Returns the tree with the names of parameters for the arguments.
 fn replaced(tree: &RustTree, names: &[(&RustTree, &str)]) -> RustTree {
     tree.mapped(&|it| {
         if let Some((_, name)) = names.iter().find(|(given, _)| given.is_same(it)) {
@@ -89,7 +92,8 @@ fn replaced(tree: &RustTree, names: &[(&RustTree, &str)]) -> RustTree {
     })
 }
 
-/// Writes a text with the names that only the reader has, where they stand already.
+/// Returns new code for a place of the reader's function, with a variable of the reader for its
+/// value if the code there has the variable, too.
 fn with_names_of(yours: &ParsedFunction, own: &RustTree, at: &Range<usize>, new: &str) -> String {
     let old = yours.text.get(at.clone()).unwrap_or_default();
     let kept = locals(own);
@@ -103,8 +107,9 @@ fn with_names_of(yours: &ParsedFunction, own: &RustTree, at: &Range<usize>, new:
     })
 }
 
-/// Expressions for those that are most like them. One that the chapter has is right, unless it
-/// may be a part of what is.
+/// Lists the edits that replace expressions of the reader's tree by the most similar ones of the
+/// chapter, or parts by parts. An expression that the chapter has, too, is left as it is, but if
+/// `are_parts`, where the most similar other one is tried. `name` rewrites new code for its place.
 fn expressions(
     text: &str,
     own: &RustTree,
@@ -155,8 +160,8 @@ fn expressions(
     edits
 }
 
-/// The places where two expressions differ, from the whole to the smallest, and what the other
-/// has there.
+/// Adds to `found` the places where two expressions differ, from the whole to the smallest part:
+/// the bytes of the reader's text, the chapter's code, and its tree.
 fn differences<'a>(
     yours: &RustTree,
     right: &'a RustTree,
@@ -195,8 +200,8 @@ fn differences<'a>(
     }
 }
 
-/// Puts statements that only the chapter has at every place, and leaves out those that only the
-/// reader has.
+/// Lists the edits that put a statement which only the chapter has at any place, or remove one
+/// which only the reader has.
 fn statements(text: &str, own: &RustTree, theirs: &RustTree) -> Vec<RankedEdit> {
     let (own, theirs) = (all_statements(own), all_statements(theirs));
     let has = |all: &[&RustTree], it: &RustTree| all.iter().any(|other| other.is_same(it));
@@ -232,7 +237,7 @@ fn statements(text: &str, own: &RustTree, theirs: &RustTree) -> Vec<RankedEdit> 
     edits
 }
 
-/// Lists the statements of all blocks.
+/// Lists the statements of a function's body and of all blocks inside of it.
 fn all_statements(body: &RustTree) -> Vec<&RustTree> {
     let blocks = body.nodes().into_iter().filter(|it| it.op == RustOp::Block);
     blocks.flat_map(|it| &it.parts).collect()

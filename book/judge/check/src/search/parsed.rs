@@ -1,4 +1,4 @@
-//! Parsing: trees of what `syn` reads.
+//! Conversion of the syntax trees that `syn` reads.
 
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
@@ -6,17 +6,20 @@ use syn::{Block, Expr, FieldValue, Pat, Stmt, Type};
 
 use super::tree::{BoundName, RustOp, RustTree, squeezed};
 
-/// Reads the trees of a function.
+/// Converts the syntax trees of `syn` to those of this search.
 pub(super) struct Reader<'a> {
+    /// The text from which `syn` has read.
     pub(super) text: &'a str,
 }
 
 impl Reader<'_> {
+    /// Converts a block.
     pub(super) fn block(&self, block: &Block) -> RustTree {
         let statements = block.stmts.iter().map(|it| self.statement(it));
         node(block, RustOp::Block, statements.collect())
     }
 
+    /// Converts a statement.
     fn statement(&self, statement: &Stmt) -> RustTree {
         match statement {
             Stmt::Local(local) => match &local.init {
@@ -34,6 +37,7 @@ impl Reader<'_> {
         }
     }
 
+    /// Converts an expression; brackets around it become a part of its place.
     pub(super) fn expression(&self, it: &Expr) -> RustTree {
         let text = |it: &dyn Spanned| squeezed(&self.text[it.span().byte_range()]);
         let op = match it {
@@ -64,11 +68,12 @@ impl Reader<'_> {
         node(it, op, self.parts(it))
     }
 
+    /// Converts a pattern.
     fn pattern(&self, it: &Pat) -> BoundName {
         BoundName::of(&squeezed(&self.text[it.span().byte_range()]))
     }
 
-    /// Reads the parts of an expression in their order, each with its own.
+    /// Converts the parts of an expression, in their order.
     fn parts(&self, it: &Expr) -> Vec<RustTree> {
         let mut parts = Parts {
             reader: self,
@@ -78,7 +83,7 @@ impl Reader<'_> {
         parts.found
     }
 
-    /// Makes a node whose parts stand in this order in its text.
+    /// Makes a node of the text between its parts; without parts a leaf.
     fn other(&self, it: &impl Spanned, parts: Vec<RustTree>) -> RustTree {
         const PART: char = '\0';
         let at = it.span().byte_range();
@@ -100,14 +105,16 @@ impl Reader<'_> {
     }
 }
 
+/// Makes a node at the place of a syntax tree.
 fn node(it: &impl Spanned, op: RustOp, parts: Vec<RustTree>) -> RustTree {
     let at = it.span().byte_range();
     RustTree { op, parts, at }
 }
 
-/// The parts of an expression.
+/// A visitor that converts the parts of an expression and does not go into them.
 struct Parts<'a> {
     reader: &'a Reader<'a>,
+    /// The parts that were visited.
     found: Vec<RustTree>,
 }
 
@@ -120,7 +127,7 @@ impl<'a> Visit<'a> for Parts<'_> {
         self.found.push(self.reader.block(it));
     }
 
-    /// Writes a field out that is given a name of its own.
+    /// Converts a field of a new struct, also where only its name is written.
     fn visit_field_value(&mut self, it: &'a FieldValue) {
         let member = self.reader.text[it.member.span().byte_range()].to_owned();
         let value = vec![self.reader.expression(&it.expr)];

@@ -1,7 +1,7 @@
-//! Alpha conversion: the chapter's function in the reader's letters.
+//! Alpha conversion: rewrites the chapter's function in the names of the reader's.
 //!
-//! Names that mean the same are found by what they are given and where they are used. What has
-//! a name in one of the two functions only is written out.
+//! Variables are paired by the likeness of their values and uses. A variable that only one of the
+//! two functions has is replaced by its value.
 
 use std::collections::{HashMap, HashSet};
 
@@ -9,16 +9,18 @@ use super::functions::ParsedFunction;
 use super::tree::{RustOp, RustTree};
 use crate::sources::likeness;
 
-/// A name that a function gives to something.
+/// A variable that a function declares, with its first value.
 #[derive(Clone, Copy)]
 pub(super) struct LocalName<'a> {
+    /// The name of the variable.
     pub(super) name: &'a str,
+    /// The value in its declaration; of a loop's variable, the list.
     pub(super) value: &'a RustTree,
-    /// True if it always stands for the value itself.
+    /// True if the variable is never assigned to, so that its value can be written in its place.
     is_fixed: bool,
 }
 
-/// Lists the names that a function gives, in their order.
+/// Lists the variables that a function declares, in their order.
 pub(super) fn locals(body: &RustTree) -> Vec<LocalName<'_>> {
     let local = |node| -> Option<LocalName> {
         let tree: &RustTree = node;
@@ -32,7 +34,7 @@ pub(super) fn locals(body: &RustTree) -> Vec<LocalName<'_>> {
     body.nodes().into_iter().filter_map(local).collect()
 }
 
-/// In which places of which nodes the name stands.
+/// Lists the uses of a variable: the number of the operand, from 0, and the operation.
 fn uses(body: &RustTree, name: &str) -> Vec<(usize, RustOp)> {
     let nodes = body.nodes().into_iter();
     let places = nodes.flat_map(|node| {
@@ -43,12 +45,14 @@ fn uses(body: &RustTree, name: &str) -> Vec<(usize, RustOp)> {
     places.collect()
 }
 
-/// Names are the same thing if their values and uses have more than this in common; those that
-/// are spelled alike always are.
+/// Two variables are the same if they score more, by the likeness of their values and of their
+/// uses, from 0 to 1 each.
 const ALIKE: f64 = 0.6;
+/// The score of two variables of one name.
 const SAME: f64 = 4.0;
 
-/// Spells the reader's body and the chapter's, both in the reader's letters.
+/// Returns the bodies of a reader's function and of the chapter's with one set of names: those of
+/// the reader. Variables that only one of them has are replaced by their values.
 pub(super) fn in_common_names(
     yours: &ParsedFunction,
     right: &ParsedFunction,
@@ -68,7 +72,8 @@ pub(super) fn in_common_names(
     (own_renaming.spell(&yours.body), renaming.spell(&right.body))
 }
 
-/// Finds the two names that are most alike, if any are.
+/// Finds the variable of the chapter and that of the reader that are most alike, by their indices;
+/// `None` if no two are alike enough.
 fn likest(
     (right, theirs): (&RustTree, &[LocalName]),
     (yours, own): (&RustTree, &[LocalName]),
@@ -98,19 +103,22 @@ fn likest(
     best.1
 }
 
-/// Names, and what stands for each.
+/// A substitution of trees for names.
 #[derive(Default)]
 struct Renaming {
+    /// The names, each with the tree that replaces it.
     names: HashMap<String, RustTree>,
-    /// Those whose values stand for them, so that they need not be given.
+    /// The variables that are replaced by their values, whose declarations are dropped.
     written_out: HashSet<String>,
 }
 
 impl Renaming {
+    /// Adds a name and the tree that replaces it.
     fn insert(&mut self, name: &str, other: RustTree) {
         self.names.insert(name.to_owned(), other);
     }
 
+    /// Adds variables, each with its value, as far as they are never assigned to.
     fn write_out(&mut self, locals: &[LocalName]) {
         for local in locals.iter().filter(|it| it.is_fixed) {
             self.insert(local.name, self.spell(local.value));
@@ -118,7 +126,7 @@ impl Renaming {
         }
     }
 
-    /// Spells a tree in these letters.
+    /// Returns a tree with the substitution made.
     fn spell(&self, tree: &RustTree) -> RustTree {
         if let Some(other) = tree.name().and_then(|name| self.names.get(name)) {
             return other.clone();

@@ -17,49 +17,54 @@ use crate::reading::Reading;
 use crate::sources::{SourceLine, Sources};
 use crate::task::Task;
 
-/// What makes a program right, tried.
+/// A change of a reader's program after which it is right. This was tried: the changed program
+/// draws the right picture and answers as the chapter does.
 #[derive(Clone, Debug)]
 pub struct Repair {
-    /// What is to be changed.
+    /// The changed lines, in their order in each file; never empty.
     pub changes: Vec<LineChange>,
-    /// The reader's files with all of it.
+    /// The reader's files with all changes; empty if the program is not in Rust.
     pub(crate) files: Vec<SourceFile>,
-    /// True if the picture was right before.
+    /// True if the picture was right before, and hid the mistake.
     pub(crate) is_hidden: bool,
-    /// The step of the chapter, counted from 0, for which it is right, if it is not the last.
+    /// The step of the chapter, counted from 0, that the changed program does; `None` for the whole
+    /// chapter.
     pub(crate) step: Option<usize>,
 }
 
-/// A place in the reader's files, and what is right there.
+/// A line of a reader's file, and its correction.
 #[derive(Clone, Debug)]
 pub struct LineChange {
-    /// The reader's line.
+    /// The line as it is. Where the correction replaces several lines, the first of them with the
+    /// text of all.
     pub yours: SourceLine,
-    /// What should be there.
+    /// The correction of the line.
     pub right: Correction,
 }
 
-/// What is right in a place.
+/// A correction of a line. Code of several lines is joined by blanks.
 #[derive(Clone, Debug)]
 pub enum Correction {
-    /// This instead.
+    /// This code in the place of the line.
     Instead(String),
-    /// This above it.
+    /// This code above the line, which stays.
     Above(String),
-    /// Nothing.
+    /// Nothing in the place of the line.
     LeaveOut,
-    /// This instead, in the reader's own language: the chapter was tried with the reader's line.
+    /// This code, in a language other than Rust, in the place of the line. Not the reader's program
+    /// was tried, but the chapter's with the reader's line, which draws the reader's picture.
     InOwnLanguage(String),
 }
 
 impl Repair {
-    /// Returns true if each change is a line in the place of another.
+    /// Returns true if each change replaces a line by another.
     pub(crate) fn is_of_lines(&self) -> bool {
         let mut changes = self.changes.iter();
         changes.all(|it| matches!(it.right, Correction::Instead(_)))
     }
 
-    /// Finds the line in another language with which the chapter draws the picture.
+    /// Finds the line, in another language than Rust, that makes the chapter's program draw the
+    /// picture.
     fn transplanted(task: &Task, reading: &Reading, sources: &Sources) -> Option<Self> {
         let found = searched(task, reading, sources, |it| it.transplanted())?;
         let (yours, right) = (found.line, Correction::InOwnLanguage(found.right));
@@ -128,7 +133,9 @@ fn right_picture(task: &Task, reading: &Reading) -> Picture {
 
 /// A reader's program that draws the picture that is judged.
 struct ReaderProgram {
+    /// The program as the interpreter runs it.
     program: Program,
+    /// The functions of the program.
     functions: Vec<ParsedFunction>,
     /// True if the files have a loop over all pixels, and the interpreter can run it.
     has_own_loop: bool,
@@ -190,7 +197,8 @@ impl ReaderProgram {
 }
 
 impl Fix<'_> {
-    /// Finds the lines that are changed.
+    /// Compares a function with its repaired text, line by line. If their numbers of lines differ,
+    /// all lines from the first to the last difference make one change.
     fn changes(&self, files: &[SourceFile]) -> Vec<LineChange> {
         let line = |files: &[SourceFile], function: &ParsedFunction, n: usize| {
             let (file, start) = function.place(files).unwrap_or_default();
@@ -235,6 +243,7 @@ impl Fix<'_> {
     }
 }
 
+/// Splits a text into lines, each with single blanks and without comments.
 fn lines(text: &str) -> Vec<String> {
     text.lines().map(squeezed).collect()
 }

@@ -1,23 +1,28 @@
-//! The expressions that stand for themselves in a function, each with what it is there for.
+//! The outermost expressions of a function, each with its purpose.
 
 use super::tree::{RustOp, RustTree};
 
-/// What an expression is there for.
+/// The purpose of an expression in a function.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum RootRole {
-    /// It is given to a new name.
+    /// The expression is the value of a new variable.
     Let(String),
-    /// It is given to a field or to a name that there was.
+    /// The expression is assigned to a field or to a variable that was declared before.
     Set(String),
+    /// The expression is the condition of an `if` or a `while`.
     Condition,
-    /// It is a part of a condition.
+    /// The expression is one side of `&&` or `||` in a condition.
     Part,
+    /// The expression is the result of a block or a function.
     Result,
+    /// The expression is the list of a loop.
     Each,
+    /// The expression is a call whose result is dropped.
     Called,
 }
 
-/// Finds the expressions that stand for themselves, each with its role.
+/// Lists the expressions of a tree that are no operand of another one, each with its role, and the
+/// sides of conditions.
 pub(super) fn roots(tree: &RustTree) -> Vec<(RootRole, &RustTree)> {
     let mut roots = Vec::new();
     match (&tree.op, &tree.parts[..]) {
@@ -57,7 +62,7 @@ pub(super) fn roots(tree: &RustTree) -> Vec<(RootRole, &RustTree)> {
     roots
 }
 
-/// Splits a condition into the parts of which it is made, itself the first.
+/// Lists a condition and the sides of `&&` and `||` in it.
 fn conjuncts(condition: &RustTree) -> Vec<&RustTree> {
     let mut all = vec![condition];
     if let Some("&&" | "||") = condition.op.sign() {

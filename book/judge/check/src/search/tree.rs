@@ -1,65 +1,73 @@
-//! Syntax trees of functions: what two programs are compared by, and what edits are made of.
+//! Syntax trees of functions in Rust, by which programs are compared and edits are made.
 //!
-//! A node is what it does and its parts. Brackets are no nodes: the text of a tree has them where
-//! the place of a part wants them.
+//! A node is an operation and its parts. Round brackets are no nodes: they are written where a part
+//! binds less firmly than its place wants.
 
 use std::ops::Range;
 
 use crate::sources::likeness;
 
-/// What a node does with its parts.
+/// The operation of a node on its parts.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum RustOp {
     /// Statements in braces.
     Block,
-    /// A name, a number, or what else has no parts.
+    /// A name, a number, or other code without parts.
     Leaf(String),
-    /// A sign between two parts.
+    /// An operator between two parts.
     Sign(String),
-    /// A sign before its part.
+    /// An operator before its part.
     Prefix(String),
-    /// A function and what it is given.
+    /// A call of the function that the first part is, with the others as arguments.
     Call,
-    /// A method of the first part and what it is given.
+    /// A call of this method of the first part, with the others as arguments.
     Method(String),
-    /// A field of its part.
+    /// This field of its part.
     Field(String),
-    /// A field of a new struct and its value.
+    /// This field of a new struct, with its part as the value.
     Member(String),
-    /// A name for its part; whether it is a statement, and not a condition.
+    /// A declaration of a variable with its part as the value; true for a statement, false for a
+    /// condition.
     Let(BoundName, bool),
-    /// A name for each of the first part, and what is done with it.
+    /// A loop over the first part with this variable; the second part is its block.
     For(BoundName),
-    /// A condition, what follows from it, and what else.
+    /// An `if`: the condition, the block, and maybe the block of `else`.
     If,
+    /// A `while`: the condition and the block.
     While,
+    /// A `return` of its part.
     Return,
-    /// Its part with a semicolon.
+    /// Its part with a semicolon behind it.
     Statement,
-    /// The texts around its parts.
+    /// Other code: the texts before, between and behind its parts.
     Other(Vec<String>),
 }
 
-/// A name that is given, and what stands around it.
+/// A pattern with one name, as in `let mut t` or `if let Some(t)`.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct BoundName {
-    /// `mut ` or `Some(`; or the whole, if it has no such name.
+    /// The text before the name, as `mut ` or `Some(`; the whole pattern if it has not just one
+    /// name.
     pub(super) before: String,
+    /// The name; empty if the pattern has not just one.
     pub(super) name: String,
+    /// The text behind the name.
     after: String,
 }
 
-/// A part of a function.
+/// A syntax tree of a part of a function in Rust.
 #[derive(Clone, Debug)]
 pub(super) struct RustTree {
+    /// The operation of the root.
     pub(super) op: RustOp,
+    /// The operands, in the order of the text.
     pub(super) parts: Vec<RustTree>,
-    /// Where it stands in the text of its function.
+    /// The bytes of the tree in the text of its function; empty if the tree was made, not read.
     pub(super) at: Range<usize>,
 }
 
 impl RustOp {
-    /// Returns the sign, if it stands between two parts.
+    /// Returns the operator between two parts; `None` for other operations.
     pub(super) fn sign(&self) -> Option<&str> {
         match self {
             Self::Sign(sign) => Some(sign),
@@ -67,7 +75,7 @@ impl RustOp {
         }
     }
 
-    /// Returns the name that it gives.
+    /// Returns the pattern of a declaration or a loop, if it has a name.
     pub(super) fn pattern(&self) -> Option<&BoundName> {
         match self {
             Self::Let(pattern, _) | Self::For(pattern) => Some(pattern),
@@ -76,8 +84,8 @@ impl RustOp {
         .filter(|it| !it.name.is_empty())
     }
 
-    /// How firmly it holds together: a part needs brackets if it holds less firmly than its
-    /// place wants.
+    /// Returns how firmly the operation binds its parts, from 0 to [`ATOM`]. A tree needs brackets
+    /// where its place wants a greater level.
     pub(super) fn level(&self) -> u8 {
         match self {
             Self::Sign(sign) => match &**sign {
@@ -97,7 +105,7 @@ impl RustOp {
         }
     }
 
-    /// Returns true if the first part stands before a dot or a bracket of its own.
+    /// Returns true if the first part stands before a dot, `?` or an index.
     fn has_object(&self) -> bool {
         match self {
             Self::Method(_) | Self::Field(_) => true,
@@ -108,7 +116,7 @@ impl RustOp {
 }
 
 impl RustTree {
-    /// Makes a tree that stands nowhere yet.
+    /// Makes a tree that has no place in a text.
     pub(super) fn new(op: RustOp, parts: Vec<Self>) -> Self {
         Self {
             op,
@@ -117,12 +125,12 @@ impl RustTree {
         }
     }
 
-    /// Makes a name or a number that stands nowhere yet.
+    /// Makes a name or a number that has no place in a text.
     pub(super) fn leaf(text: &str) -> Self {
         Self::new(RustOp::Leaf(text.to_owned()), Vec::new())
     }
 
-    /// A sign between two parts.
+    /// Makes the tree of an operator between two parts.
     pub(super) fn binary(sign: &str, one: &Self, other: &Self) -> Self {
         Self::new(
             RustOp::Sign(sign.to_owned()),
@@ -130,7 +138,7 @@ impl RustTree {
         )
     }
 
-    /// Its text, if it has no parts.
+    /// Returns the text of a leaf; `None` for a tree with parts.
     pub(super) fn name(&self) -> Option<&str> {
         match &self.op {
             RustOp::Leaf(name) => Some(name),
@@ -138,12 +146,13 @@ impl RustTree {
         }
     }
 
-    /// Lists all nodes, each before its parts.
+    /// Lists the tree and all trees inside of it, each before its parts.
     pub(super) fn nodes(&self) -> Vec<&Self> {
         let parts = self.parts.iter().flat_map(Self::nodes);
         [self].into_iter().chain(parts).collect()
     }
 
+    /// Returns true if two trees are equal but for their places.
     pub(super) fn is_same(&self, other: &Self) -> bool {
         let mut parts = self.parts.iter().zip(&other.parts);
         self.op == other.op
@@ -151,14 +160,15 @@ impl RustTree {
             && parts.all(|(one, other)| one.is_same(other))
     }
 
-    /// Measures how much two trees have in common, from 0 to 1.
+    /// Returns how many nodes two trees share, from 0 to 1.
     pub(super) fn likeness(&self, other: &Self) -> f64 {
         let ops =
             |tree: &Self| -> Vec<RustOp> { tree.nodes().iter().map(|it| it.op.clone()).collect() };
         likeness(&ops(self), &ops(other))
     }
 
-    /// Replaces each node for which there is something else, from the root on.
+    /// Returns the tree with other trees in the place of those for which `other` returns one. The
+    /// parts of such a tree are not asked for.
     pub(super) fn mapped(&self, other: &dyn Fn(&Self) -> Option<Self>) -> Self {
         other(self).unwrap_or_else(|| Self {
             op: self.op.clone(),
@@ -167,12 +177,12 @@ impl RustTree {
         })
     }
 
-    /// Puts another tree in one place.
+    /// Returns the tree with another one at the place `at`.
     pub(super) fn with(&self, at: &Range<usize>, new: &Self) -> Self {
         self.mapped(&|it| (it.at == *at).then(|| new.clone()))
     }
 
-    /// Returns how firm its nth part has to be.
+    /// Returns the least level of the `n`th part that needs no brackets.
     pub(super) fn least(&self, n: usize) -> u8 {
         match self.op.level() {
             ATOM if n == 0 && self.op.has_object() => ATOM,
@@ -182,7 +192,7 @@ impl RustTree {
         }
     }
 
-    /// Its text, in brackets where the place wants a firmer one.
+    /// Writes the tree as code, in brackets if its level is less than `least`.
     pub(super) fn within(&self, least: u8) -> String {
         let text = self.text();
         if self.op.level() < least {
@@ -192,11 +202,12 @@ impl RustTree {
         }
     }
 
+    /// Writes the tree as code.
     pub(super) fn text(&self) -> String {
         self.text_of(&|part, least| part.within(least))
     }
 
-    /// Its text with these texts of its parts, each for how firm it has to be.
+    /// Writes the tree as code; `part` writes each part for the least level of its place.
     pub(super) fn text_of(&self, part: &dyn Fn(&Self, u8) -> String) -> String {
         let parts = self.parts.iter().enumerate();
         let parts: Vec<String> = parts.map(|(n, it)| part(it, self.least(n))).collect();
@@ -234,6 +245,7 @@ impl RustTree {
 }
 
 impl BoundName {
+    /// Reads a pattern.
     pub(super) fn of(text: &str) -> Self {
         let mark = ["mut ", "Some("]
             .into_iter()
@@ -254,20 +266,21 @@ impl BoundName {
         }
     }
 
-    /// Returns true if the name stands alone.
+    /// Returns true if the pattern is the name alone.
     pub(super) fn is_whole(&self) -> bool {
         self.before.is_empty() && self.after.is_empty()
     }
 
+    /// Writes the pattern as code.
     fn text(&self) -> String {
         [&*self.before, &self.name, &self.after].concat()
     }
 }
 
-/// What needs no brackets anywhere.
+/// The level of a tree that needs no brackets anywhere.
 pub(super) const ATOM: u8 = 9;
 
-/// On one line, without comments, and with blanks where rustfmt has them.
+/// Writes code on one line, without comments, and with blanks where rustfmt has them.
 pub(super) fn squeezed(text: &str) -> String {
     let code = text
         .lines()
