@@ -39,10 +39,8 @@ pub fn the_nearest_of_all_members_is_returned(
     world: &World,
 ) -> LawResult {
     let alone = world.spheres.iter().filter_map(|&(center, radius)| {
-        let World {
-            ray, t_min, t_max, ..
-        } = *world;
-        let case = Case::new(center, radius, ray);
+        let (t_min, t_max) = (world.t_min, world.t_max);
+        let case = Case::new(center, radius, world.ray);
         Some(record(&IntervalCase { case, t_min, t_max })?.t)
     });
     let (found, expected) = (search(world), alone.reduce(f64::min));
@@ -75,12 +73,9 @@ impl World {
     pub(crate) fn numbers(&self) -> Vec<f64> {
         let spheres = self.spheres.iter();
         let spheres = spheres.flat_map(|(center, radius)| [center.x, center.y, center.z, *radius]);
+        let ray = of_ray(self.ray).into_iter();
         let ends = [self.t_min, self.t_max];
-        of_ray(self.ray)
-            .into_iter()
-            .chain(ends)
-            .chain(spheres)
-            .collect()
+        ray.chain(ends).chain(spheres).collect()
     }
 
     /// Makes a world of the numbers that `numbers` lists; `None` if their count does not fit.

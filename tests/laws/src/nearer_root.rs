@@ -157,15 +157,13 @@ fn where_h_is_zero_no_root_is_lost(solve: &Solver, case: &Case) -> LawResult {
     let is_inside = ExactCase::of(case).origin_margin() < 0.0;
     let is_silent = !case.is_well_scaled() || case.h() != 0.0 || !is_inside;
     let found = case.solve(solve);
-    BrokenLaw::unless(
-        is_silent || found.is_some_and(|t| t.is_finite() && t != 0.0),
-        || BrokenLaw {
-            law: "where h is 0, no root is lost".into(),
-            found: said(found),
-            allowed: "−√D/a, which is behind the ray".into(),
-            read: "equation (12) of the notes, with both signs".into(),
-        },
-    )
+    let holds = is_silent || found.is_some_and(|t| t.is_finite() && t != 0.0);
+    BrokenLaw::unless(holds, || BrokenLaw {
+        law: "where h is 0, no root is lost".into(),
+        found: said(found),
+        allowed: "−√D/a, which is behind the ray".into(),
+        read: "equation (12) of the notes, with both signs".into(),
+    })
 }
 
 /// Tests that the point P at the returned `t` lies at the distance r from the center C, up to
@@ -184,15 +182,13 @@ pub fn the_point_lies_on_the_sphere(solve: &Solver, case: &Case) -> LawResult {
     let from_center = t * case.ray.direction - (case.center - case.ray.origin);
     let (squared, r_squared) = (from_center.length_squared(), case.radius * case.radius);
     let bound = 96.0 * U * case.m();
-    BrokenLaw::unless(
-        (squared - r_squared).abs() <= bound || !case.is_well_scaled(),
-        || BrokenLaw {
-            law: "the point at t lies on the sphere".into(),
-            found: format!("|P(t) − C|² = {squared:?} at t = {t:?}"),
-            allowed: format!("r² = {r_squared:?} ± {bound:.1e}, for rounding"),
-            read: "equation (7) of the notes: it defines what a root is".into(),
-        },
-    )
+    let holds = (squared - r_squared).abs() <= bound || !case.is_well_scaled();
+    BrokenLaw::unless(holds, || BrokenLaw {
+        law: "the point at t lies on the sphere".into(),
+        found: format!("|P(t) − C|² = {squared:?} at t = {t:?}"),
+        allowed: format!("r² = {r_squared:?} ± {bound:.1e}, for rounding"),
+        read: "equation (7) of the notes: it defines what a root is".into(),
+    })
 }
 
 /// Tests that `t` is the nearer root, up to the error that its coefficients bring.
@@ -205,15 +201,13 @@ fn the_root_is_the_nearer_one_to_the_digits_that_remain(solve: &Solver, case: &C
         return Ok(());
     };
     let bound = root_bound(case, exact.discriminant_margin());
-    BrokenLaw::unless(
-        (t - root.rounded()).abs() <= bound || !case.is_well_scaled(),
-        || BrokenLaw {
-            law: "t is the nearer root".into(),
-            found: format!("t = {t:?}"),
-            allowed: format!("{:?} ± {bound:.1e}", root.rounded()),
-            read: "chapter 3, and equation (12) of the notes: the nearer root takes −√".into(),
-        },
-    )
+    let holds = (t - root.rounded()).abs() <= bound || !case.is_well_scaled();
+    BrokenLaw::unless(holds, || BrokenLaw {
+        law: "t is the nearer root".into(),
+        found: format!("t = {t:?}"),
+        allowed: format!("{:?} ± {bound:.1e}", root.rounded()),
+        read: "chapter 3, and equation (12) of the notes: the nearer root takes −√".into(),
+    })
 }
 
 /// Returns how far rounding may take a computed `t` from the exact root (h ∓ √D)/a, in lengths of

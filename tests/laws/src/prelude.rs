@@ -83,14 +83,6 @@ pub fn small_numbers_are_worked_out_by_head(
 }
 
 impl PreludeFunction {
-    const fn new(call: &'static str, rounding: f64, answer: PreludeCall) -> Self {
-        Self {
-            call,
-            rounding,
-            answer,
-        }
-    }
-
     /// Returns the name of the function, such as `dot`.
     pub(crate) fn name(&self) -> &'static str {
         self.call.split('(').next().expect("a call has a name")
@@ -185,22 +177,31 @@ impl Prelude<'_> {
     }
 }
 
+/// Makes a function of a prelude.
+const fn function(call: &'static str, rounding: f64, answer: PreludeCall) -> PreludeFunction {
+    PreludeFunction {
+        call,
+        rounding,
+        answer,
+    }
+}
+
 /// All functions of a [`Prelude`], ordered so that each comes after those of which it may be made.
 pub static PRELUDE_FUNCTIONS: [PreludeFunction; 10] = [
-    PreludeFunction::new("mul(t, v)", 4.0 * U, |it, a| numbers((it.mul)(a.t, a.v))),
-    PreludeFunction::new("add(u, v)", 0.0, |it, a| numbers((it.add)(a.u, a.v))),
-    PreludeFunction::new("neg(u)", 0.0, |it, a| numbers((it.neg)(a.u))),
-    PreludeFunction::new("sub(u, v)", 0.0, |it, a| numbers((it.sub)(a.u, a.v))),
-    PreludeFunction::new("dot(u, v)", 0.0, |it, a| vec![(it.dot)(a.u, a.v)]),
-    PreludeFunction::new("length_squared(v)", 0.0, |it, a| {
+    function("mul(t, v)", 4.0 * U, |it, a| numbers((it.mul)(a.t, a.v))),
+    function("add(u, v)", 0.0, |it, a| numbers((it.add)(a.u, a.v))),
+    function("neg(u)", 0.0, |it, a| numbers((it.neg)(a.u))),
+    function("sub(u, v)", 0.0, |it, a| numbers((it.sub)(a.u, a.v))),
+    function("dot(u, v)", 0.0, |it, a| vec![(it.dot)(a.u, a.v)]),
+    function("length_squared(v)", 0.0, |it, a| {
         vec![(it.length_squared)(a.v)]
     }),
-    PreludeFunction::new("length(v)", 0.0, |it, a| vec![(it.length)(a.v)]),
-    PreludeFunction::new("normalize(v)", 4.0 * U, |it, a| {
+    function("length(v)", 0.0, |it, a| vec![(it.length)(a.v)]),
+    function("normalize(v)", 4.0 * U, |it, a| {
         numbers((it.normalize)(a.v))
     }),
-    PreludeFunction::new("ray(u, v)", 0.0, |it, a| of_ray((it.ray)(a.u, a.v))),
-    PreludeFunction::new("at(Ray::new(u, v), t)", 0.0, |it, a| {
+    function("ray(u, v)", 0.0, |it, a| of_ray((it.ray)(a.u, a.v))),
+    function("at(Ray::new(u, v), t)", 0.0, |it, a| {
         numbers((it.at)(Ray::new(a.u, a.v), a.t))
     }),
 ];

@@ -74,9 +74,7 @@ impl Question {
     /// Lists twenty questions to each function on vectors, always the same ones: so many that
     /// different mistakes give different answers.
     pub fn of_prelude() -> Vec<Self> {
-        let telling = PRELUDE_FUNCTIONS
-            .iter()
-            .flat_map(|function| function.telling_cases());
+        let telling = PRELUDE_FUNCTIONS.iter().flat_map(|it| it.telling_cases());
         telling.map(Self::Prelude).collect()
     }
 
@@ -258,12 +256,8 @@ impl IntervalCase {
 
     /// Calls `solve` with the numbers of this case, and returns its answer.
     pub fn solve(&self, solve: &RangeSolver) -> Option<f64> {
-        let Case {
-            center,
-            radius,
-            ray,
-        } = &self.case;
-        solve(*center, *radius, ray, self.t_min, self.t_max)
+        let case = &self.case;
+        solve(case.center, case.radius, &case.ray, self.t_min, self.t_max)
     }
 }
 

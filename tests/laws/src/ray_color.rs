@@ -28,12 +28,6 @@ pub enum ChapterScene {
     List,
 }
 
-/// The color of a ray, and how far rounding may take a component from it.
-struct Expected {
-    color: Color,
-    bound: f64,
-}
-
 /// Tests that `color`, which a chapter's `ray_color` returned for `ray`, is the color of what the
 /// ray meets in the scene, wherever the ray starts.
 ///
@@ -47,11 +41,7 @@ pub fn a_ray_has_its_color_from_anywhere(
     color: Color,
     ray: &Ray,
 ) -> LawResult {
-    let Some(Expected {
-        color: right,
-        bound,
-    }) = scene.expected(ray)
-    else {
+    let Some((right, bound)) = scene.expected(ray) else {
         return Ok(());
     };
     let is_near = (color - right).abs().max_element() <= bound;
@@ -96,9 +86,9 @@ impl ChapterScene {
         }
     }
 
-    /// Returns the color of a ray's nearest hit, by exact arithmetic; `None` where rounding may
-    /// decide.
-    fn expected(self, ray: &Ray) -> Option<Expected> {
+    /// Returns the color of what a ray meets, by exact arithmetic, and how far rounding may take a
+    /// component from it; `None` where rounding may decide about the hit.
+    fn expected(self, ray: &Ray) -> Option<(Color, f64)> {
         let mut nearest: Option<(f64, Case)> = None;
         for &(center, radius) in self.spheres() {
             let case = Case::new(center, radius, *ray);
@@ -119,22 +109,13 @@ impl ChapterScene {
         }
         Some(match nearest {
             // The length and the quotient, two products, a sum and a difference for each component.
-            None => Expected {
-                color: sky(ray),
-                bound: 16.0 * U,
-            },
-            Some(_) if self == Self::Disc => Expected {
-                color: Vec3::X,
-                bound: 0.0,
-            },
+            None => (sky(ray), 16.0 * U),
+            Some(_) if self == Self::Disc => (Vec3::X, 0.0),
             Some((t, case)) => {
                 let outward = (ray.at(t) - case.center) / case.radius;
                 let is_turned = self == Self::List && ray.direction.dot(outward) >= 0.0;
                 let normal = if is_turned { -outward } else { outward };
-                Expected {
-                    color: 0.5 * (normal + Vec3::ONE),
-                    bound: normal_bound(&case),
-                }
+                (0.5 * (normal + Vec3::ONE), normal_bound(&case))
             }
         })
     }

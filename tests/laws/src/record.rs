@@ -86,15 +86,13 @@ fn the_point_is_the_one_at_t(case: &Case, hit: &RecordedHit) -> LawResult {
     let Ray { origin, direction } = case.ray;
     let expected = origin + hit.t * direction;
     let bound = 4.0 * U * (origin.abs() + (hit.t * direction).abs()).max_element();
-    BrokenLaw::unless(
-        (hit.point - expected).abs().max_element() <= bound || !case.is_well_scaled(),
-        || BrokenLaw {
-            law: "the point of a hit is the one at its t".into(),
-            found: format!("{} at t = {}", hit.point, hit.t),
-            allowed: format!("{expected} ± {bound:.1e}"),
-            read: "chapter 5: anything that a ray can hit".into(),
-        },
-    )
+    let holds = (hit.point - expected).abs().max_element() <= bound || !case.is_well_scaled();
+    BrokenLaw::unless(holds, || BrokenLaw {
+        law: "the point of a hit is the one at its t".into(),
+        found: format!("{} at t = {}", hit.point, hit.t),
+        allowed: format!("{expected} ± {bound:.1e}"),
+        read: "chapter 5: anything that a ray can hit".into(),
+    })
 }
 
 /// Tests that the normal is the unit vector from the center to the point at t, or its opposite, as
@@ -110,15 +108,13 @@ fn the_normal_is_the_radius_to_the_point_by_its_length(
     let outward = (case.ray.at(hit.t) - case.center) / r;
     let is_near = |normal: Vec3| (normal - outward).length() <= bound;
     let is_silent = r == 0.0 || !case.is_well_scaled();
-    BrokenLaw::unless(
-        is_near(hit.normal) || is_near(-hit.normal) || is_silent,
-        || BrokenLaw {
-            law: "the normal of a hit is the radius to its point, and of length 1".into(),
-            found: format!("{}, of length {}", hit.normal, hit.normal.length()),
-            allowed: format!("{outward} ± {bound:.1e}, or the other way"),
-            read: "chapter 3: how long normals are, and why".into(),
-        },
-    )
+    let holds = is_near(hit.normal) || is_near(-hit.normal) || is_silent;
+    BrokenLaw::unless(holds, || BrokenLaw {
+        law: "the normal of a hit is the radius to its point, and of length 1".into(),
+        found: format!("{}, of length {}", hit.normal, hit.normal.length()),
+        allowed: format!("{outward} ± {bound:.1e}, or the other way"),
+        read: "chapter 3: how long normals are, and why".into(),
+    })
 }
 
 /// Returns how far from a unit vector rounding may take a normal.
@@ -156,13 +152,11 @@ fn the_front_face_is_where_the_ray_enters(case: &Case, hit: &RecordedHit) -> Law
     let scale = case.m().sqrt();
     let coordinates = case.center.length() + case.ray.origin.length();
     let error = 4.0 * U * (coordinates + scale * (24.0 + 24.0 / margin));
-    BrokenLaw::unless(
-        front_face == enters || margin * scale <= error || !case.is_well_scaled(),
-        || BrokenLaw {
-            law: "a ray meets the front face where it enters the sphere".into(),
-            found: format!("front_face = {front_face}"),
-            allowed: format!("front_face = {enters}"),
-            read: SET_FACE_NORMAL.into(),
-        },
-    )
+    let holds = front_face == enters || margin * scale <= error || !case.is_well_scaled();
+    BrokenLaw::unless(holds, || BrokenLaw {
+        law: "a ray meets the front face where it enters the sphere".into(),
+        found: format!("front_face = {front_face}"),
+        allowed: format!("front_face = {enters}"),
+        read: SET_FACE_NORMAL.into(),
+    })
 }
