@@ -2,22 +2,26 @@
 
 use common::rtweekend::Picture;
 
-/// A package that draws one picture.
+/// A chapter of the course: a package of this workspace that draws one picture. The order is the
+/// reading order, and `chapter as usize` is the number in its folder, from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Chapter {
-    /// The picture without rays.
+    /// `build_test`: a picture without rays, whose red grows to the right and whose green grows
+    /// downwards.
     BuildTest,
-    /// Rays and a sky.
+    /// `gradient`: rays of a camera, each colored as the sky in its direction.
     Gradient,
-    /// A sphere that is hit or not.
+    /// `red_sphere`: a sphere, red where a ray hits it.
     RedSphere,
-    /// Where it is hit, and its normal there.
+    /// `normals`: the sphere colored by its normal at the nearest point that a ray hits.
     Normals,
-    /// The ball by half of b, with fewer operations.
+    /// `half_b_sphere`: the picture of [`Chapter::Normals`] with half of the coefficient b, which
+    /// takes fewer operations.
     HalfBSphere,
-    /// The nearest of many.
+    /// `hittable_list`: a list of spheres, of which the nearest hit is seen.
     HittableList,
-    /// Every method, and where it fails.
+    /// `speed_vs_accuracy`: many ways to find where a ray hits a sphere, compared in time and in
+    /// error.
     SpeedVsAccuracy,
 }
 
@@ -30,19 +34,19 @@ pub struct ChapterFile {
     pub text: &'static str,
 }
 
-/// How many spheres a scene has room for.
+/// The number of spheres that the scene of a chapter can have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SphereCount {
-    /// There is only a background.
+    /// No sphere: the scene is only a background.
     None,
-    /// A center and a radius.
+    /// One sphere, given by a center and a radius.
     One,
-    /// A list.
+    /// A list of spheres, of any length.
     Many,
 }
 
 impl Chapter {
-    /// All of them.
+    /// All seven chapters, in reading order.
     pub const ALL: [Self; 7] = [
         Self::BuildTest,
         Self::Gradient,
@@ -53,19 +57,20 @@ impl Chapter {
         Self::SpeedVsAccuracy,
     ];
 
-    /// Those whose pictures are in *Ray Tracing in One Weekend*: all but the last,
-    /// which is this project's own.
+    /// The chapters whose pictures are in *Ray Tracing in One Weekend*, in reading order: all but
+    /// [`Chapter::SpeedVsAccuracy`], which is this project's own.
     pub const OF_THE_BOOK: [Self; 6] = {
         let [pictures @ .., _] = Self::ALL;
         pictures
     };
 
-    /// Finds the chapter whose package has that name.
+    /// Finds the chapter whose package has exactly this name, such as `normals`. Returns `None` if
+    /// no package of a chapter is called so.
     pub fn find(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|chapter| chapter.name() == name)
     }
 
-    /// Returns the name of the package.
+    /// Returns the name of the chapter's package, such as `normals`.
     pub fn name(self) -> &'static str {
         match self {
             Self::BuildTest => "build_test",
@@ -78,7 +83,7 @@ impl Chapter {
         }
     }
 
-    /// Returns the width of the picture in the book, in pixels.
+    /// Returns the width in pixels at which the book shows the chapter's picture: 256 or 400.
     pub fn book_width(self) -> u32 {
         match self {
             Self::BuildTest => 256,
@@ -86,7 +91,8 @@ impl Chapter {
         }
     }
 
-    /// Describes the picture to a reader who can't see it.
+    /// Describes the chapter's picture in a sentence without a full stop, to a reader who can't see
+    /// it.
     pub const fn shows(self) -> &'static str {
         match self {
             Self::BuildTest => "Red grows to the right, green grows downwards",
@@ -102,7 +108,7 @@ impl Chapter {
         }
     }
 
-    /// Returns how many spheres its scene has room for.
+    /// Returns how many spheres the chapter's scene can have.
     pub fn sphere_count(self) -> SphereCount {
         match self {
             Self::BuildTest | Self::Gradient => SphereCount::None,
@@ -111,8 +117,8 @@ impl Chapter {
         }
     }
 
-    /// Lists the sources that a reader types, by their names from `a` to `z`; none for
-    /// [`Chapter::SpeedVsAccuracy`].
+    /// Lists the sources that a reader types in this chapter, by their names from `a` to `z`. Empty
+    /// for [`Chapter::SpeedVsAccuracy`].
     pub fn files(self) -> &'static [ChapterFile] {
         macro_rules! files {
             ($folder:literal: $($name:literal),*) => {
@@ -136,7 +142,8 @@ impl Chapter {
         }
     }
 
-    /// Draws the picture at any width, in pixels.
+    /// Makes the chapter's picture, `width` pixels wide and as high as its aspect ratio asks. Its
+    /// pixels are traced when they are first read.
     pub fn picture(self, width: u32) -> Picture {
         let draw = match self {
             Self::BuildTest => build_test::picture,

@@ -11,7 +11,7 @@ use course::names::name_from_here;
 use crate::cargo::WEAVER;
 use crate::draw;
 
-/// The words behind `cargo rtrace book`.
+/// The arguments of `cargo rtrace book`.
 #[derive(Args, Default)]
 pub struct Arguments {
     /// Open the book in the browser
@@ -23,10 +23,11 @@ pub struct Arguments {
     output: Option<PathBuf>,
 }
 
-/// Weaves the book, says where it is, and opens it on request.
+/// Weaves the book into a folder, prints where its first page is, and opens that in the browser if
+/// the reader asks for it. Returns the exit code of the weaver, which reports its own failures.
 ///
 /// # Errors
-/// If it can't be built or opened. What the weaver complains of, it says itself.
+/// If the weaver can't be built or started, or if no browser opens the page.
 pub fn book(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
     let workspace = draw::find_workspace()?;
     let usual = || workspace.join("target/book");

@@ -10,23 +10,24 @@ use std::{env, thread};
 use crate::draw;
 use crate::misuse::complain;
 
-/// A package of this workspace that is built when it is asked for.
+/// A package of this workspace that cargo builds when a command needs its program.
 pub struct Package {
     name: &'static str,
-    /// The name of its program.
+    /// The name of the package's program.
     program: &'static str,
-    /// The line to show before it is built: its purpose, and about how long it takes on two cores.
+    /// The line to print before cargo builds the package: its purpose, and about how long two cores
+    /// take.
     says: &'static str,
 }
 
-/// The companion, which judges, watches and measures.
+/// The companion, the program `rtrace`: it judges pictures, watches crates and measures methods.
 pub const COMPANION: Package = Package {
     name: "companion",
     program: "rtrace",
     says: "Building the companion, which judges, watches and measures: the first time, about a minute",
 };
 
-/// The weaver of the book.
+/// The weaver, which makes the pages of the book from the notes.
 pub const WEAVER: Package = Package {
     name: "weave",
     program: "weave",
@@ -34,10 +35,11 @@ pub const WEAVER: Package = Package {
 };
 
 impl Package {
-    /// Returns the command that runs its program. Cargo builds that before, if need be.
+    /// Builds the package if it is not up to date, in the profile of the running program, and
+    /// returns the command that starts its program, still without arguments.
     ///
     /// # Errors
-    /// If the workspace or cargo is missing, or it can't be built.
+    /// If the workspace is gone, or cargo does not start or fails.
     pub fn built_program(&self) -> Result<Command, Box<dyn Error>> {
         let workspace = draw::find_workspace()?;
         let (target, programs) = build_folders(workspace);
@@ -67,8 +69,9 @@ impl Package {
     }
 }
 
-/// Where cargo puts all that it builds, and where this program is among that; or else, if it
-/// is installed, the usual places.
+/// Returns the folder of all that cargo builds, and the one of the programs in it: those that the
+/// running program lies in, or `target` and `target/debug` of the workspace if it is installed
+/// elsewhere.
 fn build_folders(workspace: &Path) -> (PathBuf, PathBuf) {
     let beside = || {
         let programs = env::current_exe().ok()?.parent()?.to_owned();
@@ -83,26 +86,26 @@ fn build_folders(workspace: &Path) -> (PathBuf, PathBuf) {
     })
 }
 
-/// Returns the name of cargo: of the one that runs this program, if it does.
+/// Returns the path of the cargo that has started this program, or else `cargo`.
 pub fn program_name() -> OsString {
     env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
 }
 
-/// A run of cargo that has ended.
+/// The result of a run of cargo.
 pub struct CargoRun {
-    /// Its exit status.
+    /// The exit status of cargo.
     pub status: ExitStatus,
-    /// Its standard output.
+    /// All that cargo printed to standard output.
     pub printed: Vec<u8>,
-    /// Its standard error.
+    /// All that cargo printed to standard error, in whole lines; bytes that are not UTF-8 became �.
     pub said: String,
 }
 
-/// Runs cargo. If it builds more than a reader's own crate, what it says is seen as it comes,
-/// and `first` before it.
+/// Runs cargo to its end, without input and color. If it compiles or downloads more than a reader's
+/// own crate, prints the line `first` and then each of cargo's lines to standard error as it comes.
 ///
 /// # Errors
-/// If it does not start, or can't be read from.
+/// If cargo does not start, or its output can't be read.
 pub fn run_cargo(mut cargo: Command, first: &str) -> io::Result<CargoRun> {
     cargo.env("CARGO_TERM_COLOR", "never").stdin(Stdio::null());
     let mut child = cargo
@@ -121,7 +124,8 @@ pub fn run_cargo(mut cargo: Command, first: &str) -> io::Result<CargoRun> {
     })
 }
 
-/// Reads to the end what cargo says, and shows it from the first line on that tells of work.
+/// Reads the standard error of cargo to its end and returns it. From the first line that reports
+/// work, such as `Compiling`, prints each line to standard error, and the line `first` before them.
 pub fn show_work(errors: impl BufRead, first: &str) -> String {
     listen_for_work(errors, |line, is_first| {
         if is_first {
@@ -131,8 +135,8 @@ pub fn show_work(errors: impl BufRead, first: &str) -> String {
     })
 }
 
-/// Reads to the end what cargo says. From the first line on that tells of work, each is heard,
-/// with whether it is the first.
+/// Reads the standard error of cargo to its end and returns it. From the first line that reports
+/// work, such as `Compiling`, calls `heard` with each line and with true for the first of them.
 pub fn listen_for_work(errors: impl BufRead, mut heard: impl FnMut(&str, bool)) -> String {
     let mut said = String::new();
     let mut is_heard = false;
@@ -147,26 +151,27 @@ pub fn listen_for_work(errors: impl BufRead, mut heard: impl FnMut(&str, bool)) 
     said
 }
 
-/// Returns true if the line tells of work, but for that on a reader's own crate, which takes no
-/// time.
+/// Returns true if the line reports that cargo compiles or downloads something, other than a
+/// reader's own crate, which takes no time.
 fn is_work(line: &str) -> bool {
     const WORK: [&str; 3] = ["Compiling", "Downloading", "Updating"];
     !line.contains(" my_") && WORK.iter().any(|work| line.trim_start().starts_with(work))
 }
 
-/// Becomes that program, whose input, signals and exit code are its own.
+/// Replaces this process by `program`, which takes over its input, its signals and its exit code.
+/// Returns only if that fails.
 ///
 /// # Errors
-/// If it does not start.
+/// If the program does not start.
 #[cfg(unix)]
 pub fn become_program(mut program: Command) -> Result<ExitCode, Box<dyn Error>> {
     Err(std::os::unix::process::CommandExt::exec(&mut program).into())
 }
 
-/// Runs that program, and ends as it does.
+/// Runs `program` to its end, and returns its exit code, or a failure if it has none.
 ///
 /// # Errors
-/// If it does not start.
+/// If the program does not start.
 #[cfg(not(unix))]
 pub fn become_program(mut program: Command) -> Result<ExitCode, Box<dyn Error>> {
     let code = program.status()?.code();

@@ -8,7 +8,9 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Arg, Command, Error};
 use course::chapter::Chapter;
 
-/// Takes one of these chapters.
+/// A parser of a command-line argument that names one of these chapters: by its name, its number or
+/// a path whose last part is its name or its folder, such as `normals`, `3` or
+/// `chapters/3_normals/`.
 #[derive(Clone)]
 pub struct ChapterParser(pub &'static [Chapter]);
 
@@ -29,16 +31,18 @@ impl TypedValueParser for ChapterParser {
     }
 }
 
-/// A chapter of the book, or a picture where none is named.
+/// The first argument of `cargo rtrace check`: a chapter, or a picture whose chapter is to be
+/// guessed.
 #[derive(Clone)]
 pub enum ChapterOrPicture {
-    /// The chapter.
+    /// A chapter of the book.
     Chapter(Chapter),
-    /// The picture.
+    /// The path of a picture, or `-` for standard input.
     Picture(PathBuf),
 }
 
-/// Takes a chapter of the book, or what looks like a file.
+/// A parser of an argument that names a chapter of the book as [`ChapterParser`] does, or else a
+/// picture: an existing file, a name with an extension, or `-`.
 #[derive(Clone)]
 pub struct ChapterOrPictureParser;
 
@@ -76,7 +80,8 @@ impl ChapterParser {
     }
 }
 
-/// Returns true for `normals`, `3`, `chapters/3_normals/` or `mine/normals`.
+/// Returns true if `typed` means the chapter, as `normals`, `3`, `chapters/3_normals/` and
+/// `mine/normals` mean [`Chapter::Normals`].
 fn is_meant(typed: &OsStr, chapter: Chapter) -> bool {
     let (number, name) = (chapter as usize, chapter.name());
     let last = Path::new(typed).file_name().unwrap_or_default();
@@ -85,8 +90,8 @@ fn is_meant(typed: &OsStr, chapter: Chapter) -> bool {
         .contains(&last)
 }
 
-/// Makes a parser that takes the name of one of these things. Of those that share a name, the first
-/// is meant.
+/// Makes a parser of an argument that turns the name of a thing into the thing; any other word is
+/// an error that lists the names. Of neighbors in `things` that share a name, the first counts.
 pub fn parser_of_names<T>(
     things: impl IntoIterator<Item = (&'static str, T)>,
 ) -> impl TypedValueParser<Value = T>

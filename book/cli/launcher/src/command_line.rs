@@ -13,34 +13,33 @@ use crate::{book, show};
 #[derive(Parser)]
 #[command(name = "rtrace", bin_name = companion_command())]
 pub struct CommandLine<C: ArgumentTypes> {
-    /// A command, if there is one.
+    /// The command with its arguments; `None` if the reader has named no command.
     #[command(subcommand)]
     pub command: Option<Command<C>>,
 }
 
-/// The types that read the words behind the companion's commands.
-///
-/// The companion has one for each; the launcher hands all words on unread.
+/// The types that hold the arguments of the companion's commands. The companion has one for each
+/// command; the launcher hands all arguments on without reading them.
 pub trait ArgumentTypes {
-    /// Reads the words behind `check`.
+    /// The arguments of `check`.
     type Check: Args;
-    /// Reads the words behind `start`.
+    /// The arguments of `start`.
     type Start: Args;
-    /// Reads the words behind `watch`.
+    /// The arguments of `watch`.
     type Watch: Args;
-    /// Reads the words behind `laws`.
+    /// The arguments of `laws`.
     type Laws: Args;
-    /// Reads the words behind `done`.
+    /// The arguments of `done`.
     type Done: Args;
-    /// Reads the words behind `hit`.
+    /// The arguments of `hit`.
     type Hit: Args;
-    /// Reads the words behind `needs`.
+    /// The arguments of `needs`.
     type Needs: Args;
-    /// Reads the words behind `probes`.
+    /// The arguments of `probes`.
     type Probes: Args;
 }
 
-/// A command, with the words behind it.
+/// A command of `cargo rtrace`, with its arguments.
 #[derive(Subcommand)]
 pub enum Command<C: ArgumentTypes> {
     /// Weave the book: the notes with the code, the pictures and the figures

@@ -11,11 +11,12 @@ use course::names::name_from_here;
 
 use crate::save::{PictureFormat, save};
 
-/// Draws every picture at the book's size, as PNG and as PPM, and says where
-/// it is, how large, and how long it took to trace.
+/// Draws the picture of every chapter at the book's width into `target/pictures`, as PNG and as
+/// PPM. Then prints the folder, and for each picture its size in pixels, the time that tracing it
+/// took, and the sizes of both files.
 ///
 /// # Errors
-/// If a file can't be written, or there is no workspace.
+/// If the workspace is gone, or a file can't be written.
 pub fn draw_all() -> Result<(), Box<dyn Error>> {
     let folder = pictures_folder()?;
     let mut report = format!("The pictures are in {}\n", name_from_here(&folder));
@@ -25,10 +26,10 @@ pub fn draw_all() -> Result<(), Box<dyn Error>> {
     Ok(output::to_stdout(|out| out.write_all(report.as_bytes()))?)
 }
 
-/// Makes the folder of the pictures: `target/pictures` of this workspace.
+/// Makes the folder `target/pictures` of the workspace, unless it exists, and returns its path.
 ///
 /// # Errors
-/// If it can't be made, or there is no workspace.
+/// If the workspace is gone, or the folder can't be made.
 pub fn pictures_folder() -> Result<PathBuf, Box<dyn Error>> {
     let folder = find_workspace()?.join("target").join("pictures");
     fs::create_dir_all(&folder).map_err(|cause| {
@@ -41,10 +42,10 @@ pub fn pictures_folder() -> Result<PathBuf, Box<dyn Error>> {
     Ok(folder)
 }
 
-/// Finds the workspace, which has the sources of the book.
+/// Finds the folder of this project, as [`course::workspace::workspace`] does.
 ///
 /// # Errors
-/// If it is not there any more.
+/// If there is no such folder any more; the message advises what to do.
 pub fn find_workspace() -> Result<&'static Path, Box<dyn Error>> {
     course::workspace::workspace().ok_or_else(|| {
         "the workspace that this program was built from is not there any more\n\

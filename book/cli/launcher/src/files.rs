@@ -15,17 +15,19 @@ use course::names::{companion_command, escaped_name, name_from_here};
 use crate::limited;
 use crate::misuse::misuse;
 
-/// Files by their names as seen from a folder, with a slash between parts.
+/// The files of a folder, each with its path from that folder, with `/`, and its bytes.
 pub type FolderFiles = Vec<(String, Vec<u8>)>;
 
-/// Lines, each with the checksum of a file and its name.
+/// The lines of a manifest, each with the checksum of a file and its name.
 type ManifestLines = BTreeSet<String>;
 
-/// Makes `folder` hold these `files`, which are a `kind` of thing, in the place of an earlier
-/// one. All else in it stays.
+/// Writes `files` into `folder`, in place of those that an earlier call wrote there. Files that are
+/// not listed in the folder's manifest stay. `kind` names the whole in messages, such as `report`,
+/// and has to be that of the earlier call.
 ///
 /// # Errors
-/// If one of the files would take the place of a reader's, or can't be written.
+/// If a file that is no longer as it was written, or another program's, is in the way, in which
+/// case nothing is changed; or if a file can't be written.
 pub fn fill_folder(folder: &Path, kind: &str, files: &FolderFiles) -> Result<(), Box<dyn Error>> {
     let old = ours(folder, kind)?;
     let new: ManifestLines = files
@@ -60,7 +62,7 @@ pub fn fill_folder(folder: &Path, kind: &str, files: &FolderFiles) -> Result<(),
     Ok(write_list(folder, kind, new.union(&left))?)
 }
 
-/// Removes the file, and the folders that it leaves empty.
+/// Removes a file, and the folders that are empty then.
 fn remove(folder: &Path, name: &str) {
     // It may have been removed before.
     let _ = fs::remove_file(folder.join(name));
@@ -70,13 +72,14 @@ fn remove(folder: &Path, name: &str) {
     }
 }
 
-/// Returns true if nothing is there, and no link on the way to it.
+/// Returns true if nothing has that name in the folder, and no link is on the way to it.
 fn is_missing(folder: &Path, name: &str) -> bool {
     let found = folder.join(name).symlink_metadata();
     found.is_err_and(|cause| cause.kind() == io::ErrorKind::NotFound) && has_no_link(folder, name)
 }
 
-/// Returns true if a file is there that is on the list, and no link on the way to it.
+/// Returns true if the folder has a file of that name whose checksum is on the list, and no link is
+/// on the way to it.
 fn is_ours(folder: &Path, name: &str, list: &ManifestLines) -> bool {
     let path = folder.join(name);
     let is_file = path.symlink_metadata().is_ok_and(|it| it.is_file());
@@ -86,7 +89,7 @@ fn is_ours(folder: &Path, name: &str, list: &ManifestLines) -> bool {
     is_file && has_no_link(folder, name) && is_listed()
 }
 
-/// Returns true if only folders are on the way to the file, or nothing yet.
+/// Returns true if all that is on the way to the file are folders, or missing.
 fn has_no_link(folder: &Path, name: &str) -> bool {
     let mut above = Path::new(name).ancestors().skip(1);
     above.all(|above| {
@@ -95,13 +98,13 @@ fn has_no_link(folder: &Path, name: &str) -> bool {
     })
 }
 
-/// Writes the line of the list for a file.
+/// Writes the line of the manifest for a file.
 fn line(name: &str, bytes: &[u8]) -> String {
     format!("{:08x} {name:?}", crc32fast::hash(bytes))
 }
 
-/// Returns the name on a line of the list, if it leads to a place in the folder: anybody may have
-/// written into the list.
+/// Returns the name on a line of the manifest; `None` if it leads out of the folder, for anybody
+/// may have written into the manifest.
 fn name(line: &str) -> Option<&str> {
     let (_, name) = line.split_once(' ')?;
     let name = name.trim_matches('"');
@@ -110,18 +113,21 @@ fn name(line: &str) -> Option<&str> {
     is_inside.then_some(name)
 }
 
-/// Refuses at once a folder that [`fill_folder`] would refuse after all files are computed.
+/// Refuses a folder that [`fill_folder`] would refuse, before its files are computed.
 ///
 /// # Errors
-/// If the folder holds something that is not of an earlier `kind`, or can't be read.
+/// If the folder has something that [`fill_folder`] has not written there as a `kind` of thing, or
+/// can't be read. A new, an empty and a missing folder are no error; nor is one with nothing but
+/// hidden files.
 pub fn refuse_strangers(folder: &Path, kind: &str) -> Result<(), Box<dyn Error>> {
     ours(folder, kind).map(drop)
 }
 
-/// Reads all files below `folder`.
+/// Reads all files below `folder`, hidden ones included, in no order. Does not enter links to
+/// folders: reading one is an error.
 ///
 /// # Errors
-/// If one can't be read.
+/// If a file or a folder can't be read.
 pub fn read_folder(folder: &Path) -> io::Result<FolderFiles> {
     let mut files = FolderFiles::new();
     let mut folders = vec![String::new()];
@@ -139,15 +145,19 @@ pub fn read_folder(folder: &Path) -> io::Result<FolderFiles> {
     Ok(files)
 }
 
-/// The name of the list, and how long it may be.
+/// The name of the manifest.
 const LIST: &str = ".rtrace-manifest";
+/// The length that no manifest exceeds, in bytes.
 const MOST_BYTES: u64 = 1 << 20;
 
-/// No file that is written here is longer.
+/// The length that no file of a report or of the book exceeds, in bytes.
 const LONGEST: u64 = 1 << 26;
 
-/// Reads the list of files that an earlier program wrote into `folder` as a `kind` of thing. A
-/// folder without it must be new, or hold nothing but what is hidden.
+/// Reads the manifest of `folder`, a list of what an earlier program wrote there as a `kind` of
+/// thing. Empty for a folder that is missing, or has nothing but hidden files.
+///
+/// # Errors
+/// If the folder has files but no manifest, one of another kind, or one that can't be read.
 fn ours(folder: &Path, kind: &str) -> Result<ManifestLines, Box<dyn Error>> {
     let list = folder.join(LIST);
     if let Ok(found) = list.symlink_metadata() {

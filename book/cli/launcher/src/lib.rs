@@ -18,10 +18,11 @@ pub mod terminal;
 use std::error::Error;
 use std::process::ExitCode;
 
-/// Draws all pictures, and weaves the book: what is done without a command.
+/// Draws all pictures as [`draw::draw_all`] does, and then weaves the book into `target/book`.
+/// Returns the exit code of the weaver.
 ///
 /// # Errors
-/// As those of a command.
+/// If a picture can't be drawn, or the book can't be woven.
 pub fn run_without_command() -> Result<ExitCode, Box<dyn Error>> {
     draw::draw_all()?;
     book::book(&book::Arguments::default())

@@ -5,23 +5,24 @@ use std::fs::OpenOptions;
 use std::io::{self, Read};
 use std::path::Path;
 
-/// No source, manifest, list or scene of these chapters is longer.
+/// The length, in bytes, that no source, manifest, list or scene of these chapters exceeds: 128
+/// KiB.
 pub const MOST_BYTES: u64 = 1 << 17;
 
-/// Reads the text of a file.
+/// Reads a whole file of UTF-8 text that has at most [`MOST_BYTES`].
 ///
 /// # Errors
-/// If it is no file, such as a folder or a pipe, if it has more than [`MOST_BYTES`], if it is no
-/// text, and if it can't be read.
+/// If `path` leads to something else, such as a folder or a pipe, if the file is longer or is not
+/// UTF-8, or if it can't be read.
 pub fn read_text(path: &Path) -> io::Result<String> {
     io::read_to_string(&*read_bytes(path, MOST_BYTES)?)
 }
 
-/// Reads a file.
+/// Reads a whole file that has at most `most` bytes.
 ///
 /// # Errors
-/// If it is no file, such as a folder or a pipe, if it has more than `most` bytes, and if it can't
-/// be read.
+/// If `path` leads to something else, such as a folder or a pipe, if the file is longer, or if it
+/// can't be read.
 pub fn read_bytes(path: &Path, most: u64) -> io::Result<Vec<u8>> {
     let mut options = OpenOptions::new();
     #[cfg(unix)]

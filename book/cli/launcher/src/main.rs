@@ -11,7 +11,7 @@ use launcher::cargo::{COMPANION, become_program};
 use launcher::command_line::{ArgumentTypes, Command, CommandLine};
 use launcher::{book, misuse, show};
 
-/// Hands all words on to the companion.
+/// The command line of the launcher, which hands the arguments of the companion's commands on.
 struct HandedOn;
 
 impl ArgumentTypes for HandedOn {
@@ -25,7 +25,7 @@ impl ArgumentTypes for HandedOn {
     type Probes = UnreadWords;
 }
 
-/// Words that are for the companion to read.
+/// Arguments that the companion reads.
 #[derive(Args)]
 #[command(disable_help_flag = true)]
 struct UnreadWords {
@@ -48,7 +48,7 @@ fn run() -> Result<ExitCode, Box<dyn Error>> {
     }
 }
 
-/// Becomes the companion, with the same words.
+/// Builds the companion, and becomes it, with all arguments of this process.
 fn hand_on() -> Result<ExitCode, Box<dyn Error>> {
     let mut companion = COMPANION.built_program()?;
     companion.args(env::args_os().skip(1));

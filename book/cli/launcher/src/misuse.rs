@@ -9,8 +9,8 @@ use std::process::{ExitCode, exit};
 use clap::Parser;
 use course::names;
 
-/// Parses the command line. Ends the program with help, if that is asked for, or with a complaint
-/// about a word that can't be understood.
+/// Parses the arguments of this process. If they ask for help, prints that and ends the process
+/// with 0; if they can't be understood, prints why and ends it with 2.
 pub fn command_line<Cli: Parser>() -> Cli {
     Cli::try_parse().unwrap_or_else(|error| {
         if !error.use_stderr() {
@@ -22,8 +22,8 @@ pub fn command_line<Cli: Parser>() -> Cli {
     })
 }
 
-/// Writes to standard error. Characters that the terminal would obey, from the name of a file
-/// perhaps, are spelled out.
+/// Prints `about` to standard error, with a line break at its end. Each character that a terminal
+/// would obey, perhaps from the name of a file, becomes its escape, such as `\u{1b}`.
 pub fn complain(about: &str) {
     for line in about.lines() {
         // If even this can't be written, no more can be done.
@@ -31,7 +31,8 @@ pub fn complain(about: &str) {
     }
 }
 
-/// A command line that can't be followed, as opposed to a failure on the way.
+/// An error for a command line that can't be followed, with the message to print. Any other error
+/// is a failure on the way.
 #[derive(Debug)]
 pub struct Misuse(pub String);
 
@@ -43,18 +44,19 @@ impl fmt::Display for Misuse {
 
 impl Error for Misuse {}
 
-/// Makes an error that says why a command line can't be followed.
+/// Makes a [`Misuse`] with this message, to be returned as an error.
 pub fn misuse(what: &str) -> Box<dyn Error> {
     Misuse(what.to_owned()).into()
 }
 
-/// Returns the exit code of a program that has `done` its work, and complains of an error.
+/// Returns 0 for a program that has `done` its work. For an error, prints it to standard error and
+/// returns 2 for a [`Misuse`], and else 1.
 pub fn exit_code(done: Result<(), Box<dyn Error>>) -> ExitCode {
     exit_code_of(done.map(|()| ExitCode::SUCCESS))
 }
 
-/// Returns the exit code of work that has one of its own, and complains of an error: 2 is for a
-/// misuse, and 1 for a failure on the way.
+/// Returns the exit code that the work `done` ended with. For an error, prints it to standard error
+/// and returns 2 for a [`Misuse`], and else 1.
 pub fn exit_code_of(done: Result<ExitCode, Box<dyn Error>>) -> ExitCode {
     done.unwrap_or_else(|error| {
         complain(&format!("rtrace: {error}"));

@@ -10,14 +10,15 @@ use png::{BitDepth, ColorType, Compression, Filter};
 /// The format of a picture file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PictureFormat {
-    /// Compressed, for viewers and pages.
+    /// PNG, compressed, with the extension `png`.
     Png,
-    /// The book's own: P3, a text of numbers.
+    /// PPM as the book writes it: P3, a text of numbers, with the extension `ppm`.
     Ppm,
 }
 
 impl PictureFormat {
-    /// Returns the format that the name of a file asks for.
+    /// Returns the format whose extension the path has, in upper or lower case; `None` for any
+    /// other.
     pub fn of(path: &Path) -> Option<Self> {
         let extension = path.extension()?.to_ascii_lowercase();
         [Self::Png, Self::Ppm]
@@ -25,7 +26,7 @@ impl PictureFormat {
             .find(|format| extension == format.extension())
     }
 
-    /// Returns the end of a file's name, without the dot.
+    /// Returns the extension of the format's files, without a dot.
     pub fn extension(self) -> &'static str {
         match self {
             Self::Png => "png",
@@ -34,10 +35,11 @@ impl PictureFormat {
     }
 }
 
-/// Writes `picture` to `path`, whole or not at all.
+/// Writes `picture` to a file at `path`, in place of an earlier one. The file appears whole or not
+/// at all.
 ///
 /// # Errors
-/// If it can't be written.
+/// If the file can't be written.
 pub fn save(picture: &Picture, format: PictureFormat, path: &Path) -> io::Result<()> {
     output::to_file(path, |out| match format {
         PictureFormat::Png => write_png(picture, out),

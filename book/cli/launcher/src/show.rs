@@ -16,7 +16,7 @@ use crate::misuse::misuse;
 use crate::save::{PictureFormat, save};
 use crate::terminal::{self, Palette};
 
-/// The words behind `cargo rtrace show`.
+/// The arguments of `cargo rtrace show`.
 #[derive(Args)]
 pub struct Arguments {
     /// Which picture
@@ -37,11 +37,12 @@ pub struct Arguments {
     open: bool,
 }
 
-/// Draws the picture, then prints, saves, opens or shows it.
+/// Draws the picture of a chapter. Then prints it as P3, saves it, opens it in a viewer, or shows
+/// it in the terminal, as the arguments say.
 ///
 /// # Errors
-/// If the words don't fit together, if there is no terminal with colors to show it in, or if it
-/// can't be written or opened.
+/// If the arguments contradict each other, if there is no terminal with colors to show the picture
+/// in, or if it can't be written or opened.
 pub fn show(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let Arguments {
         chapter,
@@ -76,7 +77,7 @@ pub fn show(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     }
 }
 
-/// Where a picture goes if not to the terminal.
+/// The place for a picture that is not shown in the terminal.
 #[derive(Clone, Debug)]
 enum Destination {
     Stdout,

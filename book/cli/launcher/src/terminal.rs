@@ -7,20 +7,21 @@ use anstyle::{AnsiColor, Color, RgbColor, Style};
 use common::rtweekend::Picture;
 use supports_color::Stream;
 
-/// The colors that a terminal has.
+/// The colors that a terminal can show.
 #[derive(Clone, Copy, Debug)]
 pub enum Palette {
-    /// 24 bits: all.
+    /// All colors of 24 bits.
     All,
-    /// 256 of them.
+    /// The 256 colors of xterm.
     Xterm,
-    /// The sixteen with names.
+    /// The 16 colors that have names.
     Ansi,
 }
 
 impl Palette {
-    /// Returns the colors of the terminal that shows standard output, if there is one, if it has
-    /// colors, and if the reader wants them.
+    /// Returns the colors of the terminal that shows standard output. Returns `None` if standard
+    /// output goes elsewhere, if the terminal has no colors, or if the reader asks for none, such
+    /// as by `NO_COLOR`.
     pub fn of_stdout() -> Option<Self> {
         let level = supports_color::on(Stream::Stdout)?;
         // A console of Windows reads escapes only if asked to, and then it has all colors.
@@ -51,13 +52,11 @@ impl Palette {
     }
 }
 
-/// Shows `picture`, reduced as far as the terminal asks.
-///
-/// The character is the upper half block: its own color is the upper pixel, its
-/// background the lower one.
+/// Writes `picture` to `out` as lines of [`picture_lines`], reduced to the columns of the terminal
+/// and to its lines less one, or to 80 columns and 23 lines if its size is unknown.
 ///
 /// # Errors
-/// If it can't be written to `out`.
+/// If `out` can't be written to.
 pub fn show_picture(picture: &Picture, palette: Palette, out: &mut dyn Write) -> io::Result<()> {
     let (columns, terminal_lines) = terminal_size::terminal_size()
         .map_or((80, 24), |(width, height)| {
@@ -71,7 +70,10 @@ pub fn show_picture(picture: &Picture, palette: Palette, out: &mut dyn Write) ->
     Ok(())
 }
 
-/// Returns the lines that show `picture`, reduced to at most `columns` × `rows` pixels.
+/// Returns the picture as lines of colored characters, from the top, without line breaks. It is
+/// reduced to at most `columns` × `rows` pixels, with its aspect ratio kept, and never enlarged. A
+/// character is the upper half block: it shows the upper of two pixels in its own color, the lower
+/// as its background.
 pub fn picture_lines(picture: &Picture, palette: Palette, columns: u32, rows: u32) -> Vec<String> {
     let pixels = reduced(picture, columns, rows);
     let line = |rows: &[Vec<[u8; 3]>]| {
@@ -88,8 +90,8 @@ pub fn picture_lines(picture: &Picture, palette: Palette, columns: u32, rows: u3
     pixels.chunks(2).map(line).collect()
 }
 
-/// Returns the rows of the picture at its own size if that fits into `columns` × `rows` pixels,
-/// else as large as fits, with its shape kept.
+/// Returns the rows of the picture, from the top, at its own size if that fits into `columns` ×
+/// `rows` pixels, or else as large as fits with its aspect ratio kept.
 fn reduced(picture: &Picture, columns: u32, rows: u32) -> Vec<Vec<[u8; 3]>> {
     let (width, height) = (picture.width(), picture.height());
     let scale = f64::min(
@@ -104,7 +106,7 @@ fn reduced(picture: &Picture, columns: u32, rows: u32) -> Vec<Vec<[u8; 3]>> {
     blocks(height, fit(height)).map(row).collect()
 }
 
-/// Cuts `pixels` into `count` blocks that are as equal as can be.
+/// Cuts the pixels from 0 to `pixels` into `count` ranges that are as equal as can be.
 fn blocks(pixels: u32, count: u32) -> impl Iterator<Item = Range<u32>> {
     let end = move |n: u32| (n * pixels).div_ceil(count);
     (0..count).map(move |n| end(n)..end(n + 1))

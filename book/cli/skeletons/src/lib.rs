@@ -36,10 +36,10 @@ pub fn files(chapter: Chapter, own_prelude: bool) -> Vec<SourceFile> {
 /// The line by which a chapter uses the prelude.
 const PRELUDE: &str = "use common::rtweekend::*;\n";
 
-/// A step of chapter 5.
+/// The line of chapter 5 that adds the ground: the reader's last step.
 const GROUND: &str = "    world.add(Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0));\n";
 
-/// In which order the files of a chapter are typed.
+/// The names of a chapter's files, in the order in which they are typed.
 const ORDER: [&str; 4] = [
     "src/hittable.rs",
     "src/sphere.rs",
@@ -47,7 +47,7 @@ const ORDER: [&str; 4] = [
     "src/lib.rs",
 ];
 
-/// The functions of a chapter that the reader need not type.
+/// Lists the functions of a chapter that the reader need not type.
 fn given(chapter: Chapter) -> &'static [&'static str] {
     match chapter {
         Chapter::BuildTest => &[],
@@ -56,29 +56,28 @@ fn given(chapter: Chapter) -> &'static [&'static str] {
     }
 }
 
-/// A function that the reader wrote in an earlier chapter, and its use in the skeleton of a later
-/// one.
+/// A function of an earlier chapter that a reader's crate for a later chapter begins with.
 pub struct CarriedFunction {
     /// The name of the function in the earlier chapter.
     pub name: &'static str,
-    /// A text that is in exactly one item of the skeleton: the item that the function goes to.
+    /// A piece of text of the skeleton, in one item only: the item that the function is put beside.
     pub item: &'static str,
-    /// The place that the function takes beside that item.
+    /// The place of the function beside that item.
     pub place: CarriedPlace,
 }
 
-/// Where a function of an earlier chapter goes, seen from an item of a skeleton.
+/// The place at which a [`CarriedFunction`] is put into a skeleton, seen from one of its items.
 #[derive(Clone, Copy)]
 pub enum CarriedPlace {
-    /// The function replaces the item.
+    /// In place of the item, which is removed from the skeleton.
     Instead,
-    /// The function is inserted above the item, under this new name.
+    /// Above the item, which stays, under this new name.
     AboveAs(&'static str),
-    /// The function is inserted above the item as a comment, to be looked at.
+    /// Above the item, which stays, as a comment: the reader sees the earlier code, and types anew.
     AboveAsComment,
 }
 
-/// Lists the functions of the chapter before that go on in `chapter`; empty if none do.
+/// Lists the functions of earlier chapters that go on in `chapter`. Empty if none do.
 pub fn carried_functions(chapter: Chapter) -> Vec<CarriedFunction> {
     use CarriedPlace::{AboveAs, AboveAsComment, Instead};
     let functions: &[_] = match chapter {
@@ -102,11 +101,13 @@ pub fn carried_functions(chapter: Chapter) -> Vec<CarriedFunction> {
     functions.iter().map(carried).collect()
 }
 
-/// The function `sky`, empty, for a reader who types the prelude and has not typed the sky in
-/// chapter 1.
+/// The text of a function `sky` with `todo!()` in it, for a reader who types the prelude and has
+/// not typed the sky in chapter 1.
 pub const OWN_SKY: &str = include_str!("../files/own/sky.rs");
 
-/// Lists the empty files of a prelude of the reader's own, in the order in which they are typed.
+/// Lists the files of a prelude that the reader types: vectors, rays and the rendering of a
+/// picture. They are in the order in which they are typed, and have `todo!()` in the bodies of
+/// their functions.
 pub fn own_prelude() -> [SourceFile; 4] {
     [
         ("rtweekend", include_str!("../files/own/rtweekend.rs")),
@@ -117,18 +118,20 @@ pub fn own_prelude() -> [SourceFile; 4] {
     .map(|(name, text)| SourceFile::new(format!("src/{name}.rs"), text))
 }
 
-/// Has rust-analyzer in Visual Studio Code build in a folder of its own: while it checks a file
-/// that was saved, it locks that in which it builds, and `watch` would have to wait.
+/// The text of `.vscode/settings.json` for a reader's crate: rust-analyzer builds in a folder of
+/// its own. It would lock the shared one while it checks a saved file, and `watch` would have to
+/// wait.
 pub const EDITOR: &str = r#"{
   // In a folder of its own, so that `watch` need not wait for the editor.
   "rust-analyzer.cargo.targetDir": true
 }
 "#;
 
-/// Writes `src/main.rs`, which prints the picture.
-pub fn main(chapter: Chapter, own: bool) -> String {
+/// Writes the text of `src/main.rs`, a program that prints the chapter's picture as P3. With
+/// `own_prelude`, it prints a picture that is a `String`, and else one of `common`.
+pub fn main(chapter: Chapter, own_prelude: bool) -> String {
     let name = chapter.name();
-    let body = if own {
+    let body = if own_prelude {
         format!("fn main() {{\n    print!(\"{{}}\", my_{name}::picture(400));\n}}\n")
     } else {
         format!(
@@ -138,15 +141,16 @@ pub fn main(chapter: Chapter, own: bool) -> String {
     format!("//! Prints the picture: `cargo run > {name}.ppm`\n\n{body}")
 }
 
-/// Writes `Cargo.toml`, with the path of the workspace as seen from the crate, and a number that no
-/// other crate has.
-pub fn manifest(chapter: Chapter, own: bool, workspace: &str, number: u64) -> String {
+/// Writes the text of `Cargo.toml` for the reader's crate `my_CHAPTER`. `workspace` is the path of
+/// this project, absolute or as seen from the crate. `number` becomes part of the version; it has
+/// to be another for each crate, since cargo builds them all in one folder.
+pub fn manifest(chapter: Chapter, own_prelude: bool, workspace: &str, number: u64) -> String {
     let name = chapter.name();
     let path = |package: &str| format!("{:?}", format!("{workspace}/{package}"));
     let common = format!("common = {{ path = {} }}\n", path("common"));
     let laws = format!("laws = {{ path = {} }}\n", path("tests/laws"));
     // An own prelude meets ours in the tests alone.
-    let (common, common_for_tests) = if own {
+    let (common, common_for_tests) = if own_prelude {
         ("", common.as_str())
     } else {
         (common.as_str(), "")
@@ -162,10 +166,10 @@ pub fn manifest(chapter: Chapter, own: bool, workspace: &str, number: u64) -> St
     )
 }
 
-/// Writes `tests/laws.rs`, the test that puts the reader's functions under the laws; empty where no
-/// law can be broken.
-pub fn test(chapter: Chapter, own: bool) -> String {
-    let test = match (chapter, own) {
+/// Writes the text of `tests/laws.rs`, a test that puts the functions of a reader's crate under the
+/// laws. Returns an empty text if no law can be broken in the chapter.
+pub fn test(chapter: Chapter, own_prelude: bool) -> String {
+    let test = match (chapter, own_prelude) {
         (Chapter::HittableList, false) => include_str!("../files/laws/hittable_list.rs"),
         (Chapter::HittableList, true) => include_str!("../files/own/laws/hittable_list.rs"),
         (Chapter::Gradient, true) => include_str!("../files/own/laws/gradient.rs"),
@@ -179,7 +183,7 @@ pub fn test(chapter: Chapter, own: bool) -> String {
         Chapter::HittableList => include_str!("../files/laws/list.rs"),
         _ => "",
     };
-    let prelude = if own {
+    let prelude = if own_prelude {
         include_str!("../files/own/laws/prelude.rs")
     } else {
         ""

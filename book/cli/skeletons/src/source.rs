@@ -9,9 +9,9 @@ use syn::{Block, Ident, ImplItem, Item};
 pub struct NamedItem {
     /// The name; of an `impl`, the name of its type.
     pub name: String,
-    /// The place in the source, in bytes, documentation included.
+    /// The range of bytes that the item takes in the source, documentation included.
     pub place: Range<usize>,
-    /// The text at that place.
+    /// The source at that place.
     pub text: String,
 }
 
@@ -33,12 +33,13 @@ pub fn items(source: &str) -> Result<Vec<NamedItem>, String> {
     Ok(file.items.iter().filter_map(named).collect())
 }
 
-/// Describes why a source is not Rust: the line, counted from 1, and the reason.
+/// Describes in one line why a source is not Rust: its line, counted from 1, and the reason.
 pub fn describe_error(cause: &syn::Error) -> String {
     format!("line {}: {cause}", cause.span().start().line)
 }
 
-/// Returns the name of an item: that of an impl block is its type, so that it stays with that.
+/// Returns the name of an item; that of an `impl` is its type, and that of an import its path.
+/// Returns `None` for an item without a name.
 fn name(item: &Item, source: &str) -> Option<String> {
     let written = |part: &dyn Spanned| source[part.span().byte_range()].to_owned();
     Some(match item {
@@ -57,8 +58,8 @@ fn name(item: &Item, source: &str) -> Option<String> {
     })
 }
 
-/// Puts `todo!()` into the functions that are not `given`, and leaves the first sentence of each
-/// piece of documentation.
+/// Returns the source with `todo!()` as the body of each function that is not `given`, and with the
+/// first sentence only of each doc comment.
 pub(crate) fn to_type(source: &str, given: &[&str]) -> String {
     let file = syn::parse_file(source).expect("a chapter is Rust");
     let mut functions: Vec<(&Ident, &Block)> = Vec::new();
