@@ -9,7 +9,7 @@ use crate::task::Task;
 
 /// Returns the right programs of the task, at least one: by each edition that counts as right, the
 /// latest first, and after each step before the last.
-pub(crate) fn rights(evidence: &Evidence) -> Vec<Candidate> {
+pub(crate) fn right_programs(evidence: &Evidence) -> Vec<Candidate> {
     let steps = steps(evidence).into_iter();
     let tasks = by_editions(evidence, evidence.task)
         .into_iter()
@@ -19,7 +19,7 @@ pub(crate) fn rights(evidence: &Evidence) -> Vec<Candidate> {
 
 /// Returns the right programs of other tasks: the chapter with other probes or none, and other
 /// chapters. Returns none for a reader who types the chapter, and has no other picture at hand.
-pub(crate) fn elsewhere(evidence: &Evidence) -> Vec<Candidate> {
+pub(crate) fn programs_of_other_tasks(evidence: &Evidence) -> Vec<Candidate> {
     let own = evidence.task;
     if evidence.context.sources.are_of_the_chapter() {
         return Vec::new();
@@ -43,7 +43,7 @@ pub(crate) fn elsewhere(evidence: &Evidence) -> Vec<Candidate> {
 
 /// Iterates over programs with one slip, in groups: one for each edition, step and conversion, the
 /// likeliest group first.
-pub(crate) fn singles<'a>(evidence: &'a Evidence) -> impl Iterator<Item = Vec<Candidate>> + 'a {
+pub(crate) fn programs_with_one_slip(evidence: &Evidence) -> impl Iterator<Item = Vec<Candidate>> {
     let rights = with_slips_in(evidence);
     let wrapped = rights
         .first()
@@ -66,10 +66,10 @@ pub(crate) fn singles<'a>(evidence: &'a Evidence) -> impl Iterator<Item = Vec<Ca
 
 /// Iterates over programs with two slips, in groups: by version 4 and by the `nearest` edition, in
 /// each shape and after each step.
-pub(crate) fn pairs<'a>(
-    evidence: &'a Evidence,
+pub(crate) fn programs_with_two_slips(
+    evidence: &Evidence,
     nearest: Edition,
-) -> impl Iterator<Item = Vec<Candidate>> + 'a {
+) -> impl Iterator<Item = Vec<Candidate>> {
     let rights = with_slips_in(evidence).into_iter();
     let rights = rights.filter(move |it| [Edition::V4, nearest].contains(&it.task.edition));
     rights.map(|right| {

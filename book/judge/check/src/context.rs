@@ -145,7 +145,7 @@ impl<'a> Evidence<'a> {
 
     /// Searches for the single edits that draw the picture, of the chapter's text for the `right`
     /// task.
-    pub(crate) fn drawn(&self, right: &Task) -> &DrawingMutants {
+    pub(crate) fn drawing_mutants(&self, right: &Task) -> &DrawingMutants {
         let drawn = || search::drawn(right, self.reading, &self.context.sources);
         self.drawn.get_or_init(drawn)
     }
@@ -172,7 +172,7 @@ impl<'a> Evidence<'a> {
 
     /// Returns true if the reader's files or functions speak against a program with slips: the right
     /// line of one of its slips stands in the files, or more than one in [`REFUTING`] answers differ.
-    pub(crate) fn is_refuted(&self, it: &Candidate) -> bool {
+    pub(crate) fn refutes(&self, it: &Candidate) -> bool {
         let context = self.context;
         let is_right =
             |slip: &&'static Slip| context.line_status(slip, &it.task) == LineStatus::Right;
@@ -200,7 +200,7 @@ impl<'a> Evidence<'a> {
     }
 
     /// Returns true if the wrong line of each slip of the candidate stands in the reader's files.
-    pub(crate) fn is_found(&self, it: &Candidate) -> bool {
+    pub(crate) fn has_lines_of(&self, it: &Candidate) -> bool {
         let is_found = |slip: &&Slip| self.context.line_status(slip, &it.task) == LineStatus::Wrong;
         it.slips.iter().all(is_found)
     }

@@ -3,7 +3,7 @@
 use slips::{Chapter, Edition, PROBES};
 
 use crate::candidate::Candidate;
-use crate::candidates::{rights, singles};
+use crate::candidates::{programs_with_one_slip, right_programs};
 use crate::context::{Context, Evidence};
 use crate::pixels::{distance, spread};
 use crate::reading::Reading;
@@ -43,7 +43,7 @@ fn right_ones(evidence: &Evidence) -> Vec<(Task, Candidate)> {
     let newest = Task::of(task.chapter).only_by_edition(Edition::V4);
     let probes = probes.filter_map(|&probe| newest.with_probe(probe));
     let probes = probes.map(|task| task.fitting(reading.width, reading.height));
-    let own = rights(evidence);
+    let own = right_programs(evidence);
     let plain = own[0].clone();
     let probed = probes.map(|probed| {
         let it = Candidate {
@@ -59,7 +59,7 @@ fn right_ones(evidence: &Evidence) -> Vec<(Task, Candidate)> {
 /// Returns the programs of the chapter with one slip, each with the task of which it speaks.
 /// Returns the programs of the chapter with one slip, each with the task of which it speaks.
 fn wrong_ones(evidence: &Evidence) -> Vec<(Task, Candidate)> {
-    let all = singles(evidence).flatten();
+    let all = programs_with_one_slip(evidence).flatten();
     all.map(|it| (evidence.task, it)).collect()
 }
 

@@ -8,7 +8,7 @@ use slips::{PROBES, Probe, Slip};
 
 /// Chooses the probe in which the mistakes draw most different pictures, the first of equals; `None`
 /// if there is one mistake, or all draw the same in each probe. Never chooses that of the task.
-pub(crate) fn apart(task: &Task, mistakes: &[Vec<&'static Slip>]) -> Option<Probe> {
+pub(crate) fn telling_probe(task: &Task, mistakes: &[Vec<&'static Slip>]) -> Option<Probe> {
     let mut best = (1, None);
     for probe in PROBES.into_iter().filter(|_| mistakes.len() > 1) {
         let probed = Task::new(task.chapter, Some(probe)).filter(|it| it.probe != task.probe);

@@ -7,7 +7,9 @@
 use std::cmp::Reverse;
 
 use crate::candidate::{Candidate, SampleComparison, Unexplained};
-use crate::candidates::{elsewhere, pairs, rights, singles};
+use crate::candidates::{
+    programs_of_other_tasks, programs_with_one_slip, programs_with_two_slips, right_programs,
+};
 use crate::context::Evidence;
 use crate::pixels::spread;
 use crate::task::Task;
@@ -67,12 +69,12 @@ pub(crate) fn explain(evidence: &Evidence) -> Explanation {
     if unexplained.is_nothing() && is_answered() {
         return almost_right(unexplained);
     }
-    let elsewhere = right_elsewhere(evidence).filter(|_| !unexplained.is_nothing());
+    let elsewhere = tasks_elsewhere(evidence).filter(|_| !unexplained.is_nothing());
     if let Some(tasks) = elsewhere.clone().filter(|it| is_forgotten(evidence, it)) {
         return Explanation::Another(tasks);
     }
-    let single =
-        first(evidence, &unexplained, singles(evidence)).map(|it| in_the_text(evidence, it));
+    let single = first(evidence, &unexplained, programs_with_one_slip(evidence))
+        .map(|it| in_the_text(evidence, it));
     let is_repaired = || evidence.repair().is_some();
     if let Some(single) = single.clone().filter(|it| it.is_in_text || is_repaired()) {
         return Explanation::Mistakes(single);
@@ -93,7 +95,7 @@ pub(crate) fn explain(evidence: &Evidence) -> Explanation {
         return almost_right(unexplained);
     }
     let beside = described_beside(evidence, right.clone());
-    if !evidence.drawn(&beside.task).is_told()
+    if !evidence.drawing_mutants(&beside.task).is_told()
         && let Some(pair) = two_mistakes(evidence, &right, &unexplained)
     {
         return Explanation::Mistakes(pair);
@@ -111,7 +113,7 @@ fn described_beside(evidence: &Evidence, nearest: Candidate) -> Candidate {
         it.compare_sample(reading, SAMPLE)
             .map_or(sampled, |it| it.off)
     };
-    let asked = rights(evidence).swap_remove(0);
+    let asked = right_programs(evidence).swap_remove(0);
     let is_like = PART * (sampled - off(&nearest)) > sampled;
     // Half a pixel, which sets editions apart, says nothing where much else is off.
     let is_nearer = nearest.task.step().is_some() || 2 * off(&nearest) < off(&asked);
@@ -133,7 +135,7 @@ impl Fit {
 /// more than a level count first; more than one in [`MANY`] count as all.
 fn nearest(evidence: &Evidence) -> (Candidate, Unexplained) {
     let reading = evidence.reading;
-    let rights = rights(evidence).into_iter();
+    let rights = right_programs(evidence).into_iter();
     let sampled = rights.filter_map(|it| Some((it.compare_sample(reading, SAMPLE)?.far, it)));
     let sampled: Vec<_> = sampled.collect();
     let least = sampled
@@ -179,7 +181,7 @@ fn is_forgotten(evidence: &Evidence, tasks: &[Task]) -> bool {
 
 /// Finds the other tasks, of one chapter, whose right picture this is, to the last bit; `None` if
 /// there is none, or if the picture has one color and the reader's files are known.
-fn right_elsewhere(evidence: &Evidence) -> Option<Vec<Task>> {
+fn tasks_elsewhere(evidence: &Evidence) -> Option<Vec<Task>> {
     let reading = evidence.reading;
     // One color everywhere is the picture of many things.
     if reading.has_one_color() && !evidence.context.sources.is_empty() {
@@ -191,7 +193,7 @@ fn right_elsewhere(evidence: &Evidence) -> Option<Vec<Task>> {
                 .unexplained(reading, 0)
                 .is_some_and(|unexplained| unexplained.is_nothing())
     };
-    let found = elsewhere(evidence).into_iter().filter(is_it);
+    let found = programs_of_other_tasks(evidence).into_iter().filter(is_it);
     let mut tasks: Vec<Task> = Vec::new();
     for Candidate { task, .. } in found {
         let is_known = |other: &Task| (other.chapter, other.probe) == (task.chapter, task.probe);
@@ -211,9 +213,9 @@ fn in_the_text(evidence: &Evidence, mut found: Fit) -> Fit {
     if evidence.context.sources.is_empty() {
         return found;
     }
-    found.is_in_text = found.candidates.iter().any(|it| evidence.is_found(it));
+    found.is_in_text = found.candidates.iter().any(|it| evidence.has_lines_of(it));
     if found.is_in_text {
-        found.candidates.retain(|it| evidence.is_found(it));
+        found.candidates.retain(|it| evidence.has_lines_of(it));
     }
     found
 }
@@ -225,7 +227,8 @@ fn two_mistakes(evidence: &Evidence, nearest: &Candidate, all: &Unexplained) -> 
     if evidence.reading.has_one_color() {
         return None;
     }
-    let found = first(evidence, all, pairs(evidence, nearest.task.edition))?;
+    let pairs = programs_with_two_slips(evidence, nearest.task.edition);
+    let found = first(evidence, all, pairs)?;
     Some(in_the_text(evidence, found)).filter(|it| it.candidates.len() <= PAIRS)
 }
 
@@ -300,7 +303,7 @@ fn likeliest(
     most: usize,
 ) -> Vec<(SampleComparison, Candidate)> {
     let reading = evidence.reading;
-    let may_be = |it: &Candidate| it.may_leave(reading, most) && !evidence.is_refuted(it);
+    let may_be = |it: &Candidate| it.may_leave(reading, most) && !evidence.refutes(it);
     let group = group.into_iter().filter(may_be);
     let group = group.filter_map(|it| Some((it.compare_sample(reading, SAMPLE)?, it)));
     let mut likeliest: Vec<(SampleComparison, Candidate)> = group.collect();

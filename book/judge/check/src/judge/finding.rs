@@ -62,7 +62,7 @@ impl Finding {
             && evidence.repair().is_some_and(Repair::is_of_lines)
         {
             // A line is wrong in what is written: in all of the chapter, or as far as a step.
-            let rights = candidates::rights(evidence);
+            let rights = candidates::right_programs(evidence);
             let right = rights.iter().find(|it| it.task.step() == step);
             self = Self::beside(evidence, right.unwrap_or(&rights[0]));
         }
@@ -119,9 +119,9 @@ impl Finding {
     fn unknown(evidence: &Evidence, right: &Candidate) -> Self {
         let mut finding = Self::beside(evidence, right);
         (finding.observations, finding.first_pixel) =
-            seen::seen(&finding.task, evidence.reading, &finding.right);
+            seen::observe(&finding.task, evidence.reading, &finding.right);
         if evidence.repair().is_none() {
-            finding.drawn = evidence.drawn(&right.task).clone();
+            finding.drawn = evidence.drawing_mutants(&right.task).clone();
         }
         finding
     }
@@ -158,7 +158,7 @@ impl Mistakes {
             fit.candidates.iter().map(|it| it.slips.clone()).collect();
         Self {
             task: first.task,
-            telling: telling::apart(&first.task, &all),
+            telling: telling::telling_probe(&first.task, &all),
             all,
             conversion: first.conversion,
             is_in_text: fit.is_in_text,
