@@ -48,7 +48,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     })?)
 }
 
-/// Writes the numbers, which the book shows.
+/// Writes the table, with the command that made it, into the file that the book shows.
 fn keep<Row: Record>(mut table: Table<Row>) -> Result<(), io::Error> {
     let command = "cargo bench -p measure --bench accuracy -- --record";
     table.about.insert("command".to_owned(), command.to_owned());

@@ -31,10 +31,10 @@ struct Arguments {
     bench: bool,
 }
 
-/// In pixels, what shows best where the time goes.
+/// The width of the pictures in pixels, at which tracing takes most of the time.
 const WIDEST: u32 = 3840;
 
-/// Whole programs, whose text is thrown away; and tracing alone, without text.
+/// What is raced: whole programs, whose text is thrown away, and tracing alone, without text.
 const COURSES: [&str; 2] = ["nowhere", "traced"];
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -72,8 +72,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Builds the programs of the chapters as a reader would, and says in which folder
-/// they are.
+/// Builds the programs of the chapters as a reader would, and returns the folder that they are in.
 fn build_chapters() -> Result<PathBuf, Box<dyn Error>> {
     let cargo = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut command = Command::new(cargo);
@@ -89,10 +88,10 @@ fn build_chapters() -> Result<PathBuf, Box<dyn Error>> {
     Ok(folder.ok_or("this benchmark is not where cargo puts it")?)
 }
 
-/// Returns the milliseconds of each run: of our program, and of the C++ program.
+/// Returns the milliseconds of each run of our program and of the C++ program.
 ///
-/// A traced picture is kept as bytes in memory, on one thread. The C++ program prints nothing
-/// but their sum then. Its process takes a millisecond or two to start.
+/// A traced picture is kept as bytes in memory, on one thread. The C++ program prints nothing but
+/// their sum then. Its process takes a millisecond or two to start.
 fn run_race(
     chapter: Chapter,
     is_traced: bool,
@@ -140,7 +139,7 @@ fn result(chapter: &str, to: &str, [ours, mut theirs]: [Vec<f64>; 2]) -> Race {
     }
 }
 
-/// Measures how long the command takes from start to end.
+/// Measures the milliseconds that the command takes from start to end.
 fn milliseconds(command: &mut Command) -> io::Result<f64> {
     let start = Instant::now();
     let status = command.stdout(Stdio::null()).status()?;

@@ -15,8 +15,10 @@ use laws::oracle::{ExactCase, ExactRoot};
 use rayon::prelude::*;
 use speed_vs_accuracy::{Case, METHODS, Method, Precision, REGIMES, Regime, SPHERES};
 
-/// Asks these methods in all regimes, each in its precision: `cases` questions in each regime, and
-/// `pixels` of the book, or all if there are fewer.
+/// Measures the errors of `methods` against exact arithmetic, each in its own precision. Asks
+/// `cases` random questions, chosen by `seed`, in each regime, and about `pixels` pixels of the
+/// book's picture, or about all 3840 × 2160 of them if `pixels` is greater. Returns a row for each
+/// regime and method, those of the book first.
 pub fn table(methods: &[Method], cases: usize, pixels: usize, seed: u64) -> Table<Accuracy> {
     let mut rows = Vec::new();
     for precision in Precision::ALL {
@@ -32,7 +34,9 @@ pub fn table(methods: &[Method], cases: usize, pixels: usize, seed: u64) -> Tabl
     rows.into()
 }
 
-/// Measures errors against distance, level by level, with `cases` questions at each.
+/// Measures how the errors of all methods grow with the distance of the sphere: asks `cases` random
+/// questions, chosen by `seed`, at each distance. Returns a row for each precision, distance and
+/// method.
 pub fn sweeps(cases: usize, seed: u64) -> Table<Level> {
     let mut rows = Vec::new();
     let regime = Regime::FAR;
@@ -59,8 +63,8 @@ fn is_the_book(regime: &Regime) -> bool {
     regime.name == Regime::BOOK.name
 }
 
-/// Returns the rows of the ball, of the ground, and of both together, under the
-/// name of the regime.
+/// Returns the rows of the ball, of the ground, and of both together, under the names of their
+/// regimes.
 fn of_the_book(methods: &[Method], precision: Precision, pixels: usize) -> Vec<Accuracy> {
     let [ball, ground] = SPHERES.map(|(center, radius)| {
         errors_of(methods, precision, pixels.min(PIXELS), &|n| {
@@ -81,12 +85,14 @@ fn of_the_book(methods: &[Method], precision: Precision, pixels: usize) -> Vec<A
     .collect()
 }
 
-/// The width of the picture of which all pixels are asked, and their number.
+/// The width of the book's picture when all its pixels are asked about.
 const WIDTH: u32 = 3840;
+/// The number of pixels of that picture, which is 3840 wide.
 const PIXELS: usize = 3840 * 2160;
 
-/// Returns the column and the row that belong to a number: others for each, spread over the picture
-/// from the start, so that the first few are as good a sample as any.
+/// Returns the column and the row of a pixel of the picture. Each number below [`PIXELS`] gives
+/// another one, spread over the picture from the start, so that the first few are as good a sample
+/// as any.
 fn scattered(number: usize) -> [u32; 2] {
     // It shares no factor with the number of pixels, so it leads to each of them once.
     const STEP: usize = 5_126_203;
@@ -111,7 +117,7 @@ fn row(name: &str, method: &Method, found: Errors) -> Accuracy {
     }
 }
 
-/// The errors of the answers of a method.
+/// The errors of a method's answers.
 #[derive(Clone, Default)]
 struct Errors {
     cases: usize,
@@ -127,8 +133,8 @@ struct Errors {
     answers: u64,
 }
 
-/// The number of answers that are kept as a sum of their bits. A test asks these again, and
-/// notices when the methods answer otherwise than those that were measured.
+/// The number of answers that are kept as a sum of their bits. A test asks these questions again,
+/// and notices when a method no longer answers as it did when it was measured.
 const FEW: usize = 400;
 
 impl Errors {
@@ -136,7 +142,7 @@ impl Errors {
         1e6 * self.wrong as f64 / self.cases as f64
     }
 
-    /// Notes what `method` answers to a question whose answer is `root`.
+    /// Counts and measures what `method` answers to `case`, whose exact answer is `root`.
     fn note(&mut self, method: &Method, case: &Case, root: Option<ExactRoot>, is_kept: bool) {
         let answer = case.put_to(method, 0.0, f64::INFINITY);
         self.cases += 1;
@@ -156,7 +162,7 @@ impl Errors {
         }
     }
 
-    /// Joins both, in no order.
+    /// Joins the errors of two sets of cases; the lists are not in order then.
     fn sum((mut one, other): (Self, Self)) -> Self {
         one.cases += other.cases;
         one.hits += other.hits;
@@ -174,7 +180,8 @@ impl Errors {
     }
 }
 
-/// Finds the errors of each method that has this precision, on all threads.
+/// Finds the errors of each of `methods` that has this precision at the cases from 0 to `count`, on
+/// all threads.
 fn errors_of<'a>(
     methods: &'a [Method],
     precision: Precision,
@@ -203,14 +210,14 @@ fn errors_of<'a>(
         .zip(found.into_iter().map(Errors::sorted))
 }
 
-/// Returns how far `t` is from the root, in units of the last place that a number of the precision
-/// near the root has.
+/// Returns the distance of `t` from the root, in ulps: units in the last place of a number of this
+/// precision near the root. Infinite if that exceeds what an `f64` can hold.
 pub fn ulps_off(root: ExactRoot, precision: Precision, t: f64) -> f64 {
     root.error_in_ulps(t) / (precision.epsilon() / f64::EPSILON)
 }
 
-/// Returns how far the point at `t`, computed as a program would, is from the
-/// sphere, in radii.
+/// Returns the distance of the point at `t`, rounded as a program would round it, from the sphere's
+/// surface, in radii.
 fn off_the_surface(case: &Case, t: f64, precision: Precision) -> f64 {
     let point = case.point(t, precision);
     // The direction does not matter here.
@@ -223,8 +230,8 @@ fn off_the_surface(case: &Case, t: f64, precision: Precision) -> f64 {
     (above_one / ((1.0 + above_one).sqrt() + 1.0)).abs()
 }
 
-/// Returns the value that the share `p` of `sorted`, from 0 to 1, does not
-/// exceed, or `None` for an empty list.
+/// Returns the number that the share `p` of the `sorted` numbers, from 0 to 1, does not exceed;
+/// `None` if there are none.
 fn quantile(sorted: &[f64], p: f64) -> Option<f64> {
     let rank = (p * sorted.len() as f64).ceil() as usize;
     sorted.get(rank.saturating_sub(1)).copied()

@@ -12,29 +12,30 @@ use speed_vs_accuracy::Precision;
 
 use crate::spread::Spread;
 
-/// Runners that take turns. The others are compared with the first.
+/// Loops whose times are taken in turns, round by round. The first of them is the reference that
+/// the others are compared with.
 pub struct Contest(pub Vec<Contestant>);
 
-/// Something whose time is taken.
+/// A loop whose time is taken in a [`Contest`].
 pub struct Contestant {
-    /// The row without its times.
+    /// The row of the table of times that the loop fills; its times are NaN until they are taken.
     pub row: Timing,
-    /// Asks all questions of the row once.
+    /// The loop: asks each of the row's `n` questions once.
     pub run: Box<dyn FnMut()>,
 }
 
-/// The length of a measurement.
+/// The length of a measurement: how many turns a loop has, and how long each is.
 #[derive(Clone, Copy, Debug)]
 pub struct Effort {
-    /// The number of turns that each contestant has.
+    /// The number of turns of each contestant, 1 or more.
     pub rounds: usize,
-    /// The least length of a turn.
+    /// The time that a turn takes at least.
     pub turn: Duration,
 }
 
 impl Effort {
-    /// Chooses a minute or two for all that the benchmark `clock` measures, or seconds if it must
-    /// be `quick`.
+    /// Returns 101 turns of a millisecond, or 11 of half a millisecond if the measurement has to be
+    /// `quick`. The benchmark `clock` takes a minute or two then, or some seconds.
     pub fn new(quick: bool) -> Self {
         let (rounds, microseconds) = if quick { (11, 500) } else { (101, 1000) };
         let turn = Duration::from_micros(microseconds);
@@ -43,8 +44,9 @@ impl Effort {
 }
 
 impl Contestant {
-    /// Makes a contestant whose times are not yet taken. `key` says what, by which
-    /// method and where.
+    /// Makes a contestant from a loop over `n` questions. The three texts become the columns
+    /// `what`, `name` and `place` of its row: the kind of question, the method, and the regime or
+    /// the scene.
     pub fn new(
         [what, name, place]: [&str; 3],
         precision: Precision,
@@ -65,7 +67,7 @@ impl Contestant {
         Self { row, run }
     }
 
-    /// Runs the loop so often, and returns the nanoseconds of one test.
+    /// Runs the loop `runs` times, and returns the nanoseconds of one question.
     fn take_turn(&mut self, runs: usize) -> f64 {
         let start = Instant::now();
         for _ in 0..runs {
@@ -74,7 +76,8 @@ impl Contestant {
         1e9 * start.elapsed().as_secs_f64() / (runs * self.row.n) as f64
     }
 
-    /// Counts the runs that make a turn. The first of them also warm up.
+    /// Returns how many runs of the loop fill a turn: the least power of two. The first runs also
+    /// warm up.
     fn runs_in(&mut self, turn: Duration) -> usize {
         let mut runs = 1;
         loop {
@@ -89,8 +92,8 @@ impl Contestant {
 }
 
 impl Contest {
-    /// Takes all times, in turns: for each contestant, in order, the nanoseconds of
-    /// one test in each round.
+    /// Lets all contestants take their turns, and returns a list for each of them, in their order:
+    /// the nanoseconds of one question in each round.
     pub fn times(&mut self, effort: &Effort) -> Vec<Vec<f64>> {
         let Self(contestants) = self;
         let runs: Vec<usize> = contestants
@@ -107,7 +110,8 @@ impl Contest {
     }
 }
 
-/// Lets all contests run, and returns the rows of all contestants, in order.
+/// Lets one contest after the other run. Returns the rows of all contestants, in order, with the
+/// median of their times, and of their ratios to the first of their contest.
 pub fn run_all(contests: Vec<Contest>, effort: &Effort) -> Vec<Timing> {
     let rows = contests.into_iter().flat_map(|mut contest| {
         let times = contest.times(effort);
@@ -127,8 +131,11 @@ fn filled_in(row: Timing, times: Vec<f64>, first: &[f64]) -> Timing {
     }
 }
 
-/// Returns the spread of `times` divided by the times of the `other` in the same
-/// round.
+/// Divides each of `times` by the one of the same round in `other`, and returns the spread of these
+/// ratios.
+///
+/// # Panics
+/// If there are no rounds.
 pub fn spread_of_ratios(times: &[f64], other: &[f64]) -> Spread {
     let ratios = times.iter().zip(other).map(|(time, other)| time / other);
     Spread::of(ratios.collect())

@@ -12,15 +12,16 @@ use speed_vs_accuracy::{Arithmetic, Case, METHODS, Method, Precision, Scene, Sin
 
 use crate::contest::{Contest, Contestant, Effort};
 
-/// The times that a method takes for one question.
+/// The times that a method took for one question of a scene, round by round.
 pub struct MethodTimes {
-    /// The method.
+    /// The method whose times these are.
     pub method: Method,
-    /// The nanoseconds for a question, one number for each round, in the order of the rounds.
+    /// The nanoseconds that a question took in each round, in the order of the rounds.
     pub nanoseconds: Vec<f64>,
 }
 
-/// Measures each method, the reference first, at questions of `scene`.
+/// Lets all methods answer 4096 questions of `scene` in turns, and returns the times of each, those
+/// of the reference method first.
 pub fn times(scene: &Scene, effort: &Effort) -> Vec<MethodTimes> {
     let asked = questions(scene);
     let mut contest = contest_of_methods(&scene.name, &questions_of_cases(&asked, &asked));
@@ -37,7 +38,8 @@ pub fn times(scene: &Scene, effort: &Effort) -> Vec<MethodTimes> {
     .collect()
 }
 
-/// Questions that a loop makes, by their number, from 0.
+/// Questions for a loop, numbered from 0: a function that makes one in `f64` from its number, and
+/// one that makes it in `f32`.
 pub struct Questions<D, S> {
     count: usize,
     double: D,
@@ -45,19 +47,19 @@ pub struct Questions<D, S> {
 }
 
 /// A question to a method in `f64`: a center and a radius, a ray, and the excluded lower end of the
-/// range of t.
+/// range of t, whose upper end is infinite.
 pub type DoubleQuestion = ((Point3, f64), Ray, f64);
 
 /// A question to a method in `f32`: a center and a radius, a ray, and the excluded lower end of the
-/// range of t.
+/// range of t, whose upper end is infinite.
 pub type SingleQuestion = ((SingleVec3, f32), SingleRay, f32);
 
-/// The column and the row of a pixel, counted from the top left, and the center and the radius of
-/// the sphere that its ray is asked about.
+/// The column and the row of a pixel, counted from 0 at the top left, and the center and the radius
+/// of the sphere that its ray is tested against.
 pub type PixelQuestion = ([u32; 2], (Point3, f64));
 
-/// Makes questions that lie ready in memory: those of methods in `f64`, and as many for methods in
-/// `f32`.
+/// Makes questions that lie ready in memory, each from a case and its `t_min`: those for methods in
+/// `f64` from `double`, and those for methods in `f32` from `single`, which has to be as long.
 pub fn questions_of_cases(
     double: &[(Case, f64)],
     single: &[(Case, f64)],
@@ -79,7 +81,8 @@ pub fn questions_of_cases(
     }
 }
 
-/// Makes questions from columns, rows and spheres: their rays are made when they are asked for.
+/// Makes questions from pixels and spheres. The ray of a pixel is computed when its question is
+/// asked, as a renderer would.
 pub fn questions_of_pixels(
     camera: Camera,
     asked: Vec<PixelQuestion>,
@@ -111,8 +114,8 @@ pub fn questions_of_pixels(
 /// call, and for the ray that is handed over in memory.
 macro_rules! loops {
     ($(in $number:ident $precision:ident: $question:ident, $($method:ident)*;)*) => {
-        /// Makes a loop for each method, the reference first, over the same
-        /// questions.
+        /// Makes a contest of all methods, the reference first, over the same questions. `place` is
+        /// the regime or the scene, for the rows.
         pub fn contest_of_methods<D, S>(place: &str, asked: &Questions<D, S>) -> Contest
         where
             D: Fn(usize) -> DoubleQuestion + Clone + 'static,
@@ -140,8 +143,9 @@ loops! {
     in f32 Single: single, half_b_f32 widened_half_b_q_f32 certified_f32;
 }
 
-/// Asks all questions, none of which waits for an answer. The compiler must have each answer
-/// in memory before it may go on, and so takes one at a time.
+/// Makes a loop that asks the questions from 0 to `count`, so that the processor may work at
+/// several at once. The compiler has to put each answer into memory before it goes on, and so can't
+/// join questions.
 pub fn loop_over<T>(count: usize, answer: impl Fn(usize) -> T) -> impl FnMut() {
     move || {
         for n in 0..count {
@@ -150,11 +154,11 @@ pub fn loop_over<T>(count: usize, answer: impl Fn(usize) -> T) -> impl FnMut() {
     }
 }
 
-/// Questions of a scene: enough that no processor learns their branches by heart.
+/// The number of questions of a scene: so many that no processor learns their branches by heart.
 const CASES: usize = 4096;
 
-/// Chooses camera rays and spheres that are spread over the picture, in its order; where there is a
-/// sun, as many rays to it again.
+/// Chooses rays of the camera and spheres, spread over the picture, in its order. Where the scene
+/// has a sun, each hit adds the ray from there to the sun. Returns each case with its `t_min`.
 fn questions(scene: &Scene) -> Vec<(Case, f64)> {
     let camera = Camera::new(scene.width);
     let spheres = scene.spheres.len();

@@ -12,7 +12,8 @@ use speed_vs_accuracy::{BLOCK, Case, Precision, SPHERES, SingleRay, certified_in
 
 use crate::contest::{Contest, Contestant};
 
-/// A block of questions: x, y and z of origins and directions, and the sphere.
+/// A block of questions: the x, y and z of origins and of directions, and the sphere's center and
+/// radius.
 type LaneBlock<T> = ([[T; BLOCK]; 6], [T; 4]);
 
 /// The block's questions with one method: the certified ones have lanes of their own.
@@ -73,8 +74,8 @@ macro_rules! contestants {
     }};
 }
 
-/// Returns the loops of methods in lanes: with a range from 0 on, where signs decide, and from
-/// another `t_min` on, for those that a certificate is compared with.
+/// Returns the contests of methods that answer a block of questions at once: one over the range of
+/// t from 0, where signs decide, and one over the range from another `t_min`.
 pub fn contests() -> [Contest; 2] {
     let blocks = blocks();
     let in_any_range = contestants! { blocks, "any_range", 0.001,
@@ -92,8 +93,8 @@ pub fn contests() -> [Contest; 2] {
     [Contest(contestants), Contest(in_any_range)]
 }
 
-/// Makes a loop over the same blocks that computes as little as no question in lanes can do
-/// without.
+/// Makes a loop over the same blocks with less arithmetic than any method needs: a limit for all of
+/// them.
 fn limit(
     name: &str,
     blocks: Vec<LaneBlock<f64>>,
@@ -114,8 +115,8 @@ fn limit(
     Contestant::new(["limit", name, "book"], Precision::Double, count, run)
 }
 
-/// Makes blocks of rays of the book's camera from all over the picture, each with the ball and with
-/// the ground.
+/// Makes blocks of rays of the book's camera from all over the picture, each twice: with the ball
+/// and with the ground.
 fn blocks() -> Vec<LaneBlock<f64>> {
     let camera = Camera::new(400);
     let spheres = SPHERES.map(|(center, radius)| [center.x, center.y, center.z, radius]);

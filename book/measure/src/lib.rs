@@ -18,11 +18,11 @@ use std::path::Path;
 use common::engine::output;
 use figures::table::{Record, Table};
 
-/// Writes the numbers where the book shows them, seen from the folder in which cargo runs
-/// a benchmark.
+/// Writes a table into the file of `book/notes` from which the book shows it. The current folder
+/// has to be `book/measure`, in which cargo runs a benchmark.
 ///
 /// # Errors
-/// If the file cannot be written.
+/// If the file can't be written.
 pub fn save<Row: Record>(table: &Table<Row>) -> io::Result<()> {
     let file = Path::new("../notes").join(Row::FILE);
     output::to_file(&file, |out| out.write_all(table.text().as_bytes()))

@@ -3,7 +3,7 @@
 
 use std::{env, fs, thread};
 
-/// Names the processor, how many threads it runs at a time, and the system.
+/// Describes this computer in a line: the processor, the number of its threads, and the system.
 pub fn description() -> String {
     let info = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let model = info

@@ -4,13 +4,12 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs, io};
 
-/// Compiles a program whose source is a single file, as the book does and optimized with `-O3`,
-/// into `folder`. The program is named after its source.
-///
-/// The compiler is the one that the variable `CXX` names, or else `c++`.
+/// Compiles a C++ program of a single source with `-O3` into `folder`, which is made if it is
+/// missing, and returns the path of the program, named after its source. The variable `CXX` names
+/// the compiler; without it, that is `c++`.
 ///
 /// # Errors
-/// If the compiler cannot be started, or cannot compile the program.
+/// If the compiler can't be started, or refuses the program: then with the compiler's messages.
 pub fn compile(source: &Path, folder: &Path) -> io::Result<PathBuf> {
     let name = source.file_stem().unwrap_or_default();
     let compiler = env::var_os("CXX").unwrap_or_else(|| "c++".into());

@@ -22,11 +22,12 @@ use serde::de::Error;
 use serde::{Deserialize, Deserializer};
 use speed_vs_accuracy::{Lens, Scene, USUAL_T_MIN, unit};
 
-/// The widest picture that is drawn by every method, in pixels. All of these pictures
-/// together take half a gigabyte then.
+/// The greatest width of a scene's picture, in pixels: drawn by every method, pictures of this
+/// width take half a gigabyte together.
 pub const WIDEST: u32 = 3840;
 
-/// The scenes of chapter 6, from the book's own to the hardest.
+/// The scenes of chapter 6, from the book's own to the hardest, parsed from its files when first
+/// used.
 pub static SCENES: LazyLock<[Scene; 7]> = LazyLock::new(|| {
     macro_rules! scene {
         ($name:literal) => {{
@@ -49,16 +50,18 @@ pub static SCENES: LazyLock<[Scene; 7]> = LazyLock::new(|| {
     ]
 });
 
-/// Returns the scene of chapter 6 of that name.
+/// Finds the scene of chapter 6 that has exactly this name, such as `telescope`; `None` if none
+/// has.
 pub fn find_scene(name: &str) -> Option<&'static Scene> {
     SCENES.iter().find(|scene| scene.name == name)
 }
 
-/// Reads the scene in `text`, the content of a file.
+/// Parses the TOML in `text` as a scene, and gives it this name. Parts that are left out get the
+/// usual values; all numbers of a scene are finite.
 ///
 /// # Errors
-/// The first mistake, with line and column: what is no TOML, a key that is not known or
-/// is missing, or a number that is out of range. All numbers of a scene are finite.
+/// Returns the first mistake, with line and column: text that is no TOML, a key that is unknown or
+/// missing, or a number that is out of range.
 pub fn parse(name: &str, text: &str) -> Result<Scene, toml::de::Error> {
     let SceneTable {
         width,
@@ -99,7 +102,7 @@ struct CameraTable {
     origin: Point3,
     #[serde(deserialize_with = "direction")]
     direction: Vec3,
-    /// How large things look, across and upwards.
+    /// The magnification across and upwards, where 1 is the book's view.
     #[serde(deserialize_with = "zoom")]
     zoom: [f64; 2],
 }
@@ -133,7 +136,7 @@ enum OneOrTwo {
     Two([f64; 2]),
 }
 
-/// Returns the value if it is possible, and the error `otherwise`.
+/// Returns the value if `is_possible`, or else an error with the text `otherwise`.
 fn checked<T, E: Error>(value: T, is_possible: bool, otherwise: &str) -> Result<T, E> {
     if is_possible {
         Ok(value)

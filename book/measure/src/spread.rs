@@ -3,9 +3,9 @@
 /// The median, the quartiles and the extremes of several numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
-    /// Half of the numbers are less, half are greater.
+    /// The middle number in order of size; of an even count, the greater of the two in the middle.
     pub median: f64,
-    /// A quarter of the numbers are less than the first, a quarter greater than the second.
+    /// The numbers that end the lowest quarter and begin the highest one.
     pub quartiles: [f64; 2],
     /// The least number.
     pub least: f64,
@@ -14,8 +14,7 @@ pub struct Spread {
 }
 
 impl Spread {
-    /// Sorts `numbers` and finds their spread. The median of an even number of them is the greater
-    /// of the two in the middle.
+    /// Sorts `numbers` and finds their spread. NaN counts as the greatest number.
     ///
     /// # Panics
     /// If there are no numbers.
@@ -30,9 +29,9 @@ impl Spread {
         }
     }
 
-    /// Rounds the median to a step of 1, 2 or 5 in some digit: the least that is no less than half
-    /// the distance of the quartiles, and gives three digits at most. One digit is left of the
-    /// noisiest, so that no time becomes 0.
+    /// Rounds the median to as many digits as the noise allows, at most three: to a multiple of 1,
+    /// 2 or 5 in some digit, no finer than half the distance of the quartiles. One digit stays of
+    /// the noisiest, so that no time becomes 0.
     pub fn rounded_median(&self) -> f64 {
         let [low, high] = self.quartiles;
         let coarsest = 10_f64.powf(self.median.log10().floor());

@@ -10,7 +10,8 @@ use speed_vs_accuracy::{Arithmetic, METHODS, Method, Scene, Sight};
 
 use crate::scene_file::SCENES;
 
-/// Counts the wrong pixels of all methods in all scenes, in pictures `width` pixels wide.
+/// Draws the scenes of chapter 6 by all methods, `width` pixels wide. Returns a row for each scene
+/// and method, with the number of wrong pixels: more than one level off in a component.
 pub fn table(width: u32) -> Table<WrongPixels> {
     let rows = SCENES.par_iter().flat_map_iter(|scene| rows(scene, width));
     rows.collect::<Vec<_>>().into()
@@ -30,45 +31,48 @@ fn rows(scene: &Scene, width: u32) -> impl Iterator<Item = WrongPixels> {
     })
 }
 
-/// A scene as it should be, and as some methods see it.
+/// The right picture of a scene, and the pictures that some methods draw of it.
 pub struct SceneViews {
-    /// The right picture.
+    /// The picture that exact arithmetic draws.
     pub right: Picture,
-    /// The number of its pixels that lie in the shadow of the very surface that they show, though it
-    /// faces the sun: the ray to the sun starts at a rounded point, and hits where it starts.
+    /// The number of pixels of the right picture with shadow acne: their surface faces the sun, but
+    /// the ray to the sun starts at a rounded point and hits the surface that it leaves.
     pub with_acne: usize,
-    /// The judged pictures of the methods, in their order.
+    /// The pictures of the methods, compared with the right one, in the order in which the methods
+    /// were given.
     pub by_method: Vec<MethodView>,
 }
 
-/// A scene as one method sees it.
+/// A method's picture of a scene, compared with the right one.
 pub struct MethodView {
-    /// The method.
+    /// The method that drew the picture.
     pub method: Method,
-    /// The number of pixels with a component that is more than a level off.
+    /// The number of wrong pixels: more than one level off in a component.
     pub wrong: usize,
-    /// The first wrong pixel from the top: column and row.
+    /// The column and the row of the first wrong pixel in reading order, counted from 0 at the top
+    /// left; `None` if no pixel is wrong.
     pub first_wrong: Option<[u32; 2]>,
-    /// The greatest difference of a component, in levels.
+    /// The greatest difference of a component in any pixel, in levels from 0 to 255.
     pub levels: u8,
-    /// The greatest errors of hits of the right sphere; `None` if there are none.
+    /// The greatest errors of hits, over all pixels that show the right sphere; `None` if no pixel
+    /// does.
     pub off: Option<HitErrors>,
-    /// The number of pixels that see another sphere than the right one, or the sky instead, or a
-    /// sphere instead of the sky.
+    /// The number of pixels that show another sphere than the right one, the sky instead of a
+    /// sphere, or a sphere instead of the sky.
     pub misjudged: usize,
 }
 
-/// The greatest errors of hits.
+/// The greatest errors of several hits.
 #[derive(Clone, Copy, Debug)]
 pub struct HitErrors {
-    /// The point, in radii of its sphere.
+    /// The distance of a hit point from the right one, in radii of its sphere.
     pub radii: f64,
-    /// t, as a part of the right one.
+    /// The error of t divided by the right t, without sign.
     pub t: f64,
 }
 
 impl HitErrors {
-    /// Returns the worse of each; what is no number is as far off as can be.
+    /// Returns the greater of each error; NaN counts as infinite.
     fn or(self, other: Self) -> Self {
         let worse = |one: f64, other: f64| match one.max(other) {
             _ if one.is_nan() || other.is_nan() => f64::INFINITY,
@@ -81,11 +85,12 @@ impl HitErrors {
     }
 }
 
-/// Draws `scene` by all `methods`, on all threads, and says after each row how many of how many
-/// are drawn.
+/// Draws `scene`, `width` pixels wide, by exact arithmetic and by each of `methods`, on all
+/// threads. After each row of pixels, calls `progress` with the number of rows that are done and
+/// the number of all.
 ///
 /// # Panics
-/// If `progress` does.
+/// If `progress` panics.
 pub fn draw(
     scene: &Scene,
     methods: &[Method],
@@ -149,7 +154,7 @@ fn has_acne(scene: &Scene, sight: &Sight) -> bool {
     })
 }
 
-/// Returns how far hits are off at most, where both are on one sphere.
+/// Returns the greatest errors of hits, over the pixels that show the right sphere.
 fn farthest(scene: &Scene, right: &[Sight], seen: &[Sight]) -> Option<HitErrors> {
     let off = |(right, seen): (&Sight, &Sight)| {
         let (right, seen) = right.hit.zip(seen.hit)?;
@@ -163,7 +168,7 @@ fn farthest(scene: &Scene, right: &[Sight], seen: &[Sight]) -> Option<HitErrors>
     right.iter().zip(seen).filter_map(off).reduce(HitErrors::or)
 }
 
-/// Returns the index of the sphere that is seen, if one is.
+/// Returns the index of the sphere that a pixel shows; `None` for the sky.
 fn sphere(sight: &Sight) -> Option<usize> {
     sight.hit.map(|hit| hit.sphere)
 }
@@ -190,8 +195,8 @@ impl MethodView {
     }
 }
 
-/// Returns how many levels each pixel is off, in the component that is farthest
-/// off; pixel `j * width + i`, from the top.
+/// Returns for each pixel the greatest difference of a component between two pictures of one size,
+/// in levels from 0 to 255. Pixel `j * width + i` is in column `i` and row `j` from the top left.
 pub fn levels_off(right: &Picture, drawn: &Picture) -> Vec<u8> {
     let pixels = right.rgb().as_chunks().0.iter();
     let levels = |(right, drawn): (&[u8; 3], &[u8; 3])| {

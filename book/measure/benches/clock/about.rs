@@ -8,8 +8,8 @@ use measure::machine;
 
 use crate::one_by_one;
 
-/// Returns the lines at the top of the file: machine, compiler, flags, command
-/// and method, by key.
+/// Returns the lines above the table of times, by their keys: machine, compiler, flags, command,
+/// method.
 pub(crate) fn about(effort: &Effort) -> BTreeMap<String, String> {
     let how = format!(
         "{} rounds in which everyone takes a turn of {} µs or more; one thread; {} questions; each \
@@ -36,7 +36,7 @@ fn compiler() -> String {
     text.unwrap_or_else(|_| "unknown".to_owned())
 }
 
-/// Says which instructions the compiler was allowed to use in all code.
+/// Says which instructions of the processor the compiler may use in all code.
 fn compiled_for() -> &'static str {
     if cfg!(target_feature = "avx512f") {
         "for processors with AVX-512"

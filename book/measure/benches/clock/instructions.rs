@@ -7,17 +7,17 @@ use std::process::Command;
 use figures::records::Timing;
 use measure::contest::Contest;
 
-/// Counts the instructions that one question of a row takes, or returns `None`
-/// without a valgrind.
+/// Counts by valgrind the instructions that one question of a row takes. Returns `None` if there is
+/// no valgrind.
 pub(crate) fn of(row: &Timing) -> Option<f64> {
     let [once, twice] = [1, 2].map(|runs| counted(&key(row), runs));
     Some((twice? - once?) as f64 / row.n as f64)
 }
 
-/// Runs the loop of that key so often: what valgrind watches.
+/// Runs the loop whose row has the key `wanted`, `runs` times, for valgrind to watch.
 ///
 /// # Panics
-/// If there is none.
+/// If no contest has such a loop.
 pub(crate) fn run(contests: impl IntoIterator<Item = Contest>, wanted: &str, runs: usize) {
     let mut contestants = contests
         .into_iter()

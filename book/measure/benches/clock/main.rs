@@ -37,7 +37,7 @@ struct Arguments {
     bench: bool,
 }
 
-/// Takes all times, and prints or keeps them.
+/// Takes all times, and prints or saves them.
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments = Arguments::parse();
     if let (Some(key), Some(runs)) = (arguments.only, arguments.runs) {
@@ -62,7 +62,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Returns the loops whose instructions are counted, too.
+/// Returns the contests whose instructions are counted, too.
 fn counted() -> Vec<Contest> {
     let contests = one_by_one::in_order().into_iter();
     contests.chain(measure::lanes::contests()).collect()

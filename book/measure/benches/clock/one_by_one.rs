@@ -9,14 +9,15 @@ use measure::cost::{
 };
 use speed_vs_accuracy::{Precision, REGIMES, Regime, SPHERES, certified_hit};
 
-/// So many that no processor learns them by heart.
+/// The number of questions of a loop: so many that no processor learns their answers by heart.
 pub(crate) const CASES: usize = 16_384;
 
-/// Which cases.
+/// The seed of the random questions.
 const SEED: u64 = 1;
 
-/// Returns the loops over rays of the book in the picture's order: all methods, chapter 5's record,
-/// and the rays alone. The second contest has only rays that hit.
+/// Returns two contests over rays of the book in the picture's order, the second only over rays
+/// that hit: all methods, chapter 5's `hit`, which fills a record, and a loop that only makes the
+/// rays.
 pub(crate) fn in_order() -> [Contest; 2] {
     [("book", false), ("all_hits", true)].map(|(place, only_hits)| {
         let asked = asked(only_hits);
@@ -32,8 +33,7 @@ pub(crate) fn in_order() -> [Contest; 2] {
     })
 }
 
-/// Returns a contest of loops for each situation but that of the book, with all
-/// methods.
+/// Returns a contest of all methods for each regime but that of the book.
 pub(crate) fn elsewhere() -> impl Iterator<Item = Contest> {
     let regimes = REGIMES
         .into_iter()
@@ -52,8 +52,8 @@ fn camera() -> Camera {
     Camera::new(400)
 }
 
-/// Chooses pixels that are spread over the book's picture, in its order, each asked about both
-/// spheres; or only those that hit.
+/// Chooses pixels that are spread over the book's picture, in its order, each with both spheres;
+/// with `only_hits`, only those whose ray hits the sphere.
 fn asked(only_hits: bool) -> Vec<PixelQuestion> {
     let camera = camera();
     let pixels =
@@ -68,7 +68,7 @@ fn asked(only_hits: bool) -> Vec<PixelQuestion> {
     kept.flat_map(|k| [all[2 * k], all[2 * k + 1]]).collect()
 }
 
-/// Makes a loop over the same questions with another answer.
+/// Makes a loop over these questions, with a function that answers them.
 fn contestant<T: 'static>(
     key: [&str; 3],
     asked: &[PixelQuestion],

@@ -6,29 +6,30 @@ use common::rtweekend::*;
 use laws::oracle::ExactCase;
 use speed_vs_accuracy::{Arithmetic, Case, Hit, Method, Scene};
 
-/// A question that a method answers wrongly, and the pixel that shows it.
+/// A ray and a sphere about which a method errs, and the wrong pixel that shows it.
 pub struct Culprit {
-    /// Column and row.
+    /// The column and the row of the pixel, counted from 0 at the top left.
     pub pixel: [u32; 2],
-    /// The color that the method draws there, and the right one.
+    /// The color of the pixel as the method draws it, and the right one, in levels from 0 to 255.
     pub colors: [[u8; 3]; 2],
-    /// The sphere, by its place in the list.
+    /// The index of the sphere in the scene.
     pub sphere: usize,
-    /// True if the ray leads from the hit point to the sun.
+    /// True if the ray leads from a hit point to the sun, false if it comes from the camera.
     pub is_to_sun: bool,
-    /// True if the right sphere is seen, but wrongly in the shadow or in the sun.
+    /// True if the method sees the right sphere, but wrongly in the shadow or wrongly in the sun.
     pub is_shadow: bool,
-    /// The ray and the sphere.
+    /// The ray and the sphere, in `f64`.
     pub case: Case,
-    /// The lower end of the range of t, excluded.
+    /// The excluded lower end of the range of t.
     pub t_min: f64,
-    /// The error of t in ulps; infinite if the decision is wrong.
+    /// The error of the method's t in ulps. Infinite if it takes a hit for a miss, or a miss for a
+    /// hit.
     pub error: f64,
 }
 
 impl Culprit {
-    /// Finds the culprit in the first wrong pixel of `view`, in reading order, or
-    /// returns `None` if there is none.
+    /// Finds the ray and the sphere to blame for the first wrong pixel of `view`, a picture of
+    /// `scene`, in reading order. Returns `None` if no pixel is wrong, or no sphere is involved.
     pub fn of(scene: &Scene, view: &MethodView) -> Option<Self> {
         let pixel @ [i, j] = view.first_wrong?;
         let ray = Camera::new(scene.width).ray(i, j);
@@ -70,8 +71,8 @@ impl Culprit {
     }
 }
 
-/// Finds the sphere, of those that were seen or should have been, about which the method errs most;
-/// returns its index and the error.
+/// Finds the sphere, of those that are seen or should be, about which the method errs most. Returns
+/// its index, the case, and the error in ulps.
 fn worst(
     scene: &Scene,
     method: &Method,

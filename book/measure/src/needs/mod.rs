@@ -11,40 +11,47 @@ use speed_vs_accuracy::{METHODS, Precision, Scene};
 
 pub use culprit::Culprit;
 
-/// The least method that a scene needs in one precision.
+/// The cheapest methods of one precision that a scene can be drawn with. All indices are of `rows`.
 pub struct PrecisionNeeds {
-    /// The precision.
+    /// The precision, `f32` or `f64`.
     pub precision: Precision,
-    /// The methods, the cheapest first.
+    /// All methods of the precision, the cheapest first, by [`RatedMethod::ratio`].
     pub rows: Vec<RatedMethod>,
-    /// The place of the least that draws every pixel right, if one does.
+    /// The index of the method to take for colors: the cheapest that draws every pixel right, and
+    /// of several that cost the same the simplest. `None` if no method draws every pixel right.
     pub least: Option<usize>,
-    /// The place of the least that sees the right sphere in every pixel, and its t to
-    /// within the tolerance, if one does.
+    /// The index of the method to take for distances: the cheapest that sees the right sphere in
+    /// every pixel, with its t within the tolerance. `None` if there is no such method.
     pub least_of_t: Option<usize>,
-    /// The places of those that suffice too, and cost the same as far as can be told.
+    /// The indices of the other methods that draw every pixel right and cost the same as `least`,
+    /// as far as can be told. Empty if there are none.
     pub ties: Vec<usize>,
-    /// The place of the next cheaper one that fails, or of one that costs the same;
-    /// where none suffices, of the one that comes nearest.
+    /// The index of a method that draws wrong pixels, with one of them to show: the next cheaper
+    /// one than `least`, or one that costs the same; or the one with the fewest wrong pixels if
+    /// `least` is `None`. `None` if no such method fails.
     pub failing: Option<(usize, Culprit)>,
 }
 
-/// A method: what it draws, and what it takes.
+/// A method, judged by its picture of a scene and by its time.
 pub struct RatedMethod {
-    /// The picture that it draws, judged.
+    /// The method's picture of the scene, compared with the right one.
     pub view: MethodView,
-    /// Nanoseconds for a question in the quickest round, which others disturbed least.
+    /// The nanoseconds of a question in the quickest round, which other programs disturbed least.
     pub ns: f64,
-    /// The time divided by that of the reference in the same round: the median. By this
-    /// the rows are in order, because it does not change with the pace of the processor.
+    /// The median over all rounds of the method's time divided by the reference's in the same
+    /// round. Methods are ordered by this, since it does not change with the pace of the processor.
     pub ratio: f64,
-    /// Nanoseconds in each round.
+    /// The nanoseconds of a question in each round.
     times: Vec<f64>,
 }
 
 impl PrecisionNeeds {
-    /// Judges what the methods of one precision draw, beside the times of all methods, the
-    /// reference first. `tolerance` is the part of t that may be wrong.
+    /// Finds what `scene` needs in one precision. `views` are the pictures of the precision's
+    /// methods, and `times` those of all methods, the reference first. `tolerance` is the greatest
+    /// relative error of t that counts as right.
+    ///
+    /// # Panics
+    /// If a method of `views` has no `times`.
     pub fn new(
         scene: &Scene,
         precision: Precision,
@@ -77,8 +84,9 @@ impl PrecisionNeeds {
     }
 }
 
-/// Returns the least of the leasts of `f64` and of `f32`: where neither is cheaper, that of `f32`,
-/// whose numbers take half the memory.
+/// Returns the needs and the method with the cheapest `least` of all precisions; where neither is
+/// clearly cheaper, the later, which is that of `f32`, whose numbers take half the memory. Returns
+/// `None` if no method draws every pixel right.
 pub fn least_of_all(found: &[PrecisionNeeds]) -> Option<(&PrecisionNeeds, &RatedMethod)> {
     let leasts = found
         .iter()
@@ -106,9 +114,9 @@ impl RatedMethod {
         }
     }
 
-    /// Returns true if it took less time than the other in three rounds of four at least, which by
-    /// chance alone happens once in some thousand times; and so much less, a twentieth, that the
-    /// next run says the same.
+    /// Returns true if the method took less time than the other in three rounds of four at least,
+    /// which by chance alone happens once in some thousand times; and so much less, a twentieth,
+    /// that the next run says the same.
     fn is_cheaper_than(&self, other: &Self) -> bool {
         let rounds = self.times.iter().zip(&other.times);
         let won = rounds.filter(|(one, other)| one < other).count();
@@ -116,9 +124,9 @@ impl RatedMethod {
     }
 }
 
-/// Returns which of `rows`, the cheapest first, to take: the cheapest that suffices, or of several
-/// that cost the same the first in the order of [`METHODS`], which begins with the simplest. And
-/// the others of these.
+/// Returns the index of the method to take of `rows`, the cheapest first: the cheapest that
+/// suffices, or of several that cost the same the first in the order of [`METHODS`], which begins
+/// with the simplest. Also returns the indices of those others.
 fn least_of(
     rows: &[RatedMethod],
     suffices: impl Fn(&MethodView) -> bool,
