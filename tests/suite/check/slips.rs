@@ -156,7 +156,7 @@ fn in_every_language_a_slip_changes_its_line() {
     for slip in slips::all().chain(slips::unnamed()) {
         for language in [ReaderLanguage::Rust].iter().chain(&books).chain(&pythons) {
             for chapter in slip.chapters() {
-                let words = slip.words(*language, chapter);
+                let words = slip.text_in(*language, chapter);
                 assert_ne!(words.wrong, words.right, "{} in {language:?}", slip.name);
             }
         }

@@ -170,7 +170,7 @@ fn ahead(chapter: Chapter, text: &str) -> Vec<String> {
         (1..=steps::of_chapter(chapter).len()).rfind(|&n| is_on(text, &step_done_line(chapter, n)));
     steps
         .skip(last.unwrap_or(0))
-        .map(|(number, step)| format!("  {:<14} {number}. {}", chapter.name(), step.says))
+        .map(|(number, step)| format!("  {:<14} {number}. {}", chapter.name(), step.instruction))
         .map(|line| wrap_hanging(&line, 20) + "\n")
         .collect()
 }

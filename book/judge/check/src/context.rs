@@ -63,7 +63,7 @@ impl Context<'_> {
             Some(language) => language,
             None => ReaderLanguage::Cpp(task.edition),
         };
-        slip.words(language, task.chapter)
+        slip.text_in(language, task.chapter)
     }
 
     /// Returns true if the reader can have made the slip, as far as is known: its right line does not

@@ -3,7 +3,7 @@
 //! The lines of these chapters differ between languages by little but spelling: `r.direction()`,
 //! `r.dir`, `direction(r)`. [`statements`] reads those of a text, [`normal`] gives expressions with
 //! one meaning one form, [`Pattern::find`] finds an expression under other names, and
-//! [`Language::spelled`] prints a line of Rust in another language.
+//! [`Language::translate_line`] prints a line of Rust in another language.
 
 mod normal;
 mod parse;
@@ -18,41 +18,43 @@ pub use pattern::{Match, Pattern, Rename};
 pub use statements::{Role, Statement, statements};
 pub use tree::{Op, Tree};
 
-/// A language in which readers follow the book.
+/// A programming language in which readers of the book write their ray tracer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Language {
     /// Rust, the language of the chapters here; files that end in `.rs`.
     Rust,
-    /// C++, the language of the book; `.cc`, `.cpp`, `.cxx`, and headers, of C too.
+    /// C++, the language of the book; files that end in `.cc`, `.cpp`, `.cxx`, and headers, also of
+    /// C.
     Cpp,
-    /// C; `.c`.
+    /// C; files that end in `.c`.
     C,
-    /// Python; `.py`.
+    /// Python; files that end in `.py`.
     Python,
-    /// JavaScript and TypeScript; `.js`, `.mjs`, `.cjs`, `.ts`, `.mts`.
+    /// JavaScript and TypeScript; files that end in `.js`, `.mjs`, `.cjs`, `.ts`, `.mts`.
     JavaScript,
-    /// Java; `.java`.
+    /// Java; files that end in `.java`.
     Java,
-    /// C#; `.cs`.
+    /// C#; files that end in `.cs`.
     CSharp,
-    /// Go; `.go`.
+    /// Go; files that end in `.go`.
     Go,
-    /// Kotlin; `.kt`, `.kts`.
+    /// Kotlin; files that end in `.kt`, `.kts`.
     Kotlin,
-    /// Swift; `.swift`.
+    /// Swift; files that end in `.swift`.
     Swift,
 }
 
-/// A function of a text in Rust, and how long it is.
+/// The name and the length of a function in Rust.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FunctionSize<'a> {
     /// The name of the function, without that of a type.
     pub name: &'a str,
-    /// The number of its tokens, from its name to the next `fn`; comments are not counted.
+    /// The number of tokens from the function's name to the next `fn` or the end of the text,
+    /// comments not counted.
     pub tokens: usize,
 }
 
-/// Measures the functions of a text in Rust, in their order; none are found in other texts.
+/// Measures the functions of a source text in Rust, in their order. Empty if it has none.
 pub fn function_sizes(text: &str) -> Vec<FunctionSize<'_>> {
     let tokens = tokens::tokens(text, Language::Rust);
     let parts = tokens.split(|it| it.text == "fn").skip(1);
@@ -80,7 +82,8 @@ const ENDINGS: [(Language, &[&str]); 10] = [
 ];
 
 impl Language {
-    /// Finds the language of a file by the ending of its name; `None` for another ending or none.
+    /// Finds the language of a file by the ending of its name, as `rs` of `src/lib.rs`; `None` for
+    /// an unknown ending or none.
     pub fn of_file(name: &str) -> Option<Self> {
         let (_, ending) = name.rsplit_once('.')?;
         let mut all = ENDINGS.iter();

@@ -5,7 +5,8 @@ use std::rc::Rc;
 use crate::normal::normal;
 use crate::tree::{Op, Tree};
 
-/// An expression to find in others, where its variables may have other names.
+/// An expression that can be found inside of other expressions, whatever the order of commutative
+/// operands and the names of variables there.
 #[derive(Clone, Debug)]
 pub struct Pattern {
     /// The normal form of the expression.
@@ -15,22 +16,22 @@ pub struct Pattern {
     known: Rc<[String]>,
 }
 
-/// A place where a [`Pattern`] was found.
+/// An occurrence of a [`Pattern`] in an expression.
 #[derive(Clone, Debug)]
 pub struct Match<'t> {
-    /// The part of the searched expression that is equal to the pattern.
+    /// The part of the searched expression that equals the pattern.
     pub tree: &'t Tree,
-    /// The names of the pattern's variables, each once, and those they have there.
+    /// The variables of the pattern, each once, with the names that they have in the searched
+    /// expression.
     pub renames: Vec<Rename>,
 }
 
-/// A name, and the name of the same variable in another program. Both are
-/// [canonical](crate::canonical).
+/// The names that one variable has in two programs. Both are [`canonical`](crate::canonical).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Rename {
-    /// The name in the first program.
+    /// The name in the program of the [`Pattern`].
     pub from: String,
-    /// The name in the other program; often the same one.
+    /// The name in the program that was searched; often equal to `from`.
     pub to: String,
 }
 
@@ -38,8 +39,8 @@ pub struct Rename {
 const SMALL: usize = 3;
 
 impl Pattern {
-    /// Makes a pattern of an expression. `known` are the canonical names of the program it is from,
-    /// none of which may stand for another variable.
+    /// Makes a pattern of an expression. `known` are the [`canonical`](crate::canonical) names of
+    /// the whole program that the expression is from: no variable may be renamed to one of these.
     pub fn new(tree: &Tree, known: Rc<[String]>) -> Self {
         Self {
             tree: normal(tree),
@@ -47,17 +48,18 @@ impl Pattern {
         }
     }
 
-    /// Returns the normal form of the expression.
+    /// Returns the expression of the pattern in [`normal`] form.
     pub fn tree(&self) -> &Tree {
         &self.tree
     }
 
-    /// Returns true if the program that the expression is from has this canonical name.
+    /// Returns true if a canonical name is one of the program that the pattern is from.
     pub fn knows(&self, name: &str) -> bool {
         self.known.iter().any(|it| it == name)
     }
 
-    /// Returns true if the expression is too short to be recognized inside of another.
+    /// Returns true if the pattern has fewer than three names, numbers, strings and calls: too few
+    /// to be recognized inside of a larger expression.
     pub fn is_small(&self) -> bool {
         let nodes = self.tree.nodes();
         let counts = |it: &&&Tree| {
@@ -69,19 +71,20 @@ impl Pattern {
         nodes.iter().filter(counts).count() < SMALL
     }
 
-    /// Finds the first part of an expression in normal form, the whole included, that is equal to
-    /// the pattern; of a [small](Self::is_small) one only whole conditions are compared.
+    /// Searches an expression in [`normal`] form for the pattern, and returns its first occurrence,
+    /// the whole before its parts. A [small](Self::is_small) pattern is compared with the whole and
+    /// with conditions only.
     pub fn find<'t>(&self, tree: &'t Tree) -> Option<Match<'t>> {
         let nodes = match self.is_small() {
             true => parts_of_a_condition(tree),
             false => tree.nodes(),
         };
-        nodes.into_iter().find_map(|tree| self.matched(tree))
+        nodes.into_iter().find_map(|tree| self.match_whole(tree))
     }
 
     /// Matches the pattern with a whole expression in normal form. There is no match if more names
     /// differ than other things agree, since then any sum would match any other.
-    pub fn matched<'t>(&self, tree: &'t Tree) -> Option<Match<'t>> {
+    fn match_whole<'t>(&self, tree: &'t Tree) -> Option<Match<'t>> {
         let mut renames = Vec::new();
         if !self.unify(&self.tree, tree, &mut renames) {
             return None;
@@ -102,7 +105,7 @@ impl Pattern {
             _ => {}
         }
         let is_unordered = match &one.op {
-            Op::Sign(sign) => matches!(*sign, "+" | "*" | "&&" | "||" | "=="),
+            Op::Operator(sign) => matches!(*sign, "+" | "*" | "&&" | "||" | "=="),
             Op::Call(name) => name == "dot",
             _ => false,
         };
@@ -165,7 +168,7 @@ fn is_near(one: f64, other: f64) -> bool {
 /// Lists an expression, and the conditions and branches of which it is made.
 fn parts_of_a_condition(tree: &Tree) -> Vec<&Tree> {
     let mut all = vec![tree];
-    if matches!(tree.op, Op::Sign("&&" | "||") | Op::Not | Op::Choice) {
+    if matches!(tree.op, Op::Operator("&&" | "||") | Op::Not | Op::Choice) {
         all.extend(tree.parts.iter().flat_map(parts_of_a_condition));
     }
     all

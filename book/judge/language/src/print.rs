@@ -44,10 +44,12 @@ const NAMES: [(&str, &str); 4] = [
 ];
 
 impl Language {
-    /// Prints a line of Rust, one or more statements, as it is typed in this language.
+    /// Translates a line of Rust, one or more statements, to this language, on one line and with
+    /// the names of the book.
     ///
-    /// Returns the line unchanged if a statement of it is not read or has no like there.
-    pub fn spelled(self, line: &str) -> String {
+    /// Returns the line unchanged for Rust, and if a statement is not understood or can't be
+    /// expressed in the language.
+    pub fn translate_line(self, line: &str) -> String {
         if self == Self::Rust {
             return line.to_owned();
         }
@@ -101,11 +103,12 @@ impl Language {
             [value] if tree.is_call("Some") => value,
             _ => &tree,
         };
-        is_whole.then(|| self.print(tree)).flatten()
+        is_whole.then(|| self.to_source(tree)).flatten()
     }
 
-    /// Prints an expression; `None` if the language has nothing like it, as a closure in C.
-    pub fn print(self, tree: &Tree) -> Option<String> {
+    /// Writes an expression as source code of this language. Returns `None` if the expression has a
+    /// closure or the reciprocal of the [`normal`](crate::normal) form, which are not written.
+    pub fn to_source(self, tree: &Tree) -> Option<String> {
         self.within(tree, 0)
     }
 
@@ -135,10 +138,10 @@ impl Language {
             Op::Number(value, true) if self != Self::Rust => format!("{value}"),
             Op::Number(value, _) => format!("{value:?}"),
             Op::Text(text) => text.clone(),
-            Op::Minus => format!("-{}", part(0, level)?),
+            Op::Negative => format!("-{}", part(0, level)?),
             Op::Not if self == Self::Python => format!("not {}", part(0, level)?),
             Op::Not => format!("!{}", part(0, level)?),
-            Op::Sign(sign) => {
+            Op::Operator(sign) => {
                 let sign = match (*sign, self) {
                     ("&&", Self::Python) => "and",
                     ("||", Self::Python) => "or",
@@ -160,7 +163,7 @@ impl Language {
             Op::List => format!("[{}]", self.list(&tree.parts)?),
             Op::Index => format!("{}[{}]", part(0, ATOM)?, part(1, 0)?),
             Op::Call(name) => return self.call(name, &tree.parts),
-            Op::Over => return None,
+            Op::Reciprocal => return None,
         })
     }
 
@@ -191,8 +194,8 @@ impl Language {
     fn call(self, name: &str, parts: &[Tree]) -> Option<String> {
         let id = function(name, parts.len());
         if let ("+" | "-" | "*" | "/", [one, other]) = (&*id, parts) {
-            let sign = Op::Sign(["+", "-", "*", "/"].into_iter().find(|it| *it == id)?);
-            return self.print(&Tree::new(sign, vec![one.clone(), other.clone()]));
+            let sign = Op::Operator(["+", "-", "*", "/"].into_iter().find(|it| *it == id)?);
+            return self.to_source(&Tree::new(sign, vec![one.clone(), other.clone()]));
         }
         if let [value] = parts
             && is_in(REAL, name)
@@ -279,7 +282,7 @@ const ATOM: u8 = 12;
 fn level(op: &Op) -> u8 {
     match op {
         Op::Choice => 1,
-        Op::Sign(sign) => match *sign {
+        Op::Operator(sign) => match *sign {
             "=" | "in" => 1,
             "||" => 3,
             "&&" => 4,
@@ -288,7 +291,7 @@ fn level(op: &Op) -> u8 {
             "*" | "/" | "//" | "%" => 10,
             _ => 2,
         },
-        Op::Not | Op::Minus => 11,
+        Op::Not | Op::Negative => 11,
         _ => ATOM,
     }
 }

@@ -9,33 +9,35 @@ use crate::parse::{Parser, is_keyword};
 use crate::tokens::{Token, TokenKind};
 use crate::tree::{Op, Tree};
 
-/// The purpose of a statement's expression.
+/// The purpose of an expression in a [`Statement`].
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Role {
-    /// The expression is the value of this variable, field or named argument.
-    Given(String),
-    /// The expression is the condition of an `if` or a loop.
+    /// The value that the variable, field or named argument of this name is given.
+    ValueOf(String),
+    /// The condition of an `if` or a loop.
     Condition,
-    /// The expression is what a function returns.
+    /// The value that a function returns.
     Result,
-    /// The expression is a list or a range, and this variable of a loop each of its elements.
-    Each(String),
-    /// The expression is evaluated for its effect, as a call.
-    Done,
+    /// The list or range that a loop goes over with a variable of this name.
+    LoopOver(String),
+    /// An expression that is evaluated for its effect only, as a call is.
+    Effect,
 }
 
-/// A statement with one expression. A line that holds several makes one for each.
+/// A statement of a program, reduced to one expression. A line with several expressions, as `x, y =
+/// 1, 2`, makes several statements.
 #[derive(Clone, Debug)]
 pub struct Statement {
-    /// The purpose of the expression.
+    /// The purpose of the expression, with the name that it is given.
     pub role: Role,
-    /// The expression.
+    /// The expression, as it is written.
     pub value: Tree,
-    /// The bytes of the statement in its text, from its first word to its expression's end.
+    /// The range of bytes of the statement in the source text.
     pub at: Range<usize>,
 }
 
-/// Reads the statements of a text, in their order. What is not understood is left out.
+/// Parses a source text into statements, in their order. Code that is not understood is skipped,
+/// and comments, declarations of types and heads of functions are no statements.
 pub fn statements(text: &str, language: Language) -> Vec<Statement> {
     let mut all = Vec::new();
     let mut parser = Parser::new(text, language);
@@ -52,7 +54,7 @@ pub fn statements(text: &str, language: Language) -> Vec<Statement> {
         }));
         all.extend(fields.map(|(name, value)| Statement {
             at: value.at.clone(),
-            role: Role::Given(name),
+            role: Role::ValueOf(name),
             value,
         }));
         parser.next = parser.next.max(first);
@@ -122,7 +124,7 @@ fn statement(parser: &mut Parser) -> Option<Expressions> {
             let role = if is_result || is_last {
                 Role::Result
             } else if is_end || parser.is(";") || parser.is_on_a_new_line() {
-                Role::Done
+                Role::Effect
             } else {
                 return None;
             };
@@ -145,9 +147,9 @@ fn conditions(parser: &mut Parser) -> Option<Expressions> {
         all.push((Role::Condition, parser.condition()?));
     }
     if let [(role, first), _, ..] = &mut all[..]
-        && first.op == Op::Sign("=")
+        && first.op == Op::Operator("=")
     {
-        *role = Role::Given(first.parts[0].name().unwrap_or_default().to_owned());
+        *role = Role::ValueOf(first.parts[0].name().unwrap_or_default().to_owned());
         *first = first.parts[1].clone();
     }
     Some(all)
@@ -170,7 +172,7 @@ fn repeated(parser: &mut Parser) -> Option<Expressions> {
         parser.is_in_condition = true;
         let value = parser.expression();
         parser.is_in_condition = false;
-        return Some(vec![(Role::Each(name), value?)]);
+        return Some(vec![(Role::LoopOver(name), value?)]);
     }
     let mut all = given(parser)?;
     parser.eat(";");
@@ -194,7 +196,10 @@ fn given(parser: &mut Parser) -> Option<Expressions> {
             parser.next = first;
             return None;
         };
-        return Some(vec![(Role::Given(names[0].clone()), Tree::call(of, given))]);
+        return Some(vec![(
+            Role::ValueOf(names[0].clone()),
+            Tree::call(of, given),
+        )]);
     }
     parser.next += 1;
     let mut values = vec![parser.expression()?];
@@ -205,13 +210,13 @@ fn given(parser: &mut Parser) -> Option<Expressions> {
     if let Some(n) = compound {
         let value = values.swap_remove(0);
         let name = Tree::name_of(&names[0]);
-        let sum = Op::Sign(["+", "-", "*", "/"][n]);
-        values = vec![Tree::new(sum, vec![name, value.clone()]).at(value.at)];
+        let sum = Op::Operator(["+", "-", "*", "/"][n]);
+        values = vec![Tree::new(sum, vec![name, value.clone()]).placed_at(value.at)];
     }
     let pairs = names.into_iter().zip(values);
     Some(
         pairs
-            .map(|(name, value)| (Role::Given(name), value))
+            .map(|(name, value)| (Role::ValueOf(name), value))
             .collect(),
     )
 }

@@ -2,48 +2,51 @@
 
 use std::ops::Range;
 
-/// The operation of a tree's root on its parts.
+/// The operation at the root of a [`Tree`], whose operands are the tree's parts.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Op {
-    /// The value of a variable or a constant; no parts.
+    /// A variable or a constant, by name. Without parts.
     Name(String),
-    /// A number; true if it is written without a point, as a whole one. No parts.
+    /// A number, and true if it is written as a whole one, without a point. Without parts.
     Number(f64, bool),
-    /// A string literal with its quotes; no parts.
+    /// A string literal, with its quotes. Without parts.
     Text(String),
-    /// A call by this name: of a function with the parts as arguments, of a method or a field of
-    /// the first part, or of a type that is made of the parts.
+    /// A call of the function or constructor of this name with the parts as arguments, or of the
+    /// method or field of this name of the first part.
     Call(String),
-    /// An operator between two parts; `//` divides whole numbers, `=` assigns.
-    Sign(&'static str),
-    /// The negative of the only part.
-    Minus,
-    /// The contrary of the only part, a condition.
+    /// A binary operator between two parts, spelled as in Rust; `//` is the division of whole
+    /// numbers. In [`normal`](crate::normal) form sums and products have more parts, and `<` and
+    /// `<=` have one that is compared with 0.
+    Operator(&'static str),
+    /// The arithmetic negation of the only part.
+    Negative,
+    /// The logical negation of the only part.
     Not,
-    /// A choice: the first part is the condition, the second the value if it holds, the third
-    /// the value if not.
+    /// A conditional expression, `c ? a : b`. The parts are the condition, the value if it holds,
+    /// and the value if not.
     Choice,
-    /// A list or a tuple of its parts.
+    /// A list or a tuple, whose elements are the parts.
     List,
-    /// An element: the first part is a list, the second the index.
+    /// An element of a list, `a[i]`. The parts are the list and the index.
     Index,
-    /// One divided by the only part; only in the [normal form](crate::normal).
-    Over,
+    /// 1 divided by the only part; only in [`normal`](crate::normal) form.
+    Reciprocal,
 }
 
-/// The syntax tree of an expression.
+/// The syntax tree of an expression in any of ten languages.
 #[derive(Clone, Debug)]
 pub struct Tree {
-    /// The operation of the root.
+    /// The operation at the root.
     pub op: Op,
-    /// The operands, in the order of the text.
+    /// The operands of the operation, in the order in which they are written; their number depends
+    /// on it.
     pub parts: Vec<Tree>,
-    /// The bytes of the expression in its text; empty if it was made, not read.
+    /// The range of bytes of the expression in the source text; `0..0` for a tree that no text has.
     pub at: Range<usize>,
 }
 
 impl Tree {
-    /// Makes a tree that has no place in a text.
+    /// Makes a tree of an operation and its operands, with `0..0` as its range of bytes.
     pub fn new(op: Op, parts: Vec<Self>) -> Self {
         Self {
             op,
@@ -57,7 +60,7 @@ impl Tree {
         Self::new(Op::Call(name.to_owned()), parts)
     }
 
-    /// Makes a variable or a constant that has no place in a text.
+    /// Makes the tree of a variable or a constant, with `0..0` as its range of bytes.
     pub fn name_of(name: &str) -> Self {
         Self::new(Op::Name(name.to_owned()), Vec::new())
     }
@@ -67,12 +70,12 @@ impl Tree {
         Self::new(Op::Number(value, false), Vec::new())
     }
 
-    /// Returns the tree with another place in the text; that of its parts stays.
-    pub fn at(self, at: Range<usize>) -> Self {
+    /// Returns the tree with another range of bytes; the ranges of its parts stay.
+    pub fn placed_at(self, at: Range<usize>) -> Self {
         Self { at, ..self }
     }
 
-    /// Returns the name of a variable or a constant; `None` for other trees.
+    /// Returns the name if the tree is a variable or a constant, else `None`.
     pub fn name(&self) -> Option<&str> {
         match &self.op {
             Op::Name(name) => Some(name),
@@ -88,28 +91,28 @@ impl Tree {
         }
     }
 
-    /// Returns true if the root is a call by this name.
+    /// Returns true if the root is an [`Op::Call`] of this name.
     pub fn is_call(&self, name: &str) -> bool {
         matches!(&self.op, Op::Call(it) if it == name)
     }
 
-    /// Lists the tree and all trees inside of it, each before its parts.
+    /// Lists the tree itself and all trees inside of it, each before its parts.
     pub fn nodes(&self) -> Vec<&Self> {
         let parts = self.parts.iter().flat_map(Self::nodes);
         [self].into_iter().chain(parts).collect()
     }
 
-    /// Returns the tree with other trees in the place of those for which `other` returns one. The
-    /// parts of such a tree are not asked for.
-    pub fn mapped(&self, other: &dyn Fn(&Self) -> Option<Self>) -> Self {
+    /// Returns a copy of the tree in which each subtree for which `other` returns a tree is
+    /// replaced by that one. Subtrees of a replaced one are not visited.
+    pub fn map_nodes(&self, other: &dyn Fn(&Self) -> Option<Self>) -> Self {
         other(self).unwrap_or_else(|| Self {
             op: self.op.clone(),
-            parts: self.parts.iter().map(|it| it.mapped(other)).collect(),
+            parts: self.parts.iter().map(|it| it.map_nodes(other)).collect(),
             at: self.at.clone(),
         })
     }
 
-    /// Returns true if two trees are equal but for their places in the text.
+    /// Returns true if two trees have equal operations and parts, wherever they stand in a text.
     pub fn is_same(&self, other: &Self) -> bool {
         let mut parts = self.parts.iter().zip(&other.parts);
         self.op == other.op

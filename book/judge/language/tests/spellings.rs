@@ -186,7 +186,7 @@ fn a_line_of_rust_is_printed_in_other_languages() {
             "if (discriminant < 0.0) {",
         ),
     ] {
-        assert_eq!(language.spelled(rust), printed, "{rust}");
+        assert_eq!(language.translate_line(rust), printed, "{rust}");
     }
 }
 
@@ -202,14 +202,14 @@ function hit(center, radius, r) {
 ";
     let all = statements(text, Language::JavaScript);
     let roles: Vec<&Role> = all.iter().map(|it| &it.role).collect();
-    let given = |name: &str| Role::Given(name.to_owned());
+    let given = |name: &str| Role::ValueOf(name.to_owned());
     for role in [
         given("oc"),
         Role::Condition,
         Role::Result,
         given("t"),
         given("p"),
-        Role::Done,
+        Role::Effect,
     ] {
         assert!(roles.contains(&&role), "{role:?} is not in {roles:?}");
     }

@@ -59,7 +59,7 @@ pub fn mistakes_with_answers(
 pub fn explain(report: &mut Report, chapter: Chapter, language: ReaderLanguage) {
     let mistakes = mistakes_with_answers(&report.answers, chapter, language);
     let in_a_line = |slip: &&Slip| {
-        let SlipText { wrong, right, .. } = slip.words(language, chapter);
+        let SlipText { wrong, right, .. } = slip.text_in(language, chapter);
         let name = match slip.name {
             "" => String::new(),
             name => format!("{name}: "),

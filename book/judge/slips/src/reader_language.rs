@@ -26,7 +26,7 @@ impl ReaderLanguage {
     /// Spells a line of a chapter's Rust in this language. `Some(…)` around it is dropped.
     ///
     /// The line is rewritten phrase by phrase, so that one in no chapter may stay partly Rust.
-    pub fn spelled(self, line: &str, chapter: Chapter) -> String {
+    pub fn translate_line(self, line: &str, chapter: Chapter) -> String {
         let some = line
             .strip_prefix("Some(")
             .and_then(|it| it.strip_suffix(')'));

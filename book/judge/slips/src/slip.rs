@@ -76,7 +76,7 @@ impl Slip {
     /// Explains the slip to a reader who made it in a chapter, in the reader's language.
     ///
     /// Both lines are empty if the slip can't be made in the chapter and has none of its own.
-    pub fn words(&self, language: ReaderLanguage, chapter: Chapter) -> SlipText {
+    pub fn text_in(&self, language: ReaderLanguage, chapter: Chapter) -> SlipText {
         let Edit { right, wrong } = self.line(language, chapter);
         SlipText {
             wrong,

@@ -7,9 +7,9 @@ use crate::program::ChapterProgram;
 /// A step of a chapter: a few lines to type, after which there is something new to see.
 pub struct ChapterStep {
     /// The instruction: what to type, and what it will show.
-    pub says: &'static str,
+    pub instruction: &'static str,
     /// A description of the step's picture, for those who can't see it.
-    pub seen: &'static str,
+    pub description: &'static str,
     /// The edits, `right→wrong`, that turn the whole chapter into the step; none for the last step.
     edits: &'static [&'static str],
 }
@@ -31,85 +31,85 @@ pub fn of_chapter(chapter: Chapter) -> &'static [ChapterStep] {
 
 /// The last step of a chapter, but for its words: the program is whole.
 const LAST: ChapterStep = ChapterStep {
-    says: "",
-    seen: "",
+    instruction: "",
+    description: "",
     edits: &[],
 };
 
 /// The steps of each chapter of the book.
 const STEPS: [&[ChapterStep]; 6] = [
     &[ChapterStep {
-        says: "Red grows to the right and green grows downwards, from 0 to 1.",
-        seen: Chapter::BuildTest.shows(),
+        instruction: "Red grows to the right and green grows downwards, from 0 to 1.",
+        description: Chapter::BuildTest.shows(),
         ..LAST
     }],
     &[
         ChapterStep {
-            says: "Every ray is white: `ray_color` returns (1, 1, 1).",
-            seen: "A white rectangle, 16 wide for every 9 high",
+            instruction: "Every ray is white: `ray_color` returns (1, 1, 1).",
+            description: "A white rectangle, 16 wide for every 9 high",
             edits: &["(1.0 - a) * white + a * blue→white"],
         },
         ChapterStep {
-            says: "Where does each ray go? Red is the x of its direction and green is the y.",
-            seen: "Black in the lower left quarter, red growing to the right, green growing upwards",
+            instruction: "Where does each ray go? Red is the x of its direction and green is the y.",
+            description: "Black in the lower left quarter, red growing to the right, green growing upwards",
             edits: &[
                 "(1.0 - a) * white + a * blue→Color::new(ray.direction.x, ray.direction.y, 0.0)",
             ],
         },
         ChapterStep {
-            says: "How steeply does it climb? Gray of a = ½(y + 1), with the y of the unit direction.",
-            seen: "Gray: dark at the bottom, light at the top, and lightest above the middle",
+            instruction: "How steeply does it climb? Gray of a = ½(y + 1), with the y of the unit direction.",
+            description: "Gray: dark at the bottom, light at the top, and lightest above the middle",
             edits: &["(1.0 - a) * white + a * blue→a * white"],
         },
         ChapterStep {
-            says: "Blend white and the blue (0.5, 0.7, 1) by the weight a.",
-            seen: Chapter::Gradient.shows(),
+            instruction: "Blend white and the blue (0.5, 0.7, 1) by the weight a.",
+            description: Chapter::Gradient.shows(),
             ..LAST
         },
     ],
     &[
         ChapterStep {
-            says: "Nothing is hit yet: `hit_sphere` says false, and the sky of chapter 1 is there.",
-            seen: Chapter::Gradient.shows(),
+            instruction: "Nothing is hit yet: `hit_sphere` says false, and the sky of chapter 1 is there.",
+            description: Chapter::Gradient.shows(),
             edits: &["discriminant >= 0.0→false"],
         },
         ChapterStep {
-            says: "oc, a, b, c and the discriminant: `hit_sphere` says whether there is a root.",
-            seen: Chapter::RedSphere.shows(),
+            instruction: "oc, a, b, c and the discriminant: `hit_sphere` says whether there is a root.",
+            description: Chapter::RedSphere.shows(),
             ..LAST
         },
     ],
     &[
         ChapterStep {
-            says: "`hit_sphere` says where: the nearer root. The disc stays red where there is one.",
-            seen: Chapter::RedSphere.shows(),
+            instruction: "`hit_sphere` says where: the nearer root. The disc stays red where there is one.",
+            description: Chapter::RedSphere.shows(),
             edits: &["0.5 * (normal + Vec3::ONE)→Color::new(1.0, 0.0, 0.0)"],
         },
         ChapterStep {
-            says: "How far is that? Gray of t where t > 0: the nearer, the darker.",
-            seen: "A gray disc in front of the sky, darker in its middle than at its rim",
+            instruction: "How far is that? Gray of t where t > 0: the nearer, the darker.",
+            description: "A gray disc in front of the sky, darker in its middle than at its rim",
             edits: &["0.5 * (normal + Vec3::ONE)→t * Vec3::ONE"],
         },
         ChapterStep {
-            says: "Where t > 0, the unit normal at `ray.at(t)` becomes the color: ½(n + 1).",
-            seen: Chapter::Normals.shows(),
+            instruction: "Where t > 0, the unit normal at `ray.at(t)` becomes the color: ½(n + 1).",
+            description: Chapter::Normals.shows(),
             ..LAST
         },
     ],
     &[ChapterStep {
-        says: "With h = −b/2 in place of b, every 2 and 4 goes. Not one bit changes.",
-        seen: Chapter::HalfBSphere.shows(),
+        instruction: "With h = −b/2 in place of b, every 2 and 4 goes. Not one bit changes.",
+        description: Chapter::HalfBSphere.shows(),
         ..LAST
     }],
     &[
         ChapterStep {
-            says: "A `Sphere` is `Hittable`, and a list of one finds it: the ball of chapter 4 is back.",
-            seen: Chapter::HalfBSphere.shows(),
+            instruction: "A `Sphere` is `Hittable`, and a list of one finds it: the ball of chapter 4 is back.",
+            description: Chapter::HalfBSphere.shows(),
             edits: &["world.add(Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0));→"],
         },
         ChapterStep {
-            says: "`world` gets the ground, at (0, −100.5, −1) with radius 100, and the list finds the nearest.",
-            seen: Chapter::HittableList.shows(),
+            instruction: "`world` gets the ground, at (0, −100.5, −1) with radius 100, and the list finds the nearest.",
+            description: Chapter::HittableList.shows(),
             ..LAST
         },
     ],

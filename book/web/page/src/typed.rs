@@ -64,7 +64,7 @@ pub fn beginning(chapter: Chapter) -> Vec<String> {
     let files = files.flat_map(|(empty, full)| [empty.name, empty.text, full.text]);
     let steps: Vec<&str> = steps::of_chapter(chapter)
         .iter()
-        .map(|step| step.says)
+        .map(|step| step.instruction)
         .collect();
     files.chain([steps.join("\n")]).collect()
 }

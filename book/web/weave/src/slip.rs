@@ -21,7 +21,7 @@ pub(crate) fn slip(name: &str, chapter: &str) -> Result<String, String> {
         .filter(|chapter| slip.is_possible_in(*chapter))
         .ok_or_else(|| format!("`{name}` can't be made in a chapter `{chapter}`"))?;
     let picture = slip.program(chapter).run(chapter.book_width()).picture();
-    let why = slip.words(ReaderLanguage::Cpp(Edition::V4), chapter).why;
+    let why = slip.text_in(ReaderLanguage::Cpp(Edition::V4), chapter).why;
     Ok(format!(
         "<figure>{}<figcaption><a href=\"{PAGE}.html#{name}\">{name}</a> in <code>{}</code></figcaption></figure>",
         image(&picture, &format!("What {name} draws: {why}")),
@@ -191,7 +191,7 @@ fn id(slip: &Slip, wrong: &WrongPicture) -> String {
 fn item(slip: &Slip, id: &str) -> String {
     let name = slip.name;
     let first = slip.chapters().next().unwrap_or(Chapter::HittableList);
-    let SlipText { wrong, right, why } = slip.words(ReaderLanguage::Cpp(Edition::V4), first);
+    let SlipText { wrong, right, why } = slip.text_in(ReaderLanguage::Cpp(Edition::V4), first);
     let (page, heading) = slip.page_and_heading();
     format!(
         "* `{wrong}` should be `{right}`. {why} \

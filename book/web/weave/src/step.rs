@@ -20,8 +20,8 @@ pub(crate) fn step(chapter: &str, number: &str) -> Result<String, String> {
     let picture = program.run(chapter.book_width()).picture();
     Ok(format!(
         "<figure>{}<figcaption>{}</figcaption></figure>",
-        image(&picture, step.seen),
-        with_code(step.says)
+        image(&picture, step.description),
+        with_code(step.instruction)
     ))
 }
 

@@ -188,7 +188,7 @@ impl NewCrate {
             said += &format!("Type {}, and then {last}.\n", before.join(", "));
         }
         for (number, step) in (1..).zip(steps::of_chapter(self.chapter)) {
-            let line = format!("  step {number}  {}", step.says);
+            let line = format!("  step {number}  {}", step.instruction);
             said += &(wrap_hanging(&line, 10) + "\n");
         }
         said + &format!(

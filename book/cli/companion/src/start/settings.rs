@@ -43,7 +43,7 @@ pub(super) fn chapter_head(chapter: Chapter) -> String {
         chapter.name()
     );
     for (number, step) in (1..).zip(steps::of_chapter(chapter)) {
-        about += &filled(step.says, 79, &format!("//! {number}. "), "//!    ");
+        about += &filled(step.instruction, 79, &format!("//! {number}. "), "//!    ");
         about.push('\n');
     }
     about + "\n"

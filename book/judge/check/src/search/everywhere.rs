@@ -16,15 +16,16 @@ pub struct FileEdit {
     pub at: Range<usize>,
     /// The text that replaces these bytes; empty if they are left out.
     pub new: String,
-    /// A measure of how unlikely the edit is, from 0: 2 for each word that changes, and a penalty
-    /// by its kind. Comparable within a program only.
+    /// A rank by how unlikely the mistake is, from 0 for the likeliest: 2 for each word that
+    /// changes, plus a penalty for the kind of edit.
     pub rank: u32,
 }
 
-/// Lists all single edits of a program's functions that a person may make by mistake, in the order
-/// of the functions and of the places in them.
+/// Lists every single edit of a program's functions that a person may make by mistake, function by
+/// function and in each from top to bottom.
 ///
-/// `files` are those that the program was read from; functions of other files are left out.
+/// `files` are those from which the program was read. A function that is in none of them is left
+/// out.
 pub fn edits_everywhere(program: &Program, files: &[SourceFile]) -> Vec<FileEdit> {
     let mut all = Vec::new();
     for function in functions(program) {

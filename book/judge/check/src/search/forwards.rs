@@ -29,21 +29,21 @@ const SHOWN: usize = 3;
 /// or for the reader, is less likely wrong.
 const ELSEWHERE: u32 = 4;
 
-/// The single edits of a chapter that draw a given picture.
+/// The single edits of a chapter's text whose programs draw a reader's picture.
 #[derive(Clone, Debug, Default)]
 pub struct DrawingMutants {
-    /// The likeliest edits, the likeliest first; at most three.
-    pub all: Vec<Mutant>,
-    /// The number of edits that were found; those that always have the same effect count as one.
+    /// At most three of these edits, the likeliest first; empty if none was found.
+    pub likeliest: Vec<Mutant>,
+    /// The number of all edits that were found, where edits with equal effects count once.
     pub count: usize,
 }
 
-/// A single edit of a chapter, as the lines before and after it.
+/// A single edit of a chapter's text, as the edited line before and after.
 #[derive(Clone, Debug)]
 pub struct Mutant {
-    /// The line of the chapter, or the lines that the edit touches, on one line.
+    /// The chapter's line in Rust. Where the edit touches several lines, they are joined.
     pub right: String,
-    /// The line with the edit; empty if the edit leaves it out.
+    /// The same line with the edit made; empty if the edit leaves the line out.
     pub wrong: String,
     /// The line of the reader that has the edit, with its correction; `None` if it is not found.
     pub(crate) yours: Option<CorrectedLine>,
@@ -144,7 +144,7 @@ impl<'a> PictureSearch<'a> {
                 does: Some(Behavior::of(program)),
                 ..Mutant::new(function, &edit)
             });
-            if self.lines.is_empty() && drawn.all.len() > MOST {
+            if self.lines.is_empty() && drawn.likeliest.len() > MOST {
                 break;
             }
         }
@@ -197,27 +197,27 @@ impl DrawingMutants {
     /// Adds a mutant, unless one has the same effects; one that is found in the reader's files
     /// replaces it.
     fn add(&mut self, mutant: Mutant) {
-        let mut known = self.all.iter_mut();
+        let mut known = self.likeliest.iter_mut();
         match known.find(|it| it.does_as(&mutant)) {
             Some(known) if mutant.yours.is_some() && known.yours.is_none() => *known = mutant,
             Some(_) => {}
-            None => self.all.push(mutant),
+            None => self.likeliest.push(mutant),
         }
     }
 
     /// Keeps those that are found in the reader's files, if some are, counts them, and if they are
     /// few drops those that do not draw every pixel.
     fn checked(mut self, draws: impl Fn(&ChapterProgram) -> bool) -> Self {
-        if self.all.iter().any(|it| it.yours.is_some()) {
-            self.all.retain(|it| it.yours.is_some());
+        if self.likeliest.iter().any(|it| it.yours.is_some()) {
+            self.likeliest.retain(|it| it.yours.is_some());
         }
-        self.count = self.all.len();
+        self.count = self.likeliest.len();
         if self.is_told() {
             let is_it = |it: &Mutant| it.does.as_ref().is_some_and(|it| draws(&it.program));
-            self.all.retain(is_it);
-            self.count = self.all.len();
+            self.likeliest.retain(is_it);
+            self.count = self.likeliest.len();
         }
-        self.all.truncate(SHOWN);
+        self.likeliest.truncate(SHOWN);
         self
     }
 }

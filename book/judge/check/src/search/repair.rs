@@ -17,11 +17,11 @@ use crate::reading::Reading;
 use crate::sources::{SourceLine, Sources};
 use crate::task::Task;
 
-/// A change of a reader's program after which it is right. This was tried: the changed program
-/// draws the right picture and answers as the chapter does.
+/// A set of changes that makes a reader's wrong program right. It was tried: the changed program
+/// draws the right picture and its functions answer as the chapter's do.
 #[derive(Clone, Debug)]
 pub struct Repair {
-    /// The changed lines, in their order in each file; never empty.
+    /// The lines to change, in the order of each file; never empty.
     pub changes: Vec<LineChange>,
     /// The reader's files with all changes; empty if the program is not in Rust.
     pub(crate) files: Vec<SourceFile>,
@@ -32,27 +32,28 @@ pub struct Repair {
     pub(crate) step: Option<usize>,
 }
 
-/// A line of a reader's file, and its correction.
+/// A wrong line of a reader's file, or one above which a line is missing, with the correction.
 #[derive(Clone, Debug)]
 pub struct LineChange {
-    /// The line as it is. Where the correction replaces several lines, the first of them with the
-    /// text of all.
-    pub yours: SourceLine,
-    /// The correction of the line.
-    pub right: Correction,
+    /// The line as the reader typed it. Where several lines are replaced together, the first one's
+    /// number with the text of all.
+    pub line: SourceLine,
+    /// The code that belongs there.
+    pub correction: Correction,
 }
 
-/// A correction of a line. Code of several lines is joined by blanks.
+/// The correction of a wrong [`line`](LineChange::line). Code of several lines is joined to one.
 #[derive(Clone, Debug)]
 pub enum Correction {
-    /// This code in the place of the line.
+    /// Code in Rust that replaces the line.
     Instead(String),
-    /// This code above the line, which stays.
+    /// Code in Rust to insert above the line, which stays as it is.
     Above(String),
-    /// Nothing in the place of the line.
+    /// An instruction to delete the line.
     LeaveOut,
-    /// This code, in a language other than Rust, in the place of the line. Not the reader's program
-    /// was tried, but the chapter's with the reader's line, which draws the reader's picture.
+    /// Code that replaces the line, in the reader's language, which is not Rust. It was tried in
+    /// another way: the chapter's program draws the reader's wrong picture with the reader's line
+    /// in it.
     InOwnLanguage(String),
 }
 
@@ -60,16 +61,18 @@ impl Repair {
     /// Returns true if each change replaces a line by another.
     pub(crate) fn is_of_lines(&self) -> bool {
         let mut changes = self.changes.iter();
-        changes.all(|it| matches!(it.right, Correction::Instead(_)))
+        changes.all(|it| matches!(it.correction, Correction::Instead(_)))
     }
 
     /// Finds the line, in another language than Rust, that makes the chapter's program draw the
     /// picture.
     fn transplanted(task: &Task, reading: &Reading, sources: &Sources) -> Option<Self> {
         let found = searched(task, reading, sources, |it| it.transplanted())?;
-        let (yours, right) = (found.line, Correction::InOwnLanguage(found.right));
         Some(Self {
-            changes: vec![LineChange { yours, right }],
+            changes: vec![LineChange {
+                line: found.line,
+                correction: Correction::InOwnLanguage(found.right),
+            }],
             files: Vec::new(),
             is_hidden: false,
             step: None,
@@ -210,9 +213,9 @@ impl Fix<'_> {
                 text: squeezed(text.lines().nth(before + n).unwrap_or_default()),
             }
         };
-        let change = |n: usize, right: Correction| LineChange {
-            yours: line(files, self.yours, n),
-            right,
+        let change = |n: usize, correction: Correction| LineChange {
+            line: line(files, self.yours, n),
+            correction,
         };
         let [old, new] = [&self.yours.text, &self.text].map(|it| lines(it));
         // Only what stands between the first and the last lines that differ is looked at.
@@ -238,7 +241,7 @@ impl Fix<'_> {
             return changes.collect();
         }
         let mut change = change(first, correction(new.join(" ")));
-        change.yours.text = old.join(" ");
+        change.line.text = old.join(" ");
         vec![change]
     }
 }

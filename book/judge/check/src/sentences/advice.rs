@@ -103,5 +103,5 @@ impl Attempt<'_> {
 
 /// Says what to write in the step at an index from 0: `step 1: …`.
 pub(super) fn step_says(at: usize, step: &steps::ChapterStep) -> String {
-    format!("step {}: {}", at + 1, step.says)
+    format!("step {}: {}", at + 1, step.instruction)
 }

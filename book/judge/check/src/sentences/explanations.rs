@@ -164,13 +164,13 @@ impl DrawingMutants {
         let language = context
             .language
             .unwrap_or(ReaderLanguage::Cpp(task.edition));
-        let typed = |line: &str| language.spelled(line, task.chapter);
+        let typed = |line: &str| language.translate_line(line, task.chapter);
         let said = |it: &Mutant| match (&*it.wrong, &it.yours) {
             (_, Some(yours)) => yours.line.to_string(),
             ("", None) => format!("{}  left out", typed(&it.right)),
             (wrong, None) => typed(wrong),
         };
-        let mut rows = match &self.all[..] {
+        let mut rows = match &self.likeliest[..] {
             [] => return Vec::new(),
             [it] if self.count == 1 => match (&*it.wrong, &it.yours) {
                 ("", _) => vec![Row::new(RowKind::Missing, typed(&it.right))],
@@ -200,7 +200,7 @@ impl Repair {
             1 => "with this change",
             _ => "with these changes",
         };
-        let is_spelled = |it: &LineChange| matches!(it.right, Correction::InOwnLanguage(_));
+        let is_spelled = |it: &LineChange| matches!(it.correction, Correction::InOwnLanguage(_));
         let tried = if self.changes.iter().all(is_spelled) {
             "the chapter with your line in its place draws your picture".to_owned()
         } else if self.is_hidden {
@@ -216,15 +216,15 @@ impl Repair {
 impl LineChange {
     /// Lists the reader's line and the right one; or only the right one, where a line is missing.
     fn rows(&self) -> Vec<Row> {
-        let right = match &self.right {
+        let right = match &self.correction {
             Correction::Above(line) => {
-                let above = format!("above {}:{}  {line}", self.yours.file, self.yours.number);
+                let above = format!("above {}:{}  {line}", self.line.file, self.line.number);
                 return vec![Row::new(RowKind::Missing, above)];
             }
             Correction::Instead(line) | Correction::InOwnLanguage(line) => line,
             Correction::LeaveOut => "left out",
         };
-        line_and_right(RowKind::Yours, &self.yours.to_string(), right)
+        line_and_right(RowKind::Yours, &self.line.to_string(), right)
     }
 }
 

@@ -86,7 +86,7 @@ pub fn mistake_name(mistake: &[&'static Slip]) -> String {
     let name = |slip: &&'static Slip| match slip.name {
         "" => {
             let chapter = slip.chapters().next().unwrap_or(Chapter::HittableList);
-            slip.words(ReaderLanguage::Rust, chapter).wrong
+            slip.text_in(ReaderLanguage::Rust, chapter).wrong
         }
         name => name.into(),
     };

@@ -28,7 +28,7 @@ pub(super) fn chapter_statements(name: &str, text: &str) -> Vec<ChapterStatement
     let all = read(text, Language::Rust);
     let names = all.iter().flat_map(|it| {
         let given = match &it.role {
-            Role::Given(name) | Role::Each(name) => Some(canonical(name)),
+            Role::ValueOf(name) | Role::LoopOver(name) => Some(canonical(name)),
             _ => None,
         };
         names_in(&normal(&it.value)).into_iter().chain(given)
@@ -61,10 +61,9 @@ impl ChapterStatement {
     /// as a part and under other names. `chapter` has all statements of the chapter.
     pub(super) fn is_said_by(&self, role: &Role, value: &Tree, chapter: &[Self]) -> bool {
         match (&self.role, role) {
-            (Role::Given(name), Role::Given(own)) if !is_same_name(name, own) => {
+            (Role::ValueOf(name), Role::ValueOf(own)) if !is_same_name(name, own) => {
                 // The value is that of another variable of the chapter.
-                let is_it =
-                    |it: &Self| matches!(&it.role, Role::Given(other) if is_same_name(other, own));
+                let is_it = |it: &Self| matches!(&it.role, Role::ValueOf(other) if is_same_name(other, own));
                 if self.pattern.is_small() {
                     return false;
                 }
@@ -73,7 +72,7 @@ impl ChapterStatement {
                     return found.is_some_and(|it| !std::ptr::eq(it.tree, value));
                 }
             }
-            (Role::Given(_), Role::Given(_)) => {}
+            (Role::ValueOf(_), Role::ValueOf(_)) => {}
             _ if self.pattern.is_small() && self.role != *role => return false,
             _ => {}
         }
@@ -90,7 +89,7 @@ impl ChapterStatement {
     /// Returns true if a reader's statement has the same purpose, the same name included.
     pub(super) fn has_role_of(&self, typed: &TypedStatement) -> bool {
         match (&self.role, &typed.role) {
-            (Role::Given(one), Role::Given(other)) => is_same_name(one, other),
+            (Role::ValueOf(one), Role::ValueOf(other)) => is_same_name(one, other),
             (one, other) => one == other,
         }
     }

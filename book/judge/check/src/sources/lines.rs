@@ -116,8 +116,8 @@ impl<'a> LineComparison<'a> {
             return false;
         };
         let is_of =
-            |role: &Role, name: &str| matches!(role, Role::Given(own) if canonical(own) == name);
-        let is_sum = |it: &&Tree| matches!(it.op, Op::Sign(_)) || it.is_call("sqrt");
+            |role: &Role, name: &str| matches!(role, Role::ValueOf(own) if canonical(own) == name);
+        let is_sum = |it: &&Tree| matches!(it.op, Op::Operator(_)) || it.is_call("sqrt");
         let computes = |name: &str| {
             let mut all = self.typed.iter();
             all.any(|it| {

@@ -24,7 +24,8 @@ pub(crate) use likeness::likeness;
 pub(crate) use lines::{CorrectedLine, LineComparison, StatementDiff};
 pub(crate) use transplant::Transplant;
 
-/// A reader's files, and those of the chapter that the reader follows.
+/// The source files of a reader's program, in any of ten languages, beside those of the chapter
+/// that the reader follows.
 #[derive(Clone, Debug, Default)]
 pub struct Sources {
     yours: Vec<SourceFile>,
@@ -39,14 +40,15 @@ pub struct Sources {
 /// step.
 type Key = (&'static str, usize, Chapter, Edition, Option<usize>);
 
-/// A line of a reader's file.
+/// A line of a reader's source file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SourceLine {
-    /// The file, as seen from the folder of the program.
+    /// The path of the file, relative to the folder of the program: `src/lib.rs`.
     pub file: String,
     /// The number of the line, from 1.
     pub number: usize,
-    /// The text of the line, or of the statement that begins there, with single blanks.
+    /// The code of the line without indentation and repeated blanks. Where a statement goes on over
+    /// more lines, they are joined.
     pub text: String,
 }
 
@@ -89,8 +91,8 @@ pub(crate) struct TypedStatement {
 const STATEMENT: usize = 6;
 
 impl Sources {
-    /// Takes a reader's files, in any languages, and those of the chapter if the reader types just
-    /// these, or none.
+    /// Takes all files of a reader's program. `chapter` has the right files if the reader types a
+    /// chapter's own files in Rust, and is empty for a program of any other form.
     pub fn new(yours: Vec<SourceFile>, chapter: Vec<SourceFile>) -> Self {
         // Some editors begin a file with a byte order mark.
         let without_mark = |file: SourceFile| SourceFile {
@@ -151,7 +153,8 @@ impl Sources {
         }
     }
 
-    /// Takes the files of a reader who types a chapter, and the files of this chapter.
+    /// Takes the files of a reader who types a chapter's own files in Rust; the right ones are
+    /// added.
     pub fn of_chapter(yours: Vec<SourceFile>, chapter: Chapter) -> Self {
         Self::new(yours, slips::typed_files(chapter))
     }
@@ -245,7 +248,7 @@ fn read(text: &str, language: Language) -> Vec<Statement> {
         let spheres = nodes.filter(|node| normal(node).is_call("sphere"));
         let added: Vec<Statement> = spheres
             .map(|value| Statement {
-                role: Role::Done,
+                role: Role::Effect,
                 value: value.clone(),
                 at: it.at.clone(),
             })
@@ -259,7 +262,7 @@ fn read(text: &str, language: Language) -> Vec<Statement> {
 /// `d = r.direction`.
 fn with_values(all: Vec<Statement>) -> Vec<Statement> {
     let given = |name: &str| {
-        let is_it = |it: &&Statement| matches!(&it.role, Role::Given(own) if own == name);
+        let is_it = |it: &&Statement| matches!(&it.role, Role::ValueOf(own) if own == name);
         let mut found = all.iter().filter(is_it);
         found.next().filter(|_| found.next().is_none())
     };
@@ -267,10 +270,10 @@ fn with_values(all: Vec<Statement>) -> Vec<Statement> {
         let value = &given(tree.name()?)?.value;
         let is_field = matches!(&value.parts[..], [of] if of.name().is_some());
         let is_of_ray = |it: &Tree| matches!(&normal(it).op, Op::Call(name) if name == "direction" || name == "origin");
-        (is_field && is_of_ray(value)).then(|| value.clone().at(tree.at.clone()))
+        (is_field && is_of_ray(value)).then(|| value.clone().placed_at(tree.at.clone()))
     };
     let with = all.iter().map(|it| Statement {
-        value: it.value.mapped(&short),
+        value: it.value.map_nodes(&short),
         ..it.clone()
     });
     with.collect()

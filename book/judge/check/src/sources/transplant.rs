@@ -59,9 +59,9 @@ impl ChapterStatement {
     fn can_be(&self, typed: &TypedStatement) -> bool {
         let kind = |role: &Role| match role {
             Role::Condition => 0,
-            Role::Done => 1,
-            Role::Each(_) => 2,
-            Role::Given(_) | Role::Result => 3,
+            Role::Effect => 1,
+            Role::LoopOver(_) => 2,
+            Role::ValueOf(_) | Role::Result => 3,
         };
         kind(&self.role) == kind(&typed.role)
     }
@@ -86,7 +86,7 @@ impl ChapterStatement {
                 spelled.get(renamed.map_or(name, |it| &it.from))?,
             ))
         };
-        Language::Rust.print(&plain(&typed.value).mapped(&name))
+        Language::Rust.to_source(&plain(&typed.value).map_nodes(&name))
     }
 
     /// Prints this statement in the language and the names of a reader's statement.
@@ -100,10 +100,10 @@ impl ChapterStatement {
                 spelled.get(renamed.map_or(&name, |it| &it.to))?,
             ))
         };
-        let text = typed.language.print(&self.value.mapped(&name));
+        let text = typed.language.to_source(&self.value.map_nodes(&name));
         let text = text.unwrap_or_else(|| self.text[self.value.at.clone()].to_owned());
         match &typed.role {
-            Role::Given(name) => format!("{name} = {text}"),
+            Role::ValueOf(name) => format!("{name} = {text}"),
             _ => text,
         }
     }
@@ -111,7 +111,7 @@ impl ChapterStatement {
 
 /// Returns a reader's expression with the chapter's names for those of the reader.
 fn in_names_of_the_chapter(tree: &Tree, renames: &[Rename]) -> Tree {
-    tree.mapped(&|it| {
+    tree.map_nodes(&|it| {
         let name = it.name()?;
         let rename = renames.iter().find(|it| it.to == name)?;
         Some(Tree::name_of(&rename.from))

@@ -6,7 +6,7 @@ use crate::tree::{Op, Tree};
 /// Lists the parts of a sum or another operator, with those of its nested ones in their place.
 pub(super) fn flattened(sign: &'static str, parts: Vec<Tree>) -> impl Iterator<Item = Tree> {
     parts.into_iter().flat_map(move |it| match it.op {
-        Op::Sign(inner) if inner == sign => it.parts,
+        Op::Operator(inner) if inner == sign => it.parts,
         _ => vec![it],
     })
 }
@@ -17,15 +17,15 @@ pub(super) fn scaled(factor: f64, tree: Tree) -> Tree {
         return tree;
     }
     let at = tree.at.clone();
-    if tree.op == Op::Sign("+") || tree.is_call("vec") {
+    if tree.op == Op::Operator("+") || tree.is_call("vec") {
         let parts = tree.parts.into_iter().map(|it| scaled(factor, it));
-        return Tree::new(tree.op, parts.collect()).at(at);
+        return Tree::new(tree.op, parts.collect()).placed_at(at);
     }
     let product = match tree.value() {
         Some(value) => Tree::number(factor * value),
         None => product(vec![Tree::number(factor), tree]),
     };
-    product.at(at)
+    product.placed_at(at)
 }
 
 /// Makes a sum: its numbers are added up and come last, unless they are 0. No terms make 0, and
@@ -34,7 +34,9 @@ pub(super) fn sum(parts: Vec<Tree>) -> Tree {
     let (mut terms, mut number): (Vec<Tree>, Option<Tree>) = (Vec::new(), None);
     for term in flattened("+", parts) {
         match (term.value(), number.as_ref().and_then(Tree::value)) {
-            (Some(value), Some(before)) => number = Some(Tree::number(before + value).at(term.at)),
+            (Some(value), Some(before)) => {
+                number = Some(Tree::number(before + value).placed_at(term.at))
+            }
             (Some(_), None) => number = Some(term),
             _ => terms.push(term),
         }
@@ -43,7 +45,7 @@ pub(super) fn sum(parts: Vec<Tree>) -> Tree {
     match terms.len() {
         0 => Tree::number(0.0),
         1 => terms.swap_remove(0),
-        _ => Tree::new(Op::Sign("+"), terms),
+        _ => Tree::new(Op::Operator("+"), terms),
     }
 }
 
@@ -56,7 +58,7 @@ pub(super) fn product(parts: Vec<Tree>) -> Tree {
     if factors.is_empty() || number == 0.0 {
         return Tree::number(number);
     }
-    let takes = |it: &Tree| it.op == Op::Sign("+") || it.is_call("vec");
+    let takes = |it: &Tree| it.op == Op::Operator("+") || it.is_call("vec");
     let mut sums = (0..factors.len()).filter(|n| takes(&factors[*n]));
     let only = sums.next().filter(|_| sums.next().is_none());
     match only {
@@ -66,7 +68,7 @@ pub(super) fn product(parts: Vec<Tree>) -> Tree {
     }
     match factors.len() {
         1 => factors.swap_remove(0),
-        _ => Tree::new(Op::Sign("*"), factors),
+        _ => Tree::new(Op::Operator("*"), factors),
     }
 }
 
@@ -74,9 +76,9 @@ pub(super) fn product(parts: Vec<Tree>) -> Tree {
 pub(super) fn over(tree: Tree) -> Tree {
     match (&tree.op, &tree.parts[..]) {
         (Op::Number(value, _), _) => Tree::number(1.0 / value),
-        (Op::Over, [of]) => of.clone(),
-        (Op::Sign("*"), parts) => product(parts.iter().cloned().map(over).collect()),
-        _ => Tree::new(Op::Over, vec![tree]),
+        (Op::Reciprocal, [of]) => of.clone(),
+        (Op::Operator("*"), parts) => product(parts.iter().cloned().map(over).collect()),
+        _ => Tree::new(Op::Reciprocal, vec![tree]),
     }
 }
 
@@ -115,11 +117,11 @@ fn without_axis(tree: &Tree, axis: &str) -> Option<Tree> {
     }
     let each = |it: &Tree| match (it.value(), without_axis(it, axis)) {
         (_, Some(whole)) => Some(whole),
-        (Some(value), None) if tree.op == Op::Sign("+") => Some(vector(value)),
-        _ if tree.op == Op::Sign("*") && !inside(it) => Some(it.clone()),
+        (Some(value), None) if tree.op == Op::Operator("+") => Some(vector(value)),
+        _ if tree.op == Op::Operator("*") && !inside(it) => Some(it.clone()),
         _ => None,
     };
-    let is_linear = matches!(tree.op, Op::Sign("+" | "*"));
+    let is_linear = matches!(tree.op, Op::Operator("+" | "*"));
     let parts = is_linear.then(|| tree.parts.iter().map(each).collect::<Option<Vec<_>>>())??;
     Some(Tree {
         parts,

@@ -1,7 +1,7 @@
 //! Term rewriting: the normal form, in which expressions that mean the same differ in the order of
 //! their parts at most.
 //!
-//! A difference is a sum with a product by −1, a quotient a product with [`Op::Over`], a comparison
+//! A difference is a sum with a product by −1, a quotient a product with [`Op::Reciprocal`], a comparison
 //! a sum that is below zero. Casts are dropped, and an operation on all three components becomes
 //! one on the vector.
 
@@ -24,14 +24,16 @@ enum Rewriting {
     Normal,
 }
 
-/// Brings an expression into its normal form, in which those that are equal in mathematics are the
-/// same but for the order of the parts. Each node keeps its place in the text.
+/// Rewrites an expression in normal form: two expressions that are equal in mathematics, as `(a -
+/// b) / 2` and `-0.5 * (b - a)`, become the same tree but for the order of operands. Each node
+/// keeps its place in the text.
 pub fn normal(tree: &Tree) -> Tree {
     rewritten(tree, Rewriting::Normal)
 }
 
-/// Spells an expression in one way: operators for functions like `add`, fields for functions like
-/// `x()`, canonical names, no casts. Its numbers are computed in the same order as before.
+/// Rewrites an expression with one spelling for all languages: operators for functions like `add`,
+/// fields for functions like `x()`, [`canonical`] names, no casts. The arithmetic stays as it is,
+/// unlike in [`normal`].
 pub fn plain(tree: &Tree) -> Tree {
     rewritten(tree, Rewriting::Plain)
 }
@@ -43,11 +45,11 @@ impl Rewriting {
             return of_operator(sign, parts);
         }
         let op = match sign {
-            "neg" => Op::Minus,
+            "neg" => Op::Negative,
             "!" => Op::Not,
             "?" => Op::Choice,
             "vec" => Op::Call(sign.to_owned()),
-            _ => Op::Sign(sign),
+            _ => Op::Operator(sign),
         };
         Tree::new(op, parts)
     }
@@ -56,17 +58,17 @@ impl Rewriting {
 /// Rewrites an expression from its leaves to its root.
 fn rewritten(tree: &Tree, rewriting: Rewriting) -> Tree {
     let parts = tree.parts.iter().map(|it| rewritten(it, rewriting));
-    of_parts(&tree.op, parts.collect(), rewriting).at(tree.at.clone())
+    of_parts(&tree.op, parts.collect(), rewriting).placed_at(tree.at.clone())
 }
 
 /// Rewrites a node whose parts are rewritten.
 fn of_parts(op: &Op, parts: Vec<Tree>, rewriting: Rewriting) -> Tree {
     match op {
         Op::Name(name) => of_name(name),
-        Op::Minus => rewriting.operator("neg", parts),
+        Op::Negative => rewriting.operator("neg", parts),
         Op::Not => rewriting.operator("!", parts),
         Op::Choice => rewriting.operator("?", parts),
-        Op::Sign(sign) => rewriting.operator(sign, parts),
+        Op::Operator(sign) => rewriting.operator(sign, parts),
         Op::Call(name) => of_call(name, parts, rewriting),
         Op::List if parts.len() == 3 => rewriting.operator("vec", parts),
         Op::Index => of_index(parts),
@@ -85,7 +87,7 @@ fn of_index(mut parts: Vec<Tree>) -> Tree {
     let of = parts.swap_remove(0);
     let of = match (&of.op, &of.parts[..]) {
         (Op::Call(name), [of]) if name == "e" => of.clone(),
-        (Op::Name(name), _) if name == "e" => Tree::name_of("self").at(of.at),
+        (Op::Name(name), _) if name == "e" => Tree::name_of("self").placed_at(of.at),
         _ => of,
     };
     Tree::call(AXES[axis as usize], vec![of])
@@ -122,7 +124,7 @@ fn of_operator(sign: &'static str, mut parts: Vec<Tree>) -> Tree {
         "<" | "<=" => below_zero(sign, difference(parts)),
         ">" => below_zero("<", difference(parts.into_iter().rev().collect())),
         ">=" => below_zero("<=", difference(parts.into_iter().rev().collect())),
-        "!=" => negated(Tree::new(Op::Sign("=="), parts)),
+        "!=" => negated(Tree::new(Op::Operator("=="), parts)),
         "&&" | "||" => flat(sign, parts),
         "//" => match (parts[0].value(), parts[1].value()) {
             (Some(one), Some(other)) if other != 0.0 => Tree::number((one / other).floor()),
@@ -131,7 +133,7 @@ fn of_operator(sign: &'static str, mut parts: Vec<Tree>) -> Tree {
         // In JavaScript `| 0` drops the digits behind the point.
         "|" if parts[1].value() == Some(0.0) => Tree::call("int", vec![parts.swap_remove(0)]),
         "=" => parts.swap_remove(1),
-        _ => Tree::new(Op::Sign(sign), parts),
+        _ => Tree::new(Op::Operator(sign), parts),
     }
 }
 
@@ -144,12 +146,12 @@ fn difference(mut parts: Vec<Tree>) -> Tree {
 
 /// Makes `sum < 0` or `sum <= 0`.
 fn below_zero(less: &'static str, sum: Tree) -> Tree {
-    Tree::new(Op::Sign(less), vec![sum])
+    Tree::new(Op::Operator(less), vec![sum])
 }
 
 /// Joins all sides of nested `&&` or `||` in one node.
 fn flat(sign: &'static str, parts: Vec<Tree>) -> Tree {
-    Tree::new(Op::Sign(sign), flattened(sign, parts).collect())
+    Tree::new(Op::Operator(sign), flattened(sign, parts).collect())
 }
 
 /// Makes the contrary of a condition.
@@ -157,10 +159,10 @@ fn negated(tree: Tree) -> Tree {
     let all = |parts: Vec<Tree>| parts.into_iter().map(negated).collect();
     match (&tree.op, &tree.parts[..]) {
         (Op::Not, [of]) => of.clone(),
-        (Op::Sign("<"), [sum]) => below_zero("<=", scaled(-1.0, sum.clone())),
-        (Op::Sign("<="), [sum]) => below_zero("<", scaled(-1.0, sum.clone())),
-        (Op::Sign("&&"), _) => flat("||", all(tree.parts)),
-        (Op::Sign("||"), _) => flat("&&", all(tree.parts)),
+        (Op::Operator("<"), [sum]) => below_zero("<=", scaled(-1.0, sum.clone())),
+        (Op::Operator("<="), [sum]) => below_zero("<", scaled(-1.0, sum.clone())),
+        (Op::Operator("&&"), _) => flat("||", all(tree.parts)),
+        (Op::Operator("||"), _) => flat("&&", all(tree.parts)),
         _ => Tree::new(Op::Not, vec![tree]),
     }
 }
@@ -168,7 +170,7 @@ fn negated(tree: Tree) -> Tree {
 /// Makes a choice whose condition is neither negated nor `<=`, by exchanging its branches.
 fn of_choice(parts: Vec<Tree>) -> Tree {
     match &parts[..] {
-        [condition, then, other] if matches!(condition.op, Op::Not | Op::Sign("<=")) => {
+        [condition, then, other] if matches!(condition.op, Op::Not | Op::Operator("<=")) => {
             let parts = vec![negated(condition.clone()), other.clone(), then.clone()];
             Tree::new(Op::Choice, parts)
         }

@@ -87,8 +87,8 @@ pub(super) fn is_infinity(name: &str) -> bool {
     is_in(INFINITY, name)
 }
 
-/// Returns a name in small letters and without `_`, so that `unit_vector` and `unitVector` are
-/// one; a name of a single letter is left as it is.
+/// Returns an identifier in lower case and without `_`, so that `unit_vector` and `unitVector` both
+/// become `unitvector`. An identifier of one letter stays as it is.
 pub fn canonical(name: &str) -> String {
     if name.len() < 2 {
         return name.to_owned();

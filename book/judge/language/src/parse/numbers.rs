@@ -17,8 +17,10 @@ impl Parser<'_> {
                 [of] if of.name().is_some() && self.whole.contains(name.as_str()) => true,
                 _ => is_in(WHOLE, name),
             },
-            Op::Minus => self.is_whole(&tree.parts[0]),
-            Op::Sign("+" | "-" | "*" | "//" | "%") => tree.parts.iter().all(|it| self.is_whole(it)),
+            Op::Negative => self.is_whole(&tree.parts[0]),
+            Op::Operator("+" | "-" | "*" | "//" | "%") => {
+                tree.parts.iter().all(|it| self.is_whole(it))
+            }
             _ => false,
         }
     }

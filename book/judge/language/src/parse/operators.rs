@@ -67,7 +67,7 @@ impl Parser<'_> {
                 return Some(left);
             }
             if least <= CHOICE && self.begins_choice() {
-                left = self.choice(left)?.at(start..self.end());
+                left = self.choice(left)?.placed_at(start..self.end());
                 continue;
             }
             let negated = usize::from(sign == "is" && self.ahead(1) == "not");
@@ -82,22 +82,22 @@ impl Parser<'_> {
             self.next += 1 + negated;
             // An assignment is read from the right, all other operators from the left.
             let right = self.binary(if level == 1 { level } else { level + 1 })?;
-            left = self.signed(name, left, right).at(start..self.end());
+            left = self.signed(name, left, right).placed_at(start..self.end());
         }
     }
 
     /// Makes the tree of an operator between two operands.
     fn signed(&self, name: &'static str, left: Tree, right: Tree) -> Tree {
-        let is_compared = |it: &Tree| matches!(it.op, Op::Sign("<" | ">" | "<=" | ">="));
+        let is_compared = |it: &Tree| matches!(it.op, Op::Operator("<" | ">" | "<=" | ">="));
         if is_compared(&left) && matches!(name, "<" | ">" | "<=" | ">=") {
             // Python: `a < b < c`.
             let middle = left.parts[1].clone();
-            let last = Tree::new(Op::Sign(name), vec![middle, right]);
-            return Tree::new(Op::Sign("&&"), vec![left, last]);
+            let last = Tree::new(Op::Operator(name), vec![middle, right]);
+            return Tree::new(Op::Operator("&&"), vec![left, last]);
         }
         let is_whole = name == "/" && self.is_whole(&left) && self.is_whole(&right);
         let name = if is_whole { "//" } else { name };
-        Tree::new(Op::Sign(name), vec![left, right])
+        Tree::new(Op::Operator(name), vec![left, right])
     }
 
     /// Returns true if the `?` or `if` of a choice comes next.
@@ -143,7 +143,7 @@ impl Parser<'_> {
             "-" => {
                 self.next += 1;
                 let part = self.binary(PREFIX)?;
-                Tree::new(Op::Minus, vec![part])
+                Tree::new(Op::Negative, vec![part])
             }
             "!" => {
                 self.next += 1;
@@ -168,16 +168,16 @@ impl Parser<'_> {
             let power = self.binary(PREFIX)?;
             match tree.op {
                 // Python: `-b ** 2`.
-                Op::Minus => {
+                Op::Negative => {
                     let base = tree.parts.into_iter().next()?;
-                    Tree::new(Op::Minus, vec![Tree::call("pow", vec![base, power])])
+                    Tree::new(Op::Negative, vec![Tree::call("pow", vec![base, power])])
                 }
                 _ => Tree::call("pow", vec![tree, power]),
             }
         } else {
             tree
         };
-        Some(tree.at(start..self.end()))
+        Some(tree.placed_at(start..self.end()))
     }
 
     /// Reads `if condition { value } else { value }`, with braces or without.

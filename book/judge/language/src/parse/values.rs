@@ -48,7 +48,7 @@ impl Parser<'_> {
                 }
                 _ => return Some(tree),
             }
-            tree = tree.at(start..self.end());
+            tree = tree.placed_at(start..self.end());
         }
     }
 
@@ -109,7 +109,7 @@ impl Parser<'_> {
         }
         let is_of_self = matches!(of.name(), Some("self" | "this"));
         if of.name().is_some_and(is_space) && !(is_of_self && is_own) {
-            return Some(Tree::name_of(name).at(self.end() - name.len()..self.end()));
+            return Some(Tree::name_of(name).placed_at(self.end() - name.len()..self.end()));
         }
         // A constant or a function of a type.
         let is_type = of
@@ -157,7 +157,7 @@ impl Parser<'_> {
             }
             _ => return None,
         };
-        Some(tree.at(start..self.end()))
+        Some(tree.placed_at(start..self.end()))
     }
 
     /// Reads `let pattern = value` in a condition; the last name of the pattern gets the value.
@@ -195,7 +195,7 @@ impl Parser<'_> {
         let mut all = self.list("(", ")")?;
         match all.len() {
             // The brackets are a part of its place.
-            1 => Some(all.pop()?.at(start..self.end())),
+            1 => Some(all.pop()?.placed_at(start..self.end())),
             _ => Some(Tree::new(Op::List, all)),
         }
     }
@@ -218,9 +218,9 @@ fn called(of: Tree, given: Vec<Tree>) -> Option<Tree> {
             // A cast of a quotient divides whole numbers.
             let is_real = is_in(REAL, &name);
             let given = match &given[..] {
-                [one] if is_real && one.op == Op::Sign("/") && !has_cast(one) => {
+                [one] if is_real && one.op == Op::Operator("/") && !has_cast(one) => {
                     vec![Tree {
-                        op: Op::Sign("//"),
+                        op: Op::Operator("//"),
                         ..one.clone()
                     }]
                 }
