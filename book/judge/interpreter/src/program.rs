@@ -128,13 +128,10 @@ impl Program {
     pub fn draw(&self, width: u32) -> Result<Picture, Fault> {
         let canvas = self.canvas(width)?;
         let (width, height) = canvas.size();
-        if ![width, height]
-            .iter()
-            .all(|it| (1..=MAX_WIDTH).contains(it))
-        {
-            return Err(stopped(
-                "there is no picture that is 1 to 4096 pixels wide and high",
-            ));
+        let is_drawn = |it| (1..=MAX_WIDTH).contains(it);
+        if ![width, height].iter().all(is_drawn) {
+            let message = "there is no picture that is 1 to 4096 pixels wide and high";
+            return Err(stopped(message));
         }
         let mut rgb = Vec::with_capacity(3 * width as usize * height as usize);
         for (j, i) in (0..height).flat_map(|j| (0..width).map(move |i| (j, i))) {

@@ -22,9 +22,8 @@ impl Lowerer<'_> {
             is_left &= never_ends;
             arms.push(arm);
         }
-        let shapes = arms
-            .iter()
-            .map(|it| (&it.pattern.shape, it.guard.is_none()));
+        let shapes = arms.iter();
+        let shapes = shapes.map(|it| (&it.pattern.shape, it.guard.is_none()));
         if let Some(missing) = missing(&shapes.collect::<Vec<_>>()) {
             let message = format!("non-exhaustive patterns: `{missing}` not covered");
             return self.refused(self.at(&it.expr), message);

@@ -65,10 +65,8 @@ impl Lowerer<'_> {
         let (own, natives) = self.candidates(name, at)?;
         not_ambiguous(receiver.spot.form, name, at)?;
         self.counted(&own, &natives, given.len(), whole)?;
-        let functions = &self.names.functions;
-        let changes = own
-            .iter()
-            .any(|it| functions[it.1].parameters[0].is(Ctor::RefMut))
+        let receiver_of = |it: &(Ctor, usize)| &self.names.functions[it.1].parameters[0];
+        let changes = own.iter().any(|it| receiver_of(it).is(Ctor::RefMut))
             || natives.iter().any(|it| it.changes());
         let place = match changes {
             true => self.place(on)?.map(|it| self.mutable(it)),
@@ -216,10 +214,8 @@ impl MethodCall {
             }
             _ => (it.owner)(ctor),
         };
-        self.natives
-            .iter()
-            .find(is_it)
-            .map(|it| MethodTarget::Native(it))
+        let mut natives = self.natives.iter();
+        natives.find(is_it).map(|it| MethodTarget::Native(it))
     }
 
     /// Calls a method on what its receiver declares: a value, a shared reference, or an address to

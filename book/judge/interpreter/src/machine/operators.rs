@@ -29,11 +29,7 @@ impl Machine<'_> {
     /// Rounds the components of a vector to `f32` if the program runs in single precision.
     #[inline]
     fn all_rounded(&self, it: Vec3) -> Vec3 {
-        if self.code.is_single {
-            Vec3::from_array(it.to_array().map(|it| f64::from(it as f32)))
-        } else {
-            it
-        }
+        Vec3::from_array(it.to_array().map(|it| self.rounded(it)))
     }
 
     /// Applies an arithmetic operator to two floats.

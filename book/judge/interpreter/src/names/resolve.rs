@@ -139,11 +139,8 @@ impl Names {
 
     /// Returns true if a type has a trait.
     pub(crate) fn implements(&self, ctor: Ctor, of: usize) -> bool {
-        ctor == Ctor::Dyn(of)
-            || self.traits[of]
-                .implemented_for
-                .iter()
-                .any(|it| it.0 == ctor)
+        let mut types = self.traits[of].implemented_for.iter();
+        ctor == Ctor::Dyn(of) || types.any(|it| it.0 == ctor)
     }
 
     /// Returns the number of the struct of that name.
