@@ -1,5 +1,5 @@
-//! Answers as evidence: what a function said to the telling questions, and what came of its laws,
-//! kept in a file, so that a judge in another process can weigh them beside a picture.
+//! Answers as evidence: the answers of functions to telling questions, and the outcomes of their
+//! laws, kept in a file, so that a judge in another process can weigh them beside a picture.
 //!
 //! Each line of the file is a JSON object: an answer, or the verdict on one function behind its
 //! answers. Numbers are text, for which JSON has no NaN and no infinity. A function

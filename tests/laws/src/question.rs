@@ -1,5 +1,5 @@
-//! Questions: what each kind of function is asked. All answers are plain numbers, so they
-//! can be compared, kept in a file, and read again.
+//! Questions to each kind of function, with answers as plain numbers, which can be compared, kept
+//! in a file, and read again.
 
 use std::fmt::{self, Debug};
 

@@ -1,7 +1,7 @@
-//! A limit of depth for recursive descent: how deep a tree can become, seen from its tokens.
+//! A limit of depth for recursive descent: how deep a syntax tree will be, seen from its tokens.
 //!
-//! One would ask before a parser that calls itself for what is in brackets, and behind a sign:
-//! without a limit it ends where its stack does.
+//! A recursive-descent parser calls itself for each bracket and each operator. A text that is
+//! nested deeply enough would overflow its stack, so the depth is checked before.
 
 use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
 

@@ -1,4 +1,4 @@
-//! Operators: their signs, and what the compiler calls them.
+//! Operators: their texts, and the compiler's words for them.
 
 use std::cmp::Ordering;
 

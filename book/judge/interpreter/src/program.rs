@@ -1,4 +1,5 @@
-//! A text that can be run: read, drawn, and asked.
+//! The interpreted program: how its files are read, its picture is drawn, and which lines never
+//! ran.
 
 use std::ops::RangeInclusive;
 use std::rc::Rc;

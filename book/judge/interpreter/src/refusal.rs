@@ -1,4 +1,5 @@
-//! What is wrong with a text, and where: in bytes until it is said, in lines and columns then.
+//! Diagnostics: what is wrong with a text, and where; in bytes while it is read and run, in lines
+//! and columns for its reader.
 
 use std::fmt;
 use std::ops::Range;

@@ -1,5 +1,5 @@
-//! Declared types: what parameters, results, fields and variables are said to be. Nothing is
-//! inferred: a value shows what it is when it gets there.
+//! Declared types of parameters, results, fields and variables. No type is inferred: that of a
+//! value is checked against the declared one when the program runs.
 
 /// A type: its constructor and the types to which that is applied, as `Option` and `f64`.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -1,4 +1,4 @@
-//! Pictures: what is painted or printed.
+//! Pictures that a text paints by a function, or prints as a P3 file.
 
 use std::rc::Rc;
 

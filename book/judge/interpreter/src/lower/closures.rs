@@ -1,4 +1,5 @@
-//! Closures: their parameters are what they are called with.
+//! Closures: parameters that are bound when the closure is called, and a body that runs on the
+//! variables around it.
 
 use std::sync::Arc;
 

@@ -1,4 +1,4 @@
-//! Expressions: operators, literals and what else is no call.
+//! Expressions other than calls: operators, literals, casts, references, ranges.
 
 use std::rc::Rc;
 

@@ -1,4 +1,4 @@
-//! Loops: what they go over, and how they are left.
+//! Loops: `while`, `loop` and `for`, with `break` and `continue`.
 
 use super::declared::tuple;
 use super::expressions::leave_with;

@@ -1,4 +1,4 @@
-//! Macros: those that stop, those that ask, and those that make text.
+//! Macros: `panic!` and its kind, `assert!`, `vec!`, and those that format text.
 
 use syn::parse::Parser;
 use syn::punctuated::Punctuated;

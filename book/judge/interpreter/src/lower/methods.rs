@@ -1,4 +1,5 @@
-//! Method calls: all that a name after a point may mean; which of it, the value decides.
+//! Method calls: all methods of a name are found when the text is read, and the type of the
+//! receiver selects one when it runs.
 
 use super::declared::checked;
 use super::{Expr, Lowered, Lowerer};

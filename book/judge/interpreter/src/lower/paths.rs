@@ -1,4 +1,4 @@
-//! Paths: a name that is a variable, a constant or a function, and whose it is.
+//! Paths as values and as callees: variables, constants and functions, also of a type.
 
 use std::cmp::Ordering;
 use std::sync::Arc;

@@ -1,4 +1,4 @@
-//! Patterns: what a value may look like, and the names of its parts.
+//! Pattern matching: tests of a value's shape that bind its parts to variables.
 
 use super::places::member;
 use super::{Expr, Lowered, Lowerer};

@@ -1,4 +1,4 @@
-//! Places: variables, their fields and parts, and what may be changed.
+//! Place expressions: variables, fields and elements that can be assigned to or borrowed.
 
 use std::sync::Arc;
 

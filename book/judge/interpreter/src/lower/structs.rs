@@ -1,4 +1,4 @@
-//! Structs: initializers, and what is there by default.
+//! Structs: initializers, and the values of `Default`.
 
 use super::calls::made;
 use super::paths::no_function;

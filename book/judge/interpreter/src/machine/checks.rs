@@ -1,4 +1,5 @@
-//! Type checks: a value where something is declared, and what the compiler says of it.
+//! Type checks at run time: a value beside a declared type, and the compiler's words if it does not
+//! fit.
 
 use std::rc::Rc;
 

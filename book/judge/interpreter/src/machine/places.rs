@@ -1,4 +1,4 @@
-//! Addresses: where a place is, what stands there, and changes of it.
+//! Addresses: reads and changes of variables and their parts, through references and boxes.
 
 use super::value::{Address, Data, Value};
 use super::{Eval, ExprInfo, Machine};

@@ -1,4 +1,4 @@
-//! Sizes of values: what they take, and how deep they are nested.
+//! Sizes of values: their bytes, and the depth of their nesting.
 
 use crate::limits::{MAX_VALUE_DEPTH, MAX_VISITS};
 use crate::machine::value::{Data, Value};

@@ -1,4 +1,4 @@
-//! Values: numbers, vectors, and what is made of them, each with what it is.
+//! Dynamically typed values: numbers, vectors, and all that is made of them.
 //!
 //! A shared reference is the value itself with a count of its `&`, since nothing changes while
 //! it lives. A mutable reference is an address: a slot of the stack and the way from there to a

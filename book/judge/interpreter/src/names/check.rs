@@ -1,4 +1,5 @@
-//! Item checks: that implementations have what their traits promise, and that structs end.
+//! Checks of items: implementations have the methods of their traits, and no struct contains
+//! itself.
 
 use super::{Names, Resolved, Signature};
 use crate::refusal::Refusal;

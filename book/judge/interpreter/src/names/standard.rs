@@ -1,4 +1,4 @@
-//! What a text may use without declaring it: the standard library, and our prelude.
+//! Built-in names: those of the standard library, and of the prelude in `common`.
 
 use std::f64::consts;
 

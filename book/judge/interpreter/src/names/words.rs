@@ -1,4 +1,4 @@
-//! The words of the compiler: what types are called, what was not found, and what was meant.
+//! The compiler's messages: names of types, paths that lead nowhere, and similar names.
 
 use strsim::levenshtein;
 
