@@ -14,17 +14,19 @@ static SLIPS: LazyLock<Vec<Slip>> = LazyLock::new(|| {
     slips.map(read).collect()
 });
 
-/// Lists all slips that have a name, in the order in which a reader can first make them.
+/// Lists all slips (known mistakes) that have a name, in the order in which a reader of the book
+/// can first make them.
 pub fn all() -> impl Iterator<Item = &'static Slip> {
     SLIPS.iter().filter(|slip| !slip.name.is_empty())
 }
 
-/// Lists the slips without a name, which only laws look for.
+/// Lists the slips that have no name: they are found only by the answers of a function under the
+/// laws.
 pub fn unnamed() -> impl Iterator<Item = &'static Slip> {
     SLIPS.iter().filter(|slip| slip.name.is_empty())
 }
 
-/// Finds a slip by its name; `None` if there is none, and for the empty name.
+/// Finds a slip by its [`name`](Slip::name); `None` if no slip has it, and for an empty one.
 pub fn find(name: &str) -> Option<&'static Slip> {
     all().find(|slip| slip.name == name)
 }

@@ -2,18 +2,18 @@
 
 use std::borrow::Cow;
 
-/// A replacement of a part of a source text by another. Blanks and line ends do not count when the
-/// part is looked for.
+/// A replacement in a source text, which makes a mistake. Blanks and line ends do not count when
+/// the code to replace is looked for.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Edit {
-    /// The part that is looked for, as the chapter has it.
+    /// The code to replace, as the right text has it.
     pub right: Cow<'static, str>,
-    /// The text that replaces this part; empty if it is left out.
+    /// The code that replaces it; empty to delete the right code.
     pub wrong: Cow<'static, str>,
 }
 
 impl Edit {
-    /// Makes the edit that replaces `right` by `wrong`.
+    /// Makes the edit that replaces the code `right` by `wrong`.
     pub fn new(right: impl Into<Cow<'static, str>>, wrong: impl Into<Cow<'static, str>>) -> Self {
         Self {
             right: right.into(),
@@ -21,8 +21,8 @@ impl Edit {
         }
     }
 
-    /// Reads an edit that is written `right → wrong`, as in the catalogue. Without an arrow the text
-    /// is left out.
+    /// Parses an edit that is written `right → wrong`, as in the catalogue of slips. Without an
+    /// arrow, the edit deletes the text.
     pub fn parse(text: &'static str) -> Self {
         let (right, wrong) = text.split_once('→').unwrap_or((text, ""));
         Self::new(right.trim(), wrong.trim())
@@ -39,7 +39,9 @@ impl Edit {
         *self == Self::new("double", "float")
     }
 
-    /// Returns a text with each occurrence of the right part replaced, or `None` if it has none.
+    /// Returns a text in which every occurrence of the [`right`](Self::right) code is replaced, or
+    /// `None` if there is no occurrence. An occurrence begins and ends with whole names, and not
+    /// with a field.
     pub fn applied_to(&self, text: &str) -> Option<String> {
         let (mut made, mut done) = (String::new(), 0);
         while let Some((start, end)) = self.found(text, done) {

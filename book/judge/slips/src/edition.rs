@@ -11,8 +11,8 @@ use crate::chapter::Chapter;
 use crate::edit::Edit;
 use crate::program::ChapterProgram;
 
-/// A version of *Ray Tracing in One Weekend*. Those whose pictures of these chapters are equal are
-/// one edition.
+/// An edition of *Ray Tracing in One Weekend*: all versions of the book whose programs draw the
+/// same pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Edition {
     /// Versions 1 and 2, 2016 to 2019: a picture twice as wide as high, rows counted from below, and
@@ -20,10 +20,11 @@ pub enum Edition {
     V1,
     /// Versions 1 and 2 with all numbers in double precision, as many have typed them.
     V1InDouble,
-    /// Version 3.0, March 2020: as versions 1 and 2 in double precision, with 255.999 for 255.99.
+    /// Version 3.0, March 2020: as [`V1InDouble`](Self::V1InDouble), but with the factor 255.999
+    /// for levels, and normals that point against the ray.
     V3_0,
-    /// Versions 3.1 to 3.2, 2020 to 2023: a picture of 16:9, rows counted from below. (3.1.0 had
-    /// another viewport for two weeks.)
+    /// Versions 3.1 and 3.2, 2020 to 2023: a picture of 16:9, and rows counted from below. (3.1.0
+    /// had another viewport for two weeks.)
     V3,
     /// Version 4, since 2023, which this workspace follows: a picture of 16:9, rows counted from
     /// above, and each ray through the middle of its pixel.
@@ -41,7 +42,7 @@ struct Facts {
 }
 
 impl Edition {
-    /// All editions, first the one that this workspace follows.
+    /// All editions, from version 4, which this workspace follows, back to the first.
     pub const ALL: [Self; 5] = [Self::V4, Self::V3, Self::V3_0, Self::V1, Self::V1InDouble];
 
     /// Returns the facts about the edition.
@@ -79,20 +80,21 @@ impl Edition {
         }
     }
 
-    /// Returns the name on the command line: the number of the first version. Versions 1 and 2 in
-    /// both precisions have one name.
+    /// Returns the name on the command line: the number of the edition's first version, as `3`.
+    /// Both [`V1`](Self::V1) and [`V1InDouble`](Self::V1InDouble) are `1`.
     pub fn name(self) -> &'static str {
         self.facts().numbers[0]
     }
 
-    /// Tells the differences from version 4 as code: first in chapters with rays, then in the build
-    /// test. Version 4 has `nothing` for both.
+    /// Describes the differences from version 4 in a line of words and code, first for the chapters
+    /// with rays, then for the build test. Version 4 has `nothing` for both.
     pub fn differs_by(self) -> [&'static str; 2] {
         self.facts().differs_by
     }
 
-    /// Returns the words to put after "right" or "wrong" about a picture that is judged by these
-    /// editions: ` by version 3 of the book (2020 to 2023)`. Empty if version 4 is among them.
+    /// Returns the words that tell by which editions a picture is right or wrong, to be put after
+    /// this word: ` by version 3 of the book (2020 to 2023)`, with a blank first. Empty if version
+    /// 4 is among them.
     ///
     /// # Panics
     /// If there are no editions.
@@ -128,7 +130,8 @@ impl Edition {
         format!("version {numbers} of the book ({years})")
     }
 
-    /// Returns the right program of a chapter in this edition, made at the first call.
+    /// Returns the right program of a chapter in this edition. It is made at the first call and
+    /// kept.
     ///
     /// # Panics
     /// If the chapter is not one of [`Chapter::OF_THE_BOOK`].
@@ -142,9 +145,10 @@ impl Edition {
             .clone()
     }
 
-    /// Returns the right program of a chapter in this edition whose picture has the ratio of a size,
-    /// width and height in pixels; for `None` that of the edition. The build test is drawn with this
-    /// very height.
+    /// Returns the right program of a chapter in this edition, for pictures of another shape.
+    ///
+    /// `size` is the width and the height of a picture in pixels: the program draws pictures with
+    /// this ratio, and the build test with this height. `None` keeps the shape of the edition.
     ///
     /// # Panics
     /// If the chapter is not one of [`Chapter::OF_THE_BOOK`].
@@ -263,7 +267,7 @@ impl Edition {
         edits
     }
 
-    /// Returns true for versions 1 and 2, in both precisions.
+    /// Returns true for the edition of versions 1 and 2, in single or double precision.
     pub fn is_first(self) -> bool {
         matches!(self, Self::V1 | Self::V1InDouble)
     }

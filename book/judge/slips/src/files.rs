@@ -15,8 +15,8 @@ const VECTORS: &str = include_str!("text/vectors.rs");
 /// The dot product, for chapters that use it.
 const DOT: &str = include_str!("text/dot.rs");
 
-/// Returns the files that a reader of a chapter types, as they should be, by their names in the
-/// chapter's folder.
+/// Returns the source files of a chapter's package, as a reader of the chapter should type them.
+/// Names are relative to the package: `src/lib.rs`.
 pub fn typed_files(chapter: Chapter) -> Vec<SourceFile> {
     let files = chapter.files().iter();
     files
@@ -24,8 +24,8 @@ pub fn typed_files(chapter: Chapter) -> Vec<SourceFile> {
         .collect()
 }
 
-/// Returns the files of a chapter's whole program, `src/lib.rs` first: those of the chapter, those
-/// of `common` that it uses, and what stands for the loop over the pixels.
+/// Returns the source files that the interpreter needs to run a chapter, `src/lib.rs` first: those
+/// of the chapter, those of `common` that it uses, and a plain loop over the pixels.
 pub fn program_files(chapter: Chapter) -> Vec<SourceFile> {
     let mut files = typed_files(chapter);
     files.sort_by_key(|it| !it.name.ends_with("lib.rs"));

@@ -29,10 +29,12 @@ use crate::{all, unnamed};
 /// The most mistakes that a message names: a root can lose its sign in four places.
 const NAMED: usize = 4;
 
-/// Finds the slips of a chapter whose program, with this slip alone, gives all of these answers, at
-/// most four. Those that are reported most often come first.
+/// Finds the slips (known mistakes) that explain a function's answers: the program of the chapter
+/// with this one slip gives all of these answers. At most four, those first that most people
+/// reported.
 ///
-/// None are found if the right program gives the answers too, or if no slip does.
+/// Empty if the right program gives the answers, too, or if no slip does. Slips that `language`
+/// makes impossible are left out.
 pub fn mistakes_with_answers(
     answers: &Answers,
     chapter: Chapter,
@@ -54,8 +56,9 @@ pub fn mistakes_with_answers(
     mistakes
 }
 
-/// Adds to a report of the laws the slips that give the reader's answers, as lines of text in the
-/// reader's language. Adds nothing if there are none.
+/// Adds to a report about a broken law the slips that explain the function's answers, one line of
+/// text for each with its wrong and right code in `language`. Without such slips the report stays
+/// as it is.
 pub fn explain(report: &mut Report, chapter: Chapter, language: ReaderLanguage) {
     let mistakes = mistakes_with_answers(&report.answers, chapter, language);
     let in_a_line = |slip: &&Slip| {
@@ -75,7 +78,7 @@ pub fn explain(report: &mut Report, chapter: Chapter, language: ReaderLanguage) 
     });
 }
 
-/// Returns the outcome of a trial; if a law is broken, with the slips that [`explain`] adds.
+/// Returns the outcome of a trial; the report of a broken law is extended as [`explain`] does.
 ///
 /// # Errors
 /// If the outcome is an error.
@@ -86,8 +89,9 @@ pub fn explained(mut outcome: Outcome, chapter: Chapter, language: ReaderLanguag
     outcome
 }
 
-/// Counts the answers to a chapter's functions, and those that `program` does not give: these at
-/// most up to `most`. Counts none for a program of another chapter, which has other functions.
+/// Compares answers of a reader's functions with those of a program: counts the answers, and those
+/// that the program gives otherwise, but at most `most` of them. Both are 0 if the program is of
+/// another chapter than `chapter`.
 pub fn mismatch_with(
     answers: &Answers,
     chapter: Chapter,
@@ -100,8 +104,9 @@ pub fn mismatch_with(
     }
 }
 
-/// Lists the questions to all functions of a chapter whose answers tell mistakes apart: first the
-/// shared functions, then the sphere, then `ray_color`. The build test and chapter 6 have none.
+/// Lists the questions to a chapter's functions by whose answers mistakes are told apart: first
+/// about vectors and the camera, then about the sphere, then about `ray_color`. Empty for the build
+/// test and chapter 6.
 pub fn questions(chapter: Chapter) -> Vec<Question> {
     let sphere = match chapter {
         Chapter::BuildTest | Chapter::SpeedVsAccuracy => return Vec::new(),
@@ -114,7 +119,7 @@ pub fn questions(chapter: Chapter) -> Vec<Question> {
     others.concat()
 }
 
-/// Returns the scene that the `ray_color` of a chapter has to draw.
+/// Returns the scene whose colors the `ray_color` of a chapter has to return.
 pub fn scene(chapter: Chapter) -> ChapterScene {
     match chapter {
         Chapter::BuildTest | Chapter::Gradient => ChapterScene::Sky,
@@ -125,11 +130,11 @@ pub fn scene(chapter: Chapter) -> ChapterScene {
 }
 
 impl ChapterProgram {
-    /// Tests the functions that the program's chapter teaches under the laws: first the
-    /// intersection, then `ray_color`.
+    /// Tests the functions that the program's chapter introduces by the laws: the intersection with
+    /// a sphere, then `ray_color`.
     ///
     /// # Errors
-    /// If a function breaks a law; the first one is reported.
+    /// If a function breaks a law; only the first one is reported.
     pub fn try_laws(&self, trial: &Trial) -> Outcome {
         let solve = |center, radius, ray: &Ray| self.hit_sphere(center, radius, ray);
         let record = |asked: &IntervalCase| Functions::record(self, asked);
@@ -147,11 +152,11 @@ impl ChapterProgram {
         trial.ray_color(scene(self.chapter), &|ray| self.ray_color(ray))
     }
 
-    /// Tests all functions of the program under the laws: first those that chapters share (vectors
-    /// and the camera), then as [`try_laws`](Self::try_laws) does.
+    /// Tests all functions of the program by the laws: those for vectors and the camera, then those
+    /// of [`try_laws`](Self::try_laws).
     ///
     /// # Errors
-    /// If a function breaks a law; the first one is reported.
+    /// If a function breaks a law; only the first one is reported.
     pub fn try_all_laws(&self, trial: &Trial) -> Outcome {
         Prelude::of_program(self, |prelude| trial.prelude(prelude))?;
         trial.pixel_ray(&|pixel| self.pixel_ray(pixel))?;

@@ -8,11 +8,11 @@ use interpreter::{Canvas, TracedValue};
 use crate::files::FILE;
 use crate::program::ChapterProgram;
 
-/// The output of a [`ChapterProgram`] for one width: the size and the pixels of a P3 file. A pixel
-/// is computed each time that it is asked for.
+/// The output of a [`ChapterProgram`] that draws one picture: the size and the pixels of a P3 file.
+/// Pixels are computed when they are asked for, each time anew.
 ///
-/// Pixels are numbered from 0 in the order in which they are printed: row by row from the left, the
-/// top row first, unless the program has the loops wrong.
+/// Pixels are numbered from 0 in the order in which they are printed. A right program prints them
+/// row by row from the top, each row from the left: number `j * width + i`.
 #[derive(Clone, Debug)]
 pub struct Output {
     program: ChapterProgram,
@@ -27,8 +27,8 @@ pub struct Output {
 const AROUND: [&str; 3] = ["place", "print", "level"];
 
 impl ChapterProgram {
-    /// Starts the program for a picture `width` pixels wide. Nothing is traced before a pixel is
-    /// asked for. The output of a program that stops at once has no pixels.
+    /// Returns the output of the program for a picture `width` pixels wide. No pixel is computed
+    /// yet. If the program stops before its first pixel, the size is 0 by 0.
     pub fn run(&self, width: u32) -> Output {
         let canvas = self.code().canvas(width).ok();
         let (columns, rows) = canvas.as_ref().map_or((0, 0), Canvas::size);
@@ -48,24 +48,24 @@ impl ChapterProgram {
 }
 
 impl Output {
-    /// Returns the width and the height that the header has, in pixels; 0 and 0 if the program stops
-    /// before it.
+    /// Returns the width and the height, in pixels, that the program prints in the header of the
+    /// file; 0 and 0 if it stops before.
     pub fn size(&self) -> (u32, u32) {
         self.size
     }
 
-    /// Returns the levels red, green and blue that are printed for the `n`th pixel; zeros where the
-    /// program stops.
+    /// Returns the three levels, red, green and blue, that the program prints for the `n`th pixel;
+    /// zeros if it stops there.
     ///
-    /// A right program prints 0 to 255, a wrong one may print levels that no picture can hold. C++
-    /// converts to `int` in the same way, except that numbers beyond ±2³¹ and NaN become −2³¹ on
-    /// some processors.
+    /// The levels of a right program are 0 to 255. A wrong one may print any number; NaN becomes 0,
+    /// as a conversion to `i32` makes it. In C++ numbers beyond ±2³¹ and NaN become −2³¹ on some
+    /// processors.
     pub fn pixel(&self, n: u32) -> [i32; 3] {
         self.printed(n).unwrap_or_default()
     }
 
-    /// Returns the levels of the `n`th pixel as [`pixel`](Self::pixel) does, but `None` where the
-    /// program stops.
+    /// Returns the levels of the `n`th pixel like [`pixel`](Self::pixel), but `None` if the program
+    /// stops there.
     pub fn printed(&self, n: u32) -> Option<[i32; 3]> {
         let color = self.color(n)?;
         if self.has_right_loop {
@@ -108,13 +108,13 @@ impl Output {
         Some((place[0] as u32, place[1] as u32))
     }
 
-    /// Returns the levels of all pixels in the order in which they are printed.
+    /// Returns the levels of all pixels, in the order in which the program prints them.
     pub fn pixels(&self) -> impl Iterator<Item = [i32; 3]> + '_ {
         (0..self.size.0 * self.size.1).map(|n| self.pixel(n))
     }
 
-    /// Returns the values that the program gives to names while it computes the `n`th pixel, in
-    /// their order; none if it has no such pixel.
+    /// Returns the values that the program's variables get while it computes the `n`th pixel, in
+    /// the order of the computation. Empty if there is no such pixel.
     pub fn traced_values(&self, n: u32) -> Vec<TracedValue> {
         match (&self.canvas, self.place(n)) {
             (Some(canvas), Some((i, j))) => canvas.trace(i, j),
@@ -122,8 +122,8 @@ impl Output {
         }
     }
 
-    /// Returns true if the ray of the `n`th pixel hits something, that is, if `ray_color` returns
-    /// before its end, where the sky is.
+    /// Returns true if the ray of the `n`th pixel hits a sphere: `ray_color` returns before its
+    /// last expression, the sky.
     pub fn hits(&self, n: u32) -> bool {
         match (&self.canvas, self.place(n)) {
             (Some(canvas), Some((i, j))) => canvas.returns_early("ray_color", i, j),
@@ -131,14 +131,13 @@ impl Output {
         }
     }
 
-    /// Returns all pixels as bytes, with levels below 0 as 0 and above 255 as 255, as a conversion
-    /// in Rust makes them.
+    /// Returns all pixels as bytes, red, green and blue: levels are clamped to 0 to 255.
     pub fn rgb(&self) -> impl Iterator<Item = [u8; 3]> + '_ {
         let stored = |level: i32| level.clamp(0, 255) as u8;
         self.pixels().map(move |pixel| pixel.map(stored))
     }
 
-    /// Draws the picture of all pixels, with levels as in [`rgb`](Self::rgb).
+    /// Returns the picture of all pixels as [`rgb`](Self::rgb) gives them.
     ///
     /// # Panics
     /// If width times height is 2³² or more.

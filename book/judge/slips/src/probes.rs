@@ -7,20 +7,20 @@ use crate::chapter::{Chapter, SphereCount};
 use crate::edit::Edit;
 use crate::reader_language::ReaderLanguage;
 
-/// A change of width, spheres or focal length that a reader makes to test a program. Every right
-/// program then draws the same picture; many wrong ones, whose picture was right, do not.
+/// A small change of a chapter, of its width, spheres or focal length, that a reader makes to test
+/// a program: mistakes that the book's picture hides become visible in the changed one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Probe {
-    /// The name on the command line.
+    /// The name of the probe on the command line.
     pub name: &'static str,
-    /// The width of the probe's picture in pixels.
+    /// The width, in pixels, at which the changed picture has to be drawn.
     pub width: u32,
-    /// The spheres that replace those of the chapter, or `None` to keep these.
+    /// The spheres that replace those of the chapter; `None` to keep the chapter's own.
     pub spheres: Option<&'static [Ball]>,
-    /// The distance from the eye to the viewport: 1 as in the chapters, or more to see far spheres
-    /// large.
+    /// The distance from the camera's center to the viewport: 1 as in the chapters, or more to make
+    /// far spheres large in the picture.
     pub focal_length: f64,
-    /// The kind of mistake that the probe shows, in a sentence.
+    /// A sentence that tells the reader what the changed picture tests.
     pub shows: &'static str,
 }
 
@@ -33,9 +33,8 @@ const PROBE: Probe = Probe {
     shows: "",
 };
 
-/// All probes, the cheapest change first.
-///
-/// Those with spheres of their own are exactly 16:9, so that only the spheres make a difference.
+/// All probes, those first that need the smallest change. The pictures of probes with spheres of
+/// their own are exactly 16:9, so that the rounding of the height plays no part.
 pub const PROBES: [Probe; 8] = [
     Probe {
         name: "odd-width",
@@ -95,13 +94,13 @@ pub const PROBES: [Probe; 8] = [
     },
 ];
 
-/// Finds a probe by its name.
+/// Finds a probe by its [`name`](Probe::name).
 pub fn find(name: &str) -> Option<Probe> {
     PROBES.into_iter().find(|probe| probe.name == name)
 }
 
 impl Probe {
-    /// Returns true if a chapter draws as many spheres as the probe has.
+    /// Returns true if the program of a chapter can draw all spheres of the probe.
     pub fn fits(&self, chapter: Chapter) -> bool {
         let count = self.spheres.map_or(0, <[Ball]>::len);
         match chapter.sphere_count() {
@@ -111,10 +110,10 @@ impl Probe {
         }
     }
 
-    /// Returns a program with the probe's spheres and focal length. Its picture has to be drawn
-    /// [`width`](Self::width) pixels wide.
+    /// Returns a program with the spheres and the focal length of the probe; it has to be run for a
+    /// picture [`width`](Self::width) pixels wide.
     ///
-    /// Returns `None` if the probe has more spheres than the chapter draws.
+    /// Returns `None` if the program's chapter draws fewer spheres than the probe has.
     pub fn applied_to(&self, program: &ChapterProgram) -> Option<ChapterProgram> {
         let chapter = program.chapter;
         let edits = self.fits(chapter).then(|| self.edits(chapter))?;
@@ -165,9 +164,9 @@ impl Probe {
         edits
     }
 
-    /// Tells a reader what to change in a chapter, a line for each change: the width, the focal
-    /// length if it is another, and the spheres. Without a language the width is named as in the
-    /// book.
+    /// Returns the instructions for a reader to make the change, one per line: the width, the focal
+    /// length unless it is 1, and the spheres. `language` is that of the reader; `None` gives the
+    /// names of the book.
     pub fn lines(&self, chapter: Chapter, language: Option<ReaderLanguage>) -> String {
         let mut lines = vec![width_line(self.width, language)];
         if self.focal_length != 1.0 {
@@ -197,8 +196,8 @@ fn of_ball(ball: &Ball) -> [String; 2] {
     ]
 }
 
-/// Returns the code by which a reader sets the width in pixels: `picture(227)` in Rust, where the
-/// crates of this workspace have a function for it, else `image_width = 227`.
+/// Returns the code that draws a picture `width` pixels wide: `picture(227)` in Rust, where the
+/// package of a chapter has such a function, else `image_width = 227`.
 pub fn width_line(width: u32, language: Option<ReaderLanguage>) -> String {
     match language {
         Some(ReaderLanguage::Rust) => format!("picture({width})"),

@@ -8,7 +8,8 @@ use crate::chapter::Chapter;
 use crate::edit::Edit;
 use crate::files::program_files;
 
-/// A chapter's program, right, with edits, or as a reader typed it. The interpreter runs it.
+/// The whole program of a chapter, which the interpreter runs: right, with edits that make
+/// mistakes, or as a reader typed it.
 #[derive(Clone, Debug)]
 pub struct ChapterProgram {
     /// The chapter that the program is meant to be.
@@ -23,7 +24,7 @@ pub struct ChapterProgram {
 const VECTOR_FUNCTIONS: [&str; 5] = ["dot", "length_squared", "length", "normalize", "at"];
 
 impl ChapterProgram {
-    /// Returns the program of a chapter as it should be, read from its own text at the first call.
+    /// Returns the right program of a chapter. Its text is read at the first call.
     ///
     /// # Panics
     /// If the chapter is not one of [`Chapter::OF_THE_BOOK`].
@@ -34,7 +35,7 @@ impl ChapterProgram {
         right.get_or_init(|| Self::read(chapter)).clone()
     }
 
-    /// Takes a program that a reader of a chapter typed.
+    /// Makes the program of a chapter from the code that a reader typed for it.
     pub fn typed(chapter: Chapter, code: interpreter::Program) -> Self {
         Self {
             chapter,
@@ -50,11 +51,11 @@ impl ChapterProgram {
         Self::typed(chapter, code)
     }
 
-    /// Returns the program with all of these edits, each made wherever its left side stands, one
-    /// after the other.
+    /// Returns the program with all of these edits made, one after the other, each in every place
+    /// where its right code stands.
     ///
-    /// Returns `None` if the left side of an edit stands nowhere, or if a function with edits can't
-    /// be read.
+    /// Returns `None` if the right code of an edit stands nowhere, or if the interpreter can't read
+    /// an edited function.
     pub fn with(&self, edits: &[Edit]) -> Option<Self> {
         let mut changed = Vec::new();
         let mut program = self.clone();
@@ -118,8 +119,10 @@ impl ChapterProgram {
             .find_map(|(_, text)| first.statement(text, edits))
     }
 
-    /// Returns the program with another text for the function of this name, `hit_sphere` or
-    /// `Sphere::hit`; `None` if there is no such function or the text can't be read.
+    /// Returns the program with the text of one function replaced. `function` is its name,
+    /// `hit_sphere` or `Sphere::hit`, and `text` goes from `fn` to the last brace.
+    ///
+    /// Returns `None` if there is no such function or the interpreter can't read the text.
     pub fn with_function(&self, function: &str, text: &str) -> Option<Self> {
         let mut code = self.code.patched(function, text).ok()?;
         if VECTOR_FUNCTIONS.contains(&function) {
@@ -145,8 +148,8 @@ impl ChapterProgram {
         }
     }
 
-    /// Returns the program with the changes of another one too, where both were made from a third;
-    /// `None` if both have changed one function.
+    /// Returns this program with the changes of `other` made, too; both were made from the program
+    /// `from`. `None` if both have changed the same function.
     pub fn merged_with(&self, other: &Self, from: &Self) -> Option<Self> {
         let code = self.code.merged_with(&other.code, &from.code)?;
         Some(Self {
@@ -155,12 +158,13 @@ impl ChapterProgram {
         })
     }
 
-    /// Lists the functions, each by its name, `hit_sphere` or `Sphere::hit`, and its text.
+    /// Lists the functions of the program as pairs of name and text. A method has the name of its
+    /// type: `Sphere::hit`.
     pub fn functions(&self) -> impl Iterator<Item = (&str, &str)> {
         self.code.functions()
     }
 
-    /// Returns the interpreter's program.
+    /// Returns the code of the program, as the interpreter runs it.
     pub fn code(&self) -> &interpreter::Program {
         &self.code
     }
@@ -170,13 +174,14 @@ impl ChapterProgram {
         self.levels.as_deref().unwrap_or(&self.code)
     }
 
-    /// Returns the ray of the pixel in column `i` from the left and row `j` from the top of a
-    /// picture `width` pixels wide; `None` if the program has no camera or stops there.
+    /// Returns the ray that the program casts through a pixel of a picture `width` pixels wide, in
+    /// column `i` from the left and row `j` from the top. `None` if the program has no camera, or
+    /// stops there.
     pub fn ray(&self, width: u32, i: u32, j: u32) -> Option<Ray> {
         self.code.camera_ray(width, i, j)
     }
 
-    /// Returns the color that the program's `ray_color` gives a ray, from 0 to 1 if it is right.
+    /// Calls the program's `ray_color`. Components of the color are 0 to 1 if the program is right.
     pub fn ray_color(&self, ray: &Ray) -> Color {
         self.code.ray_color(ray)
     }

@@ -3,10 +3,10 @@
 use crate::chapter::Chapter;
 use crate::edition::Edition;
 
-/// The language of a reader, in which lines are shown so that the reader finds them in the program.
+/// The programming language in which lines of code are shown to a reader.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ReaderLanguage {
-    /// The C++ of an edition of the book; also shown to readers of languages that look like it.
+    /// The C++ of an edition of the book, also for readers of languages with a similar syntax.
     Cpp(Edition),
     /// Rust, as the chapters of this workspace are written.
     Rust,
@@ -23,9 +23,9 @@ impl ReaderLanguage {
         }
     }
 
-    /// Spells a line of a chapter's Rust in this language. `Some(…)` around it is dropped.
+    /// Translates a line of a chapter's Rust to this language, without `Some(…)` around it.
     ///
-    /// The line is rewritten phrase by phrase, so that one in no chapter may stay partly Rust.
+    /// The line is rewritten phrase by phrase: Rust that no chapter has may stay as it is.
     pub fn translate_line(self, line: &str, chapter: Chapter) -> String {
         let some = line
             .strip_prefix("Some(")

@@ -19,18 +19,19 @@ use crate::wrong_picture::kept;
 /// takes longer than a reader waits.
 const HIDDEN: &str = include_str!("../tests/pictures/snapshots/pictures__hidden.snap");
 
-/// A mistake that readers make: a paragraph of `catalogue.txt`, whose head explains the fields.
+/// A known mistake of readers: the edits of the chapters' texts that make it, and its explanation.
+/// A paragraph of `catalogue.txt`, whose first lines explain the fields.
 ///
-/// It can be made in each chapter in whose text the left side of one of its edits stands.
+/// The mistake can be made in every chapter that has the right code of one of the edits.
 #[derive(Clone, Debug, Default)]
 pub struct Slip {
-    /// The name on the command line and in tables, which never changes; empty for a slip that only
-    /// laws look for.
+    /// The name of the slip on the command line and in tables, `minus-h`; it never changes. Empty
+    /// for a slip that only the laws look for.
     pub name: &'static str,
-    /// The page of the book and its heading that teach the right line, as the end of an address:
-    /// `half_b_sphere#two-observations`.
+    /// The page of the book, and the heading there, that explain the right code, as the end of an
+    /// address: `half_b_sphere#two-observations`.
     pub page: &'static str,
-    /// What the mistake does to the picture, and why.
+    /// A sentence about the effect of the slip on the picture, and its reason.
     pub why: &'static str,
     /// The edits, right to wrong; one or more of them stand in each chapter that has the line.
     pub(super) edits: Vec<Edit>,
@@ -52,30 +53,33 @@ pub struct Slip {
     pub(super) older: Option<Edit>,
 }
 
-/// The explanation of a slip, with its line in the language of a reader.
+/// The explanation of a slip, with its line of code in the language of a reader.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SlipText {
-    /// The line with the slip.
+    /// The line of code with the slip in it.
     pub wrong: Cow<'static, str>,
-    /// The line as it should be.
+    /// The line of code as it should be.
     pub right: Cow<'static, str>,
-    /// The reason, and the effect of the slip on the picture.
+    /// A sentence about the effect of the slip on the picture, and its reason.
     pub why: &'static str,
 }
 
-/// The reason why neither a chapter's picture nor a probe shows a slip.
+/// The reason why a slip changes neither the picture of a chapter nor that of a
+/// [`Probe`](crate::Probe).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unseen {
-    /// The program with the slip draws the same pictures; the text is the proof.
+    /// The program with the slip draws the right pictures for any scene. The text proves this.
     Equivalent(&'static str),
-    /// Only a ray that no camera here casts shows the slip; the text is the law that it breaks.
+    /// Only a ray that no camera of these chapters casts shows the slip. The text is the law that
+    /// the slip breaks.
     OnlyByLaw(&'static str),
 }
 
 impl Slip {
-    /// Explains the slip to a reader who made it in a chapter, in the reader's language.
+    /// Returns the explanation for a reader who made the slip in a chapter, with its line in the
+    /// reader's language.
     ///
-    /// Both lines are empty if the slip can't be made in the chapter and has none of its own.
+    /// Both lines are empty if the slip can't be made in the chapter and has no line of its own.
     pub fn text_in(&self, language: ReaderLanguage, chapter: Chapter) -> SlipText {
         let Edit { right, wrong } = self.line(language, chapter);
         SlipText {
@@ -132,8 +136,8 @@ impl Slip {
         known.entry(key).or_insert_with(statement).clone()
     }
 
-    /// Returns true if a language lets the slip be made. Not all take a number for a condition, or
-    /// −1.0 for a miss.
+    /// Returns true if the slip can be made in a language: not all take a number for a condition,
+    /// or −1.0 for a miss.
     pub fn is_possible_in_language(&self, language: ReaderLanguage) -> bool {
         let language = match language {
             ReaderLanguage::Rust => "Rust",
@@ -143,21 +147,23 @@ impl Slip {
         self.only_in.is_empty() || self.only_in.split(", ").any(|it| it == language)
     }
 
-    /// Returns true if the line of the slip in a chapter is another one before version 4.
+    /// Returns true if the line of the slip in a chapter's C++ is different in editions before
+    /// version 4.
     pub fn has_older_line(&self, chapter: Chapter) -> bool {
         let [older, own] =
             [Edition::V3, Edition::V4].map(|it| self.line(ReaderLanguage::Cpp(it), chapter));
         older != own
     }
 
-    /// Returns true if the wrong line of a chapter is the right one of an older edition.
+    /// Returns true if the wrong line of a chapter's C++ is the right one in editions before
+    /// version 4.
     pub fn is_of_another_edition(&self, chapter: Chapter) -> bool {
         let line = |edition| self.line(ReaderLanguage::Cpp(edition), chapter);
         let [older, own] = [Edition::V3, Edition::V4].map(line);
         older.right == own.wrong
     }
 
-    /// Counts the issues that report the slip.
+    /// Returns the number of issues in which people report that they made the slip.
     pub fn reports(&self) -> usize {
         self.reported
             .split(", ")
@@ -165,12 +171,13 @@ impl Slip {
             .count()
     }
 
-    /// Returns the edits that make the slip; in a chapter those whose left side stands there.
+    /// Returns the edits that make the slip in all chapters. In one chapter only those can be made
+    /// whose right code stands in its text.
     pub fn edits(&self) -> &[Edit] {
         &self.edits
     }
 
-    /// Returns the edit that makes the slip in a chapter, if that is exactly one.
+    /// Returns the edit that makes the slip in a chapter, or `None` if none or several do.
     ///
     /// # Panics
     /// If the chapter is not one of [`Chapter::OF_THE_BOOK`].
@@ -180,7 +187,7 @@ impl Slip {
         standing.next().filter(|_| standing.next().is_none())
     }
 
-    /// Returns true if the slip can be made in a chapter's program.
+    /// Returns true if the slip can be made in the program of a chapter.
     ///
     /// # Panics
     /// If the chapter is not one of [`Chapter::OF_THE_BOOK`].
@@ -194,8 +201,8 @@ impl Slip {
         chapters.filter(|&chapter| self.is_possible_in(chapter))
     }
 
-    /// Finds the file of this workspace that has the right line, as a path from its top folder;
-    /// `None` if no file of the first chapter with the slip has it.
+    /// Returns the path of the file that has the right code, from the top folder of the workspace;
+    /// `None` if no file has all of it.
     pub fn source(&self) -> Option<String> {
         let chapter = self.chapters().next()?;
         let mut files = program_files(chapter).into_iter();
@@ -221,13 +228,15 @@ impl Slip {
         self.applied_to(&ChapterProgram::right(chapter))
     }
 
-    /// Returns a program with this slip in it, or as it is if the slip can't be made there.
+    /// Returns a program with this slip made in it; the program as it is if the slip can't be made
+    /// there.
     pub fn applied_to(&self, program: &ChapterProgram) -> ChapterProgram {
         let made = program.with_any(&self.edits);
         made.unwrap_or_else(|| program.clone())
     }
 
-    /// Returns why nothing shows the slip in a chapter; `None` if the picture or a probe does.
+    /// Returns the reason why nothing shows the slip in a chapter; `None` if the chapter's picture
+    /// or a probe shows it.
     pub fn why_unseen_in(&self, chapter: Chapter) -> Option<Unseen> {
         let is_seen = !self.revealing_probes(chapter)?.is_empty();
         (!is_seen).then_some(if self.law.is_empty() {
@@ -237,8 +246,8 @@ impl Slip {
         })
     }
 
-    /// Returns the names of the probes that show the slip in a chapter, or `None` if the chapter's
-    /// own picture does. Empty if nothing shows it.
+    /// Returns the names of the probes that show the slip in a chapter whose own picture hides it,
+    /// in no fixed order; empty if no probe does. `None` if the chapter's picture shows it.
     pub fn revealing_probes(&self, chapter: Chapter) -> Option<Vec<&'static str>> {
         let mut rows = kept(HIDDEN).map(str::split_whitespace);
         rows.find_map(|mut row| {
@@ -247,8 +256,8 @@ impl Slip {
         })
     }
 
-    /// Returns the name of the first probe of [`PROBES`] that shows the slip in a chapter whose own
-    /// picture hides it; `None` if there is none.
+    /// Returns the name of the first of [`PROBES`] that shows the slip in any chapter whose own
+    /// picture hides it; `None` if no probe does.
     pub fn first_revealing_probe(&self) -> Option<&'static str> {
         let hidden = self
             .chapters()
@@ -259,23 +268,27 @@ impl Slip {
         probes.find(|name| hidden.contains(name))
     }
 
-    /// Splits [`page`](Self::page) into the page's name and its heading, both as in an address.
+    /// Splits [`page`](Self::page) at its `#`: the name of the page, `half_b_sphere`, and the
+    /// heading, `two-observations`.
     pub fn page_and_heading(&self) -> (&'static str, &'static str) {
         self.page.split_once('#').unwrap_or((self.page, ""))
     }
 
-    /// Returns the address of [`page`](Self::page), relative to another page of the book.
+    /// Returns [`page`](Self::page) as a link from another page of the book:
+    /// `half_b_sphere.html#two-observations`.
     pub fn address(&self) -> String {
         self.page.replace('#', ".html#")
     }
 
-    /// Names [`page`](Self::page) in words, for a place where no link can be opened.
+    /// Returns [`page`](Self::page) in words, for a terminal: `"two observations", page
+    /// half_b_sphere of the book`.
     pub fn page_in_words(&self) -> String {
         let (page, heading) = self.page_and_heading();
         format!("\"{}\", page {page} of the book", heading.replace('-', " "))
     }
 
-    /// Returns true if the line of the slip is in the files that a reader of a chapter types.
+    /// Returns true if the right code of the slip stands in a file that a reader of a chapter
+    /// types. False for a slip that changes the precision of all numbers.
     pub fn is_typed_in(&self, chapter: Chapter) -> bool {
         let mut files = chapter.files().iter();
         // The precision of all numbers is no line.

@@ -4,27 +4,28 @@ use crate::chapter::Chapter;
 use crate::edit::Edit;
 use crate::program::ChapterProgram;
 
-/// A step of a chapter: a few lines to type, after which there is something new to see.
+/// A step of a chapter: a few lines that a reader types, after which the program draws a new
+/// picture.
 pub struct ChapterStep {
-    /// The instruction: what to type, and what it will show.
+    /// A sentence or two that tell what to type, and what the picture will show.
     pub instruction: &'static str,
-    /// A description of the step's picture, for those who can't see it.
+    /// A description of the picture, for those who can't see it.
     pub description: &'static str,
     /// The edits, `right→wrong`, that turn the whole chapter into the step; none for the last step.
     edits: &'static [&'static str],
 }
 
 impl ChapterStep {
-    /// Returns a chapter's program as far as it is typed after the step; the whole program if the
-    /// edits of the step don't fit it.
+    /// Returns the program of a chapter as it is after this step; `program` is the whole one. If
+    /// the code of later steps is not found in it, the whole program is returned.
     pub fn applied_to(&self, program: &ChapterProgram) -> ChapterProgram {
         let edits: Vec<Edit> = self.edits.iter().map(|it| Edit::parse(it)).collect();
         program.with_any(&edits).unwrap_or_else(|| program.clone())
     }
 }
 
-/// Returns the steps of a chapter in their order; the last one shows the chapter's picture. Chapter
-/// 6 has none.
+/// Returns the steps of a chapter, first to last. The last one draws the chapter's picture. Empty
+/// for chapter 6.
 pub fn of_chapter(chapter: Chapter) -> &'static [ChapterStep] {
     STEPS.get(chapter as usize).copied().unwrap_or_default()
 }

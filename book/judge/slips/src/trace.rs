@@ -5,11 +5,12 @@ use interpreter::{TracedValue, format_number};
 
 use crate::output::Output;
 
-/// A line of a [trace](Output::trace): a number's name and its value.
+/// A row in the [trace](Output::trace) of a pixel: a label and a value.
 pub struct TraceRow {
-    /// The name in the chapter, as `oc`; `oc, again` and `oc, again 2` where it is computed anew.
+    /// The name of the value in the program, `oc`; `oc, again` and `oc, again 2` when the variable
+    /// gets a value for the second and third time.
     pub label: String,
-    /// The value as it is shown: a number, or a vector as `(x, y, z)`.
+    /// The value as text: a number, or a vector as `(x, y, z)`.
     pub value: String,
 }
 
@@ -21,10 +22,10 @@ impl TraceRow {
 }
 
 impl Output {
-    /// Traces the `n`th printed pixel: its point on the viewport and its ray, then what each `let`
-    /// of the program is given, then the color and the levels.
+    /// Traces the `n`th printed pixel. The rows are its point on the viewport and its ray, then the
+    /// values of the variables in the order of the computation, then the color and the levels.
     ///
-    /// The rows of what the program does not reach are left out.
+    /// Of a program that stops there are only the rows of what it reaches, and levels of zeros.
     pub fn trace(&self, n: u32) -> Vec<TraceRow> {
         let mut rows = Vec::new();
         if let Some(ray) = self.ray(n) {
@@ -66,8 +67,9 @@ fn labeled(values: Vec<TracedValue>) -> Vec<TraceRow> {
     rows
 }
 
-/// Lays traces out as a table with tabs: a line for each label, then the value of each trace, or
-/// `none`. The labels of the first trace come first; no trace gives an empty text.
+/// Lays several traces out as a table: a line for each label, in the order of the first trace, with
+/// the label and the value of each trace between tabs. The value is `none` where a trace lacks the
+/// label. Empty without traces.
 pub fn side_by_side(traces: &[Vec<TraceRow>]) -> String {
     let mut labels: Vec<&str> = Vec::new();
     for row in traces.iter().flatten() {

@@ -12,13 +12,13 @@ use crate::catalogue::find;
 use crate::chapter::Chapter;
 use crate::slip::Slip;
 
-/// A wrong picture of a chapter, and the slips that draw exactly this picture.
+/// A wrong picture of a chapter, and all slips whose programs draw exactly this picture.
 pub struct WrongPicture {
-    /// How the picture differs from the right one, in a word: `Gone` where no sphere is left.
+    /// The kind of difference from the right picture, in a word, as `Gone` where no sphere is left.
     pub look: &'static str,
-    /// The chapter whose picture should be there.
+    /// The chapter in which the slips are made.
     pub chapter: Chapter,
-    /// The slips that draw the picture; never empty.
+    /// The slips that draw the picture, in the order of [`all`](crate::all); never empty.
     pub slips: Vec<&'static Slip>,
     picture: OnceLock<Picture>,
 }
@@ -29,9 +29,8 @@ pub const WRONG_PICTURE_WIDTH: u32 = 96;
 /// A line for each wrong picture: its look, its chapter, its slips.
 const KEPT: &str = include_str!("../tests/pictures/snapshots/pictures__looks.snap");
 
-/// Lists the wrong pictures that slips draw.
-///
-/// A slip is listed once for each look that it has, in the first chapter where it looks that way.
+/// Lists the wrong pictures that slips draw, in the order of their first slips. A slip is listed
+/// once for each look that it has, in the first chapter where it looks so.
 pub fn wrong_pictures() -> Vec<WrongPicture> {
     kept(KEPT).filter_map(WrongPicture::read).collect()
 }
@@ -54,7 +53,8 @@ impl WrongPicture {
         })
     }
 
-    /// Draws the picture, [`WRONG_PICTURE_WIDTH`] pixels wide, and keeps it for the next call.
+    /// Returns the picture, [`WRONG_PICTURE_WIDTH`] pixels wide. It is drawn at the first call and
+    /// kept.
     pub fn picture(&self) -> &Picture {
         let draw = || {
             self.slips[0]
