@@ -270,7 +270,8 @@ pub fn log_uniform() -> impl Strategy<Value = Case> {
     })
 }
 
-/// Makes rays at an ordinary sphere, with directions from 10⁻¹⁵⁰ to 10¹⁵⁰ units long.
+/// Makes rays that are aimed at a sphere about three radii away, as by [`far`], with directions
+/// that are 10⁻¹⁵⁰ to 10¹⁵⁰ times as long.
 pub fn extreme_directions() -> impl Strategy<Value = Case> {
     (number(-150.0..=150.0), far(0.5..=0.5)).prop_map(|(exponent, case)| {
         case.with_ray(case.ray.origin, 10f64.powf(exponent) * case.ray.direction)

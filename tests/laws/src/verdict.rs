@@ -11,7 +11,7 @@ use crate::answers::Answers;
 /// broken law into the reason of the failure.
 pub type LawResult = Result<(), BrokenLaw>;
 
-/// A law that the answer to a case breaks, in words for its reader.
+/// A law that a function's answer breaks, in words for the function's author.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BrokenLaw {
     /// The law as a sentence without a full stop.

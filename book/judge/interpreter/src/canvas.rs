@@ -29,8 +29,8 @@ impl fmt::Debug for Canvas {
     }
 }
 
-/// A value on the way to a pixel's color: one that a `let` names, or that a function returns before
-/// its end.
+/// A value on the way to a pixel's color: one that a `let` names, or that a `return` statement
+/// returns.
 #[derive(Clone, Debug)]
 pub struct TracedValue {
     /// The function in which the value arises: `ray_color`, or `Sphere::hit` for a method.
@@ -167,8 +167,9 @@ impl Canvas {
         traced.collect()
     }
 
-    /// Returns true if the function of that name returns before its end on the way to the color of
-    /// the pixel in column `i` and row `j`, as `ray_color` does at a hit.
+    /// Returns true if a `return` statement of the function with the name `name` runs on the way to
+    /// the color of the pixel in column `i` and row `j`, from 0 at the top left. In `ray_color`,
+    /// that is a hit.
     pub fn returns_early(&self, name: &str, i: u32, j: u32) -> bool {
         let function = self.program.code.number_of(name);
         let mut bindings = self.bindings(i, j);
