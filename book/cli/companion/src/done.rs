@@ -17,7 +17,7 @@ use crate::limited;
 use crate::reader_crates::{ReaderCrates, TYPED};
 use crate::wrap::wrap_hanging;
 
-/// The words behind `cargo rtrace done`.
+/// The arguments of `cargo rtrace done`.
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// What you have done or understood, in a few words
@@ -29,7 +29,11 @@ pub(crate) struct Arguments {
     in_folder: Option<PathBuf>,
 }
 
-/// Adds a line to the list, or shows it with what is ahead.
+/// Adds the words of the arguments to the list of done things as one line. Without words, prints
+/// the list and the steps that are still ahead.
+///
+/// # Errors
+/// If the list can't be read or written.
 pub(crate) fn done(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let list = Done::find(arguments.in_folder.as_deref());
     let text = arguments.text.join(" ");
@@ -47,25 +51,27 @@ pub(crate) fn done(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     })?)
 }
 
-/// No list is longer.
+/// The length that no list exceeds, in bytes.
 const MOST_BYTES: u64 = 1 << 22;
 
-/// The name of the list.
+/// The name of the file with the list of done things.
 pub(crate) const DONE: &str = "done.md";
 
-/// The list in a reader's folder: a line for each thing, with its day in UTC.
+/// The list of done things in a reader's folder, a Markdown file: a line for each, with its day in
+/// UTC.
 pub(crate) struct Done {
     file: PathBuf,
 }
 
 impl Done {
+    /// Takes the list in `folder`, whose file may not exist yet.
     pub(crate) fn in_folder(folder: &Path) -> Self {
         let file = folder.join(DONE);
         Self { file }
     }
 
-    /// The list in the chosen folder; or else in `mine`, in this workspace and wherever that
-    /// is there; or else in the current one.
+    /// Takes the list in the `chosen` folder. Without one, that in the reader's folder `mine` if
+    /// this is in the workspace or exists, and else that in the current folder.
     pub(crate) fn find(chosen: Option<&Path>) -> Self {
         let crates = ReaderCrates::find(None);
         match chosen {
@@ -77,7 +83,11 @@ impl Done {
         }
     }
 
-    /// Adds those of `things` that are not on the list yet, and returns them.
+    /// Adds to the list those of `things` that are not on it yet, and returns these, in their
+    /// order.
+    ///
+    /// # Errors
+    /// If the list can't be read or written.
     pub(crate) fn add_all(&self, things: &[String]) -> io::Result<Vec<String>> {
         let text = self.text()?;
         let is_new = |thing: &&String| !is_on(&text, thing);
@@ -88,7 +98,7 @@ impl Done {
         Ok(news)
     }
 
-    /// Adds a line. Nothing else in the file is touched: it is the reader's.
+    /// Adds a line to the list, and changes nothing else in the file, which is the reader's.
     fn add(&self, thing: &str) -> io::Result<()> {
         let text = self.text()?;
         let before = match text.as_str() {
@@ -116,7 +126,7 @@ impl Done {
         added.map_err(|cause| self.named(&cause))
     }
 
-    /// Returns what the reader has made of it; nothing, if there is no list yet.
+    /// Returns the text of the list, empty if there is no list yet.
     fn text(&self) -> io::Result<String> {
         match limited::read_bytes(&self.file, MOST_BYTES) {
             Ok(bytes) => Ok(String::from_utf8_lossy(&bytes).into_owned()),
@@ -125,7 +135,7 @@ impl Done {
         }
     }
 
-    /// Returns true if this is on the list.
+    /// Returns true if a line of the list ends with `thing`; false if the list can't be read.
     pub(crate) fn has(&self, thing: &str) -> bool {
         self.text().is_ok_and(|text| is_on(&text, thing))
     }
@@ -159,8 +169,8 @@ impl Done {
     }
 }
 
-/// A line for each step after the last one on the list, if the chapter's picture is not
-/// on it.
+/// Returns a line for each step of the chapter after the last one on the list, or none if the
+/// chapter's picture is on it.
 fn ahead(chapter: Chapter, text: &str) -> Vec<String> {
     if is_on(text, &picture_done_line(chapter)) {
         return Vec::new();
@@ -175,7 +185,7 @@ fn ahead(chapter: Chapter, text: &str) -> Vec<String> {
         .collect()
 }
 
-/// Returns true if a line of the list ends with this.
+/// Returns true if a line of the list ends with `thing`.
 fn is_on(text: &str, thing: &str) -> bool {
     text.lines().any(|line| line.ends_with(thing))
 }

@@ -10,7 +10,7 @@ use laws::oracle::{ExactCase, ExactRoot};
 use measure::accuracy::ulps_off;
 use speed_vs_accuracy::{Case, METHODS, Method, Precision, Solve};
 
-/// The words behind `cargo rtrace hit`.
+/// The arguments of `cargo rtrace hit`.
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// Where the ray starts
@@ -34,7 +34,11 @@ pub(crate) struct Arguments {
     t_min: f64,
 }
 
-/// Prints the exact answer, and what each method answers instead.
+/// Prints where a ray hits a sphere, by exact arithmetic and by each method of chapter 6, with its
+/// error.
+///
+/// # Errors
+/// If standard output can't be written to.
 pub(crate) fn hit(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let ray = Ray::new(arguments.origin, arguments.direction);
     let case = Case::new(arguments.center, arguments.radius, ray);
@@ -47,10 +51,11 @@ pub(crate) fn hit(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     Ok(output::to_stdout(|out| out.write_all(text.as_bytes()))?)
 }
 
-/// The error, in ulps, that a handful of rounded operations leaves.
+/// The error in ulps that a handful of rounded operations leaves.
 pub(crate) const ORDINARY: f64 = 4.0;
 
-/// Writes the exact answer in one precision above `t_min`, and the answer of each of its `methods`.
+/// Writes the exact answer to `case`, rounded to one precision, for t above `t_min`, and below it a
+/// line for each of `methods`, which have this precision: its answer, and its error in ulps.
 pub(crate) fn compare_methods(
     case: &Case,
     precision: Precision,
@@ -109,7 +114,7 @@ fn how_far_off(ulps: f64) -> String {
     }
 }
 
-/// Writes `t` in as few digits as lead back to it in the precision of `method`.
+/// Writes `t` in the fewest digits that are read as `t` again, in the precision of `method`.
 fn shortest(method: &Method, t: f64) -> String {
     match method.solve {
         Solve::Double(_) => format!("{t:?}"),
@@ -117,7 +122,7 @@ fn shortest(method: &Method, t: f64) -> String {
     }
 }
 
-/// Reads the `f64` nearest to the decimal number in `text`.
+/// Parses a finite number. The error continues a sentence that begins with the text.
 fn finite(text: &str) -> Result<f64, String> {
     match text.trim().parse::<f64>() {
         Ok(number) if number.is_finite() => Ok(number),
@@ -125,7 +130,7 @@ fn finite(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Reads a finite number that is not negative.
+/// Parses a finite number that is not negative.
 fn radius(text: &str) -> Result<f64, String> {
     match finite(text)? {
         radius if radius >= 0.0 => Ok(radius),
@@ -133,7 +138,7 @@ fn radius(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Reads three numbers with commas between them.
+/// Parses three finite numbers with commas between them.
 fn vector(text: &str) -> Result<Vec3, String> {
     let numbers: Vec<f64> = text
         .split(',')

@@ -19,7 +19,7 @@ use std::thread;
 use launcher::command_line::{ArgumentTypes, Command, CommandLine};
 use launcher::{book, chapter, files, limited, misuse, show, terminal};
 
-/// Reads the words behind each command.
+/// The command line of the companion, which reads the arguments of all commands.
 struct ReadArguments;
 
 impl ArgumentTypes for ReadArguments {
@@ -33,8 +33,8 @@ impl ArgumentTypes for ReadArguments {
     type Probes = probes::Arguments;
 }
 
-/// How much stack the program has, in bytes: reading and running a reader's text recurse for each
-/// level of it. Only the part that is used takes memory.
+/// The size of the stack in bytes: reading and running a reader's text recurse for each level of
+/// it. Only the part that is used takes memory.
 const STACK: usize = 1 << 26;
 
 fn main() -> ExitCode {

@@ -12,7 +12,7 @@ use slips::PROBES;
 
 use crate::chapter::ChapterParser;
 
-/// The words behind `cargo rtrace probes`.
+/// The arguments of `cargo rtrace probes`.
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// The chapter that you are at
@@ -20,7 +20,11 @@ pub(crate) struct Arguments {
     chapter: Chapter,
 }
 
-/// Lists the probes that the chapter has spheres for.
+/// Prints the probes that a chapter has spheres for, each with what it shows and the lines to
+/// change.
+///
+/// # Errors
+/// If standard output can't be written to.
 pub(crate) fn list(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let chapter = arguments.chapter;
     let name = chapter.name();

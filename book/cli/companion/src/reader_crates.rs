@@ -8,7 +8,7 @@ use check::names::{self, companion_command};
 use check::workspace;
 use slips::Chapter;
 
-/// The chapters that are typed in a crate of one's own; the one before them is the setup.
+/// The chapters that readers type in crates of their own, in reading order: 1 to 5.
 pub(crate) const TYPED: [Chapter; 5] = [
     Chapter::Gradient,
     Chapter::RedSphere,
@@ -20,13 +20,14 @@ pub(crate) const TYPED: [Chapter; 5] = [
 /// The folder of a reader's crates, each of which is named after its chapter.
 pub(crate) struct ReaderCrates {
     folder: PathBuf,
-    /// The word that chooses it on a command line, if it was chosen.
+    /// The folder as a word of a command line; `None` if the reader has not chosen it.
     chosen: Option<String>,
 }
 
 impl ReaderCrates {
-    /// Finds the chosen folder. Or else `mine`: of this workspace, for a reader who is in it, or
-    /// else of the nearest folder above that has one with a crate, or here.
+    /// Takes the `chosen` folder. Without one, takes `mine` in the workspace if the reader is
+    /// there, or else in the nearest folder above the current one that has such a crate, or else in
+    /// the current folder.
     pub(crate) fn find(chosen: Option<&Path>) -> Self {
         let here = env::current_dir().unwrap_or_default();
         let workspace = workspace_around(&here);
@@ -45,24 +46,25 @@ impl ReaderCrates {
         }
     }
 
-    /// Returns the folder itself, which may not exist yet.
+    /// Returns the path of the folder, which may not exist yet.
     pub(crate) fn folder(&self) -> &Path {
         &self.folder
     }
 
-    /// Returns true if it is the usual folder of the workspace that the reader is in.
+    /// Returns true if this is the folder `mine` of the workspace, and the reader is in the
+    /// workspace.
     pub(crate) fn is_of_workspace(&self) -> bool {
         let workspace = env::current_dir().ok();
         let workspace = workspace.and_then(|here| workspace_around(&here));
         workspace.is_some_and(|it| self.folder == it.join("mine"))
     }
 
-    /// Writes the command that makes the crate of `chapter` there.
+    /// Writes the command that makes the crate of `chapter` in this folder.
     pub(crate) fn start_command(&self, chapter: Chapter) -> String {
         self.command("start", chapter, "--into")
     }
 
-    /// Writes the command that judges it.
+    /// Writes the command that judges the crate of `chapter` in this folder at each save.
     pub(crate) fn watch_command(&self, chapter: Chapter) -> String {
         self.command("watch", chapter, "--in")
     }
@@ -75,18 +77,19 @@ impl ReaderCrates {
         }
     }
 
-    /// Returns the folder of the reader's crate of `chapter`, which may not exist yet.
+    /// Returns the folder of the crate of `chapter`, which may not exist yet.
     pub(crate) fn folder_of(&self, chapter: Chapter) -> PathBuf {
         self.folder.join(chapter.name())
     }
 }
 
-/// Returns the workspace, if this folder is in it.
+/// Returns the workspace if the folder is in it.
 fn workspace_around(here: &Path) -> Option<&'static Path> {
     workspace::workspace().filter(|workspace| here.starts_with(workspace))
 }
 
-/// Writes a word of a command line, in quotation marks where a shell wants them.
+/// Writes a word so that a shell reads it as one: in quotation marks if it has other characters
+/// than letters, digits and `-_./=`. Control characters become escapes.
 pub(crate) fn shell_word(word: impl AsRef<OsStr>) -> String {
     let word = names::escaped_name(word);
     let is_plain = |c: char| c.is_alphanumeric() || "-_./=".contains(c) || c == MAIN_SEPARATOR;

@@ -12,19 +12,21 @@ use slips::{Chapter, Edition, ReaderLanguage};
 
 use crate::limited;
 
-/// What was found of a program.
+/// The source files of a reader's program, as far as they could be found.
 #[derive(Default)]
 pub(crate) struct FoundSources {
-    /// Its files, as far as they are known.
+    /// The files; empty if none were found.
     pub(crate) sources: Sources,
-    /// Their language.
+    /// The language of the first file; `None` if there is no file.
     pub(crate) language: Option<Language>,
-    /// Why none was read, though some lie there, and which would be.
+    /// A sentence that says why files that were found are not read, and how to name the right ones;
+    /// `None` if they are read, or there are none.
     pub(crate) why_none: Option<String>,
 }
 
 impl FoundSources {
-    /// Returns the language in which the answer shows lines, or `None` for one without lines.
+    /// Returns the language in which an answer shows lines, if that is Rust or Python; `None` for
+    /// all others, to which the book's C++ is shown.
     pub(crate) fn reader_language(&self) -> Option<ReaderLanguage> {
         match self.language? {
             Language::Rust => Some(ReaderLanguage::Rust),
@@ -34,14 +36,14 @@ impl FoundSources {
     }
 }
 
-/// Reads the files of a crate that `start` made, beside those of the chapter.
+/// Reads the files of a crate that `start` made for `chapter`, beside the chapter's own.
 pub(crate) fn of_crate(folder: &Path, chapter: Chapter) -> Sources {
     let files = all_in(folder, Path::new("src"));
     Sources::of_chapter(texts(folder, &files), chapter)
 }
 
-/// Finds the files of a program of the reader's own: those that its command names, or that are
-/// called as the program is, or all, if they are one program.
+/// Finds the files of a reader's program below `folder`: those that its command `words` names, or
+/// else those with the program's name, or else all, if at most one of them has a `main`.
 pub(crate) fn of_program(words: &[OsString], folder: &Path) -> FoundSources {
     let command = words.iter().filter_map(|it| it.to_str());
     let is_end = |c: char| c.is_whitespace() || "'\"=;&|".contains(c);
@@ -49,7 +51,8 @@ pub(crate) fn of_program(words: &[OsString], folder: &Path) -> FoundSources {
     found(folder, all_in(folder, Path::new("")), &words)
 }
 
-/// Finds the files in a picture's folder from which it was drawn: none that was changed later.
+/// Finds the files beside a picture from which it was drawn. If one was changed after the picture,
+/// reads none, and says so.
 pub(crate) fn beside_picture(picture: &Path) -> FoundSources {
     let folder = picture.parent().unwrap_or(Path::new(""));
     let folder = if folder.as_os_str().is_empty() {
@@ -78,7 +81,7 @@ fn changed(path: &Path) -> Option<SystemTime> {
     fs::metadata(path).and_then(|it| it.modified()).ok()
 }
 
-/// Chooses among the files those of one program, by the words with which it is run.
+/// Chooses the files of one program among `files`, by the words of the command that runs it.
 fn found(folder: &Path, files: Vec<PathBuf>, words: &[&str]) -> FoundSources {
     let is_named = |it: &&PathBuf| {
         words
@@ -128,8 +131,8 @@ fn found(folder: &Path, files: Vec<PathBuf>, words: &[&str]) -> FoundSources {
     }
 }
 
-/// Adds to the chosen files those that they take in, directly or not: by the stem in a line that
-/// does so, or, where a folder is a package, all that are no program.
+/// Adds to the chosen files those that they import, directly or not: by the name in a line that
+/// imports, or, in languages in which a folder is a package, all files without a `main`.
 fn with_imports(
     chosen: &[&PathBuf],
     programs: &[&PathBuf],
@@ -157,7 +160,7 @@ fn takes_its_folder(language: Option<Language>) -> bool {
     matches!(language, Some(CSharp | Go | Java | Kotlin | Rust | Swift))
 }
 
-/// Returns true if a line of the text takes in the file of that name.
+/// Returns true if a line of the text imports the file of that name.
 fn imports(text: &str, name: &str) -> bool {
     let is_import = |line: &&str| {
         let words = ["#include", "import", "from", "export"];
@@ -171,7 +174,7 @@ fn imports(text: &str, name: &str) -> bool {
         .any(|word| Some(word) == stem)
 }
 
-/// Returns true if a program begins in the text.
+/// Returns true if the text has a `main`, where a program begins.
 fn begins(text: &str) -> bool {
     [" main(", "__main__", "Main(string"]
         .iter()
@@ -182,20 +185,21 @@ fn stem(path: &Path) -> Option<&str> {
     path.file_stem()?.to_str()
 }
 
-/// Returns true if the file is a source in a language that is read here.
+/// Returns true if the file is a source in a language that is read here, by its extension.
 pub(crate) fn is_source(path: &Path) -> bool {
     language(path).is_some()
 }
 
-/// Returns the language of a source file.
+/// Returns the language of a source file by its extension; `None` for any other file.
 pub(crate) fn language(path: &Path) -> Option<Language> {
     Language::of_file(path.file_name()?.to_str()?)
 }
 
-/// No program of these chapters has more files, or deeper folders.
+/// The number of files that no program of these chapters exceeds.
 const MOST_FILES: usize = 40;
+/// The number of folders, one in the other, that no program of these chapters exceeds.
 const DEEPEST: usize = 3;
-/// Folders of others, and of what was built.
+/// The names of folders with others' sources, or with what was built.
 const OTHERS: [&str; 7] = [
     "target",
     "build",
@@ -206,7 +210,8 @@ const OTHERS: [&str; 7] = [
     "bin",
 ];
 
-/// Lists the sources in the folder and below, as seen from there, the nearest first.
+/// Lists the sources in the folder `below` and the folders in it, each with its path from `folder`:
+/// at most [`MOST_FILES`], the nearest first.
 fn all_in(folder: &Path, below: &Path) -> Vec<PathBuf> {
     let mut all = Vec::new();
     let mut folders = vec![below.to_owned()];
@@ -238,7 +243,7 @@ fn is_of_others(path: &Path) -> bool {
     name.is_none_or(|it| it.starts_with(['.', '_']) || OTHERS.contains(&it))
 }
 
-/// Reads the files, as far as they are texts that are not too long.
+/// Reads the files, but for those that are too long or are not UTF-8.
 fn texts(folder: &Path, files: &[PathBuf]) -> Vec<SourceFile> {
     let file = |it: &PathBuf| {
         let text = limited::read_text(&folder.join(it)).ok()?;

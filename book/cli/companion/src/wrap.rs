@@ -6,27 +6,28 @@ use check::text::{self, Style};
 
 use crate::terminal::Palette;
 
-/// Returns how wide text should be, in characters: as the terminal, but no wider than is easy to
-/// read.
+/// Returns the width of text in characters: as wide as the terminal, but at least 30 and at most
+/// 96.
 pub(crate) fn text_width() -> usize {
     let columns = terminal_size::terminal_size().map_or(80, |(width, _)| usize::from(width.0));
     columns.clamp(30, 96)
 }
 
-/// Breaks `text` into lines that are no wider than that, those after the first with this indent.
+/// Breaks `text` into lines of at most [`text_width`] characters, and indents those after the first
+/// by `indent` blanks.
 pub(crate) fn wrap_hanging(text: &str, indent: usize) -> String {
     filled(text, text_width(), "", &" ".repeat(indent))
 }
 
-/// Returns the style of standard output: plain where there is no terminal, where it can't, and
-/// where the reader does not want color.
+/// Returns the style for standard output: plain unless it is a terminal with colors and the reader
+/// wants them.
 pub(crate) fn style() -> Style {
     Style {
         is_colored: Palette::of_stdout().is_some(),
     }
 }
 
-/// Lays out an answer, a line each with its end.
+/// Writes an answer as lines for the terminal, each with a line break at its end.
 pub(crate) fn lay_out(answer: &Answer) -> String {
     let lines = text::answer_lines(answer, style(), text_width(), text::MOST_LINES);
     lines.iter().map(|line| format!("{line}\n")).collect()

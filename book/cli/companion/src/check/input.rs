@@ -15,19 +15,19 @@ use check::reading::Cause;
 use crate::misuse::complain;
 use crate::subprocess;
 
-/// A place to read a picture from.
+/// The place that a picture is read from.
 #[derive(Clone, Copy)]
 pub(crate) enum PictureInput<'a> {
-    /// A file.
+    /// A file at this path.
     File(&'a Path),
-    /// Standard input.
+    /// Standard input, to its end.
     Stdin,
-    /// What a program prints: its name and arguments.
+    /// The standard output of a program: its name, followed by its arguments; never empty.
     Program(&'a [OsString]),
 }
 
 impl<'a> PictureInput<'a> {
-    /// Makes the source of that name: a file, or standard input for `-`.
+    /// Returns standard input for the path `-`, and else the file at `path`.
     pub(crate) fn of(path: &'a Path) -> Self {
         match path.to_str() {
             Some("-") => Self::Stdin,
@@ -35,10 +35,11 @@ impl<'a> PictureInput<'a> {
         }
     }
 
-    /// Reads all bytes, or one more than a picture may have. A program may take `limit`.
+    /// Reads all bytes, up to one more than a picture may have. A program is ended after `limit`.
     ///
     /// # Errors
-    /// If it can't be read, or the program does not start, fails, or takes longer.
+    /// If the input can't be read, or if the program does not start, fails, or takes longer than
+    /// `limit`.
     pub(crate) fn read(&self, limit: Duration) -> Result<Vec<u8>, Cause> {
         match self {
             Self::File(path) => opened(path)
@@ -69,7 +70,7 @@ impl fmt::Display for PictureInput<'_> {
     }
 }
 
-/// Opens the file. A pipe is waited for until somebody writes into it, and that is said.
+/// Opens the file. Prints to standard error, after a second, that a pipe waits for a program.
 fn opened(path: &Path) -> io::Result<File> {
     const PATIENCE: Duration = Duration::from_secs(1);
     let (opened, ends) = mpsc::channel::<()>();

@@ -31,7 +31,7 @@ use crate::sources::FoundSources;
 use crate::wrap::lay_out;
 use crate::{files, sources};
 
-/// The words behind `cargo rtrace check`.
+/// The arguments of `cargo rtrace check`.
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// Which picture it should be; without it, the one that comes nearest
@@ -67,8 +67,8 @@ pub(crate) struct Arguments {
     report: Option<PathBuf>,
 }
 
-/// Judges the picture and prints the result: 0 is right, 1 wrong, and 2 is not a
-/// picture, or no answer at all.
+/// Judges a picture and prints the answer. Returns 0 if the picture is right, 1 if it is wrong, and
+/// 2 if the input is no picture or can't be judged.
 pub(crate) fn check(arguments: &Arguments) -> ExitCode {
     match try_check(arguments) {
         Ok(code) => ExitCode::from(code),
@@ -118,10 +118,10 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
     page.transpose().map(|_| code)
 }
 
-/// What the folder of a page is called where another one is refused.
+/// The name of the whole folder of a report in messages, such as that the folder is refused.
 const REPORT: &str = "report";
 
-/// Writes the page of an answer and its pictures into `folder`. Returns the path of the page.
+/// Writes the page of an answer and its pictures into `folder`, and returns the path of the page.
 fn report(folder: &Path, chapter: Chapter, answer: &Answer) -> Result<PathBuf, Box<dyn Error>> {
     let report = ReportPage {
         title: chapter.name(),
@@ -135,7 +135,8 @@ fn report(folder: &Path, chapter: Chapter, answer: &Answer) -> Result<PathBuf, B
 }
 
 impl Arguments {
-    /// The chapter, if one is named, and where the picture comes from.
+    /// Returns the chapter that the arguments name, if any, and the place that the picture is read
+    /// from.
     fn chapter_and_source(&self) -> Result<(Option<Chapter>, PictureInput<'_>), Box<dyn Error>> {
         let program = PictureInput::Program(&self.program);
         match (&self.first, &self.picture) {
@@ -158,7 +159,8 @@ impl Arguments {
         }
     }
 
-    /// Judges the picture: by the `task`, if a chapter is named.
+    /// Reads the picture and judges it: by the `task` if a chapter is named, and else by the task
+    /// whose picture comes nearest.
     fn judged<'a>(
         &self,
         task: Option<Task>,
@@ -205,7 +207,8 @@ impl Arguments {
         })
     }
 
-    /// The scene that comes nearest, with the probe and the edition that are named.
+    /// Finds the task whose picture comes nearest, with the probe and the edition that the
+    /// arguments name.
     fn guessed(&self, reading: &Reading) -> Result<Task, Box<dyn Error>> {
         let guessed = guess::guess_task(reading);
         let task = self.task(guessed.chapter)?;
@@ -216,6 +219,10 @@ impl Arguments {
     }
 }
 
+/// Parses a number of seconds above 0, such as `60` or `0.5`.
+///
+/// # Errors
+/// If the text is no such number; the message names one.
 pub(crate) fn parse_seconds(text: &str) -> Result<Duration, String> {
     let seconds = text.parse::<f64>().ok().filter(|&seconds| seconds > 0.0);
     seconds
@@ -227,6 +234,8 @@ fn edition_parser() -> impl TypedValueParser<Value = Edition> {
     parser_of_names(Edition::ALL.map(|edition| (edition.name(), edition)))
 }
 
+/// Makes a parser of an argument that names a probe: a small scene that shows what a chapter's own
+/// picture hides.
 pub(crate) fn probe_parser() -> impl TypedValueParser<Value = Probe> {
     parser_of_names(PROBES.map(|probe| (probe.name, probe)))
 }

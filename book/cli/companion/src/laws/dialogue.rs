@@ -15,48 +15,52 @@ use check::any_language::NoAnswer;
 
 use crate::subprocess::{self, RunningProgram};
 
-/// A program that is asked.
+/// A running program that answers each line that it is asked with one line.
 pub(super) struct Dialogue {
     program: RunningProgram,
-    /// Comes when all that it says beside its answers has been shown.
+    /// Receives a value when all that the program wrote to standard error has been shown.
     said: Receiver<String>,
     answers: Receiver<String>,
     limit: Duration,
     start: Instant,
 }
 
-/// For all answers, a program may take so many times as long as for one.
+/// The time for all answers, in times of the limit for one.
 const ALL: u32 = 20;
 
-/// Why a program can't be asked any more.
+/// The reason why a program can't be asked any more.
 pub(super) enum DialogueFailure {
-    /// It did not answer in time, but after twice the time.
+    /// No answer within the limit, but one within twice the limit.
     Tardy,
-    /// It did not answer in time, but when its input ended.
+    /// No answer within the limit, but one when the program's input ended: it reads all lines
+    /// first.
     Late,
-    /// It did not answer in time, nor later.
+    /// No answer at all, neither within twice the limit nor when the program's input ended.
     Silent,
-    /// Not all answers came within this time.
+    /// Not all answers within this time, which is for all together.
     Slow(Duration),
-    /// It ended, or runs with a closed output.
+    /// An end of the program without an answer, with its status; `None` if it runs on with a closed
+    /// output.
     Ended(Option<ExitStatus>),
-    /// It said one more line than it was asked.
+    /// More than one line in answer to one; this is the line too many.
     TooMuch(String),
-    /// It said what is no answer.
+    /// A line that is no answer, and why it is none.
     NoAnswer(String, NoAnswer),
 }
 
-/// How long a program whose input has ended may take to say the rest, and to end.
+/// The time that a program may take to print the rest and to end after its input has ended.
 const FAREWELL: Duration = Duration::from_secs(2);
 
-/// An answer is a number. What is longer is cut off, and shown as far as this.
+/// The length of a line in bytes: an answer is a few numbers, and the rest of a longer one is cut
+/// off.
 const MOST_BYTES: u64 = 200;
 
 impl Dialogue {
-    /// Starts the program, which may take so long for an answer.
+    /// Starts a program, given by its name and its arguments, which may take `limit` for an answer
+    /// and twenty times `limit` for all.
     ///
     /// # Errors
-    /// If it does not start.
+    /// If the program does not start.
     pub(super) fn start(words: &[OsString], limit: Duration) -> io::Result<Self> {
         let mut command = subprocess::reader_command(words);
         command.stdin(Stdio::piped()).stdout(Stdio::piped());
@@ -72,10 +76,10 @@ impl Dialogue {
         })
     }
 
-    /// Asks a line, and returns the line that it answers.
+    /// Sends the program a line, and returns the line that it answers, without blanks around it.
     ///
     /// # Errors
-    /// If it does not answer as agreed.
+    /// If the program has printed something before, answers too late, or has ended.
     pub(super) fn ask(&mut self, line: &str) -> Result<String, DialogueFailure> {
         self.says_no_more(Duration::ZERO)?;
         if self.start.elapsed() > ALL * self.limit {
@@ -93,20 +97,20 @@ impl Dialogue {
         }
     }
 
-    /// Ends its input.
+    /// Closes the program's input.
     ///
     /// # Errors
-    /// If it then says more than it was asked.
+    /// If the program then prints one more line.
     pub(super) fn close_input(&mut self) -> Result<(), DialogueFailure> {
         // Its input ends.
         self.program.input = None;
         self.says_no_more(FAREWELL)
     }
 
-    /// Waits so long for it to say nothing.
+    /// Waits for `time`, in which the program should print nothing.
     ///
     /// # Errors
-    /// The line that it says.
+    /// If it prints a line.
     pub(super) fn says_no_more(&self, time: Duration) -> Result<(), DialogueFailure> {
         let more = self.answers.recv_timeout(time);
         more.map_or(Ok(()), |more| Err(DialogueFailure::TooMuch(more)))
@@ -122,7 +126,7 @@ impl Dialogue {
         late.map_or(DialogueFailure::Silent, |_| DialogueFailure::Late)
     }
 
-    /// Returns its status, if it ends soon.
+    /// Returns the status of the program, if it ends within [`FAREWELL`].
     fn status(&mut self) -> Option<ExitStatus> {
         const TICK: Duration = Duration::from_millis(2);
         let start = Instant::now();
@@ -143,7 +147,7 @@ impl Drop for Dialogue {
     }
 }
 
-/// Starts a thread that reads lines. A program that goes on and on has to wait.
+/// Starts a thread that reads lines. A program that prints on and on has to wait.
 fn reader(output: ChildStdout) -> Receiver<String> {
     let (sender, answers) = mpsc::sync_channel(1);
     thread::spawn(move || {

@@ -26,7 +26,7 @@ use crate::reader_crates::shell_word;
 use crate::sources;
 use dialogue::{Dialogue, DialogueFailure};
 
-/// The words behind `cargo rtrace laws`.
+/// The arguments of `cargo rtrace laws`.
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// Whose intersection of a ray and a sphere it is
@@ -44,7 +44,7 @@ pub(crate) struct Arguments {
     timeout: Duration,
 }
 
-/// The chapters with something to ask: what meets a ray with a sphere.
+/// The chapters in which a program can be asked where a ray hits a sphere.
 pub(crate) const ASKED: [Chapter; 4] = [
     Chapter::RedSphere,
     Chapter::Normals,
@@ -52,8 +52,11 @@ pub(crate) const ASKED: [Chapter; 4] = [
     Chapter::HittableList,
 ];
 
-/// Puts the program under the laws and prints what comes of it: 0 is right, 1 breaks a law, and
-/// 2 can't be asked.
+/// Asks a reader's program where rays hit spheres, and prints which law its answers break. Returns
+/// 0 if all laws hold, 1 if one is broken, and 2 if the program can't be asked.
+///
+/// # Errors
+/// If standard output can't be written to.
 pub(crate) fn laws(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
     let program = &arguments.program;
     let (code, said) = match Dialogue::start(program, arguments.timeout) {
@@ -72,26 +75,27 @@ fn not_started(program: &[OsString], cause: &str) -> String {
     )
 }
 
-/// How a line is printed at once.
+/// How a program prints a line at once, in several languages.
 const AT_ONCE: &str = "print(…, flush=True) in Python, std::endl in C++, the event 'line' of \
     node:readline in JavaScript, fflush() in awk, with -W interactive in mawk";
 
-/// How long the first answer is waited for to be followed by lines that were not asked for.
+/// The time to wait after the first answers for lines that nobody has asked for.
 const GREETING: Duration = Duration::from_millis(300);
 
-/// A program with all that it has been asked.
+/// A program with all the questions that it has been asked, and its answers.
 struct Interview<'a> {
     arguments: &'a Arguments,
     dialogue: RefCell<Dialogue>,
-    /// The answers by their questions. None is asked twice: a case is made smaller by laws that
-    /// must find what they found before.
+    /// The answers by their questions. No question is asked twice: the laws make a failing case
+    /// smaller, and must find the answers that they found before.
     answers: RefCell<HashMap<String, LineAnswer>>,
-    /// Why it is asked no more, and at which question.
+    /// The reason why the program is asked no more, and the question at which that was found;
+    /// `None` while it can be asked.
     failure: RefCell<Option<(DialogueFailure, String)>>,
     function: FunctionKind,
 }
 
-/// A line, and what it means.
+/// A line that a program answered, and the hit that it stands for; `None` for a miss.
 struct LineAnswer {
     said: String,
     hit: Option<RecordedHit>,
@@ -112,7 +116,7 @@ impl<'a> Interview<'a> {
         }
     }
 
-    /// The exit code, and what there is to say.
+    /// Asks the program all questions, and returns the exit code and the text of the answer.
     fn judge(&self) -> (u8, String) {
         let trial = Trial {
             answers: None,
@@ -129,7 +133,8 @@ impl<'a> Interview<'a> {
         }
     }
 
-    /// In which mistakes are said: those of the source that the command names.
+    /// Returns the language in which mistakes are shown: that of the source file that the command
+    /// names, or else C++.
     fn reader_language(&self) -> ReaderLanguage {
         let mut words = self.arguments.program.iter();
         let named = words.find_map(|word| sources::language(word.as_ref()));
@@ -140,8 +145,9 @@ impl<'a> Interview<'a> {
         }
     }
 
-    /// Asks first what is short to feed by hand: a ray from the eye past the ball, so that the word
-    /// for a miss is known, and one to the ball. Returns the last line.
+    /// Asks two easy questions first: a ray from the eye past the ball, which shows the program's
+    /// word for a miss, and one to the ball. Both are short enough to be typed by hand. Returns the
+    /// last question.
     fn greet(&self) -> String {
         let ball = Point3::new(0.0, 0.0, -1.0);
         let [_, last] = [Vec3::Y, ball].map(|direction| {
@@ -161,7 +167,7 @@ impl<'a> Interview<'a> {
         last
     }
 
-    /// Returns what the program answers, if it does. After a failure, nothing hits.
+    /// Returns the hit that the program answers; `None` for a miss, and always after a failure.
     fn answer(&self, asked: &IntervalCase) -> Option<RecordedHit> {
         let line = self.question_line(asked);
         if let Some(known) = self.answers.borrow().get(&line) {
@@ -196,7 +202,8 @@ impl<'a> Interview<'a> {
         self.function.question_line(asked)
     }
 
-    /// Returns true if -1 may stand for a miss, as in the book: until the program says `miss`.
+    /// Returns true if the answer -1 may stand for a miss, as in the book: until the program
+    /// answers `miss`.
     fn says_minus_one(&self) -> bool {
         let answers = self.answers.borrow();
         self.function == FunctionKind::Root && !answers.values().any(|it| it.said == "miss")
@@ -214,8 +221,8 @@ impl<'a> Interview<'a> {
         )
     }
 
-    /// The rows of the report, with what is wrong with all answers, or else with the mistakes
-    /// that give the same ones.
+    /// Writes the rows of the report, with a reason that all answers are wrong, if one is seen, or
+    /// else with the mistakes that give the same answers.
     fn rows(&self, report: &Report) -> String {
         let mut report = report.clone();
         let besides = self.printed_short();
@@ -235,7 +242,7 @@ impl<'a> Interview<'a> {
         rows_as_text(rows)
     }
 
-    /// Returns true if the answer may be a miss or a root: -1.
+    /// Returns true if the program's answer to `question` may be a miss or a root: -1.
     fn may_be_both(&self, question: &Question) -> bool {
         let Question::Root(case) = question else {
             return false;
@@ -264,8 +271,8 @@ impl<'a> Interview<'a> {
         )
     }
 
-    /// That the answers have too few digits, if that is so: among so many of all kinds, one
-    /// should be long. A wrong function has as long ones.
+    /// Returns a complaint that all answers have too few digits, if they have: of so many, one
+    /// should be long, and those of a wrong function are as long as those of a right one.
     fn printed_short(&self) -> Option<String> {
         const MANY: usize = 50;
         const DIGITS_OF_A_DOUBLE: usize = 15;
@@ -311,7 +318,8 @@ impl<'a> Interview<'a> {
         )
     }
 
-    /// Returns what is wrong with the dialogue, and what to do.
+    /// Returns the end of a sentence about the program, which tells the failure, and advice against
+    /// it.
     fn explained(&self, failure: &DialogueFailure) -> (String, String) {
         let limit = self.arguments.timeout;
         let wanted = match self.arguments.chapter {
@@ -366,7 +374,7 @@ impl<'a> Interview<'a> {
         }
     }
 
-    /// Returns what asks a question by hand.
+    /// Writes the command by which the reader asks this question in a shell.
     fn by_hand(&self, line: &str) -> String {
         format!("by hand:  echo '{line}' | {}", self.program())
     }
@@ -377,7 +385,8 @@ impl<'a> Interview<'a> {
     }
 }
 
-/// How many digits a number is written with, from the first that is not 0.
+/// Counts the digits of a decimal number from the first that is not 0, without those of the
+/// exponent.
 fn digits(number: &str) -> usize {
     let mantissa = number.split(['e', 'E']).next().unwrap_or_default();
     let digits = mantissa.chars().filter(char::is_ascii_digit);

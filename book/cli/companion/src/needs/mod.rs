@@ -24,7 +24,7 @@ use speed_vs_accuracy::{METHODS, Precision, Scene};
 use crate::limited;
 use crate::misuse::misuse;
 
-/// The words behind `cargo rtrace needs`.
+/// The arguments of `cargo rtrace needs`.
 #[derive(Args)]
 #[command(after_help = HELP)]
 pub(crate) struct Arguments {
@@ -37,7 +37,7 @@ pub(crate) struct Arguments {
     width: Option<u32>,
 }
 
-/// How large a part of t may be wrong, where distances count.
+/// The greatest relative error of t that counts as right, where distances matter.
 const WITHIN: f64 = 0.001;
 
 const HELP: &str = "\
@@ -66,13 +66,17 @@ What is said of each method:
   ÷ half_b             how many times as long as half_b in the same round: the median
 Columns and rows count from 0, spheres from 1.";
 
-/// How often each method has a turn, and how long: all together about a second.
+/// The length of the measurement: all methods together take about a second.
 const EFFORT: Effort = Effort {
     rounds: 51,
     turn: Duration::from_micros(500),
 };
 
-/// Draws the scene by every method, and says what it needs.
+/// Draws the scene of a file by every method of chapter 6, times the methods, and prints the
+/// cheapest one that draws every pixel right, in each precision.
+///
+/// # Errors
+/// If the file can't be read, or is no scene.
 pub(crate) fn needs(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let mut scene = read(&arguments.scene)?;
     scene.width = arguments.width.unwrap_or(scene.width);
@@ -81,8 +85,8 @@ pub(crate) fn needs(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     Ok(output::to_stdout(|out| out.write_all(said.as_bytes()))?)
 }
 
-/// Tries all methods in each precision that has the numbers of the scene, `f64` first. Counts the
-/// pixels of the right picture that have shadow acne, too.
+/// Tries all methods in each precision that can hold the numbers of the scene, `f64` first. Also
+/// returns the number of pixels of the right picture with shadow acne.
 fn look_into(scene: &Scene) -> (Vec<PrecisionNeeds>, usize) {
     let mut precisions = Precision::ALL.to_vec();
     precisions.retain(|precision| scene.fits(*precision));
@@ -100,7 +104,7 @@ fn look_into(scene: &Scene) -> (Vec<PrecisionNeeds>, usize) {
     (found.collect(), drawn.with_acne)
 }
 
-/// Makes a function that says every two seconds how much is drawn.
+/// Makes a function that prints every two seconds how much of the picture is drawn.
 fn progress() -> impl Fn(usize, usize) + Sync {
     const SECONDS: u64 = 2;
     let (start, next) = (Instant::now(), AtomicU64::new(SECONDS));
@@ -117,10 +121,10 @@ fn progress() -> impl Fn(usize, usize) + Sync {
     }
 }
 
-/// Reads the scene that the file at `path` describes, under the name of the file.
+/// Reads the scene in the file at `path`, and names it after the file.
 ///
 /// # Errors
-/// If it can't be read; or its first mistake, with line and column.
+/// If the file can't be read; or else the first mistake in it, with line and column.
 fn read(path: &Path) -> Result<Scene, Box<dyn Error>> {
     let shown = names::escaped_name(path);
     let text = limited::read_text(path).map_err(|cause| {

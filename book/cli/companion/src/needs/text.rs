@@ -13,7 +13,7 @@ use crate::hit;
 use crate::wrap::wrap_hanging;
 use measure::needs::{Culprit, PrecisionNeeds, RatedMethod, least_of_all};
 
-/// Writes the whole answer, the method to take first.
+/// Writes the whole answer for the terminal: first the method to take, last the times' conditions.
 pub(super) fn answer(scene: &Scene, found: &[PrecisionNeeds], with_acne: usize) -> String {
     let camera = Camera::new(scene.width);
     let (width, height) = (camera.image_width, camera.image_height);
@@ -49,7 +49,7 @@ pub(super) fn answer(scene: &Scene, found: &[PrecisionNeeds], with_acne: usize) 
 
 const FASTER: &str = "Fully optimized: cargo run --release --package companion -- needs SCENE";
 
-/// Tells the assumptions: the ranges of t, and what counts as right.
+/// Writes the assumptions: the ranges of t, and which errors count as right.
 fn assumed(scene: &Scene) -> String {
     let [eye, sun] = scene.t_min;
     let shadows = match scene.sun {
@@ -63,7 +63,7 @@ fn assumed(scene: &Scene) -> String {
     ))
 }
 
-/// Names one method and why, or what else helps.
+/// Names the method to take and why, or other help if no method draws every pixel right.
 fn advice(scene: &Scene, found: &[PrecisionNeeds], with_acne: usize) -> String {
     if with_acne > 0 {
         let [_, t_min] = scene.t_min;
@@ -89,7 +89,7 @@ fn advice(scene: &Scene, found: &[PrecisionNeeds], with_acne: usize) -> String {
     }
 }
 
-/// Warns of a range that begins too late for the scene.
+/// Warns of a range of t that begins too late for the scene; empty if none does.
 fn warnings(scene: &Scene) -> String {
     let radii = scene.spheres.iter().map(|(_, radius)| *radius);
     let least = radii.fold(f64::INFINITY, f64::min);
@@ -111,7 +111,8 @@ fn warnings(scene: &Scene) -> String {
     late(eye, "things are seen only from t =") + &of_sun.unwrap_or_default()
 }
 
-/// Returns true if t is right, or as good as can be, where a pixel is wrong.
+/// Returns true if a pixel is wrong although t is as exact as it can be: two spheres are too near
+/// to each other.
 fn needs_order(culprit: &Culprit) -> bool {
     !culprit.is_shadow && culprit.error <= hit::ORDINARY
 }
@@ -129,7 +130,7 @@ fn one_precision(found: &PrecisionNeeds) -> String {
     text
 }
 
-/// Names the least that suffices, in a sentence or two.
+/// Names the method to take for colors, in a sentence or two.
 fn verdict(found: &PrecisionNeeds) -> String {
     let precision = found.precision.name();
     let name = |n: &usize| found.rows[*n].view.method.name;
@@ -150,7 +151,7 @@ fn verdict(found: &PrecisionNeeds) -> String {
     text
 }
 
-/// Names the least for distances, and tells how far off the least for colors is.
+/// Names the method to take for distances, and the error of t by the method to take for colors.
 fn distances(found: &PrecisionNeeds) -> String {
     let precision = found.precision.name();
     let name = |n: usize| found.rows[n].view.method.name;
@@ -200,8 +201,8 @@ fn line(row: &RatedMethod, is_least: bool) -> String {
     )
 }
 
-/// Shows why `row` fails: its first wrong pixel under the microscope, beside the least that
-/// suffices.
+/// Shows why the method of `row` fails: its first wrong pixel, with the ray and the sphere, beside
+/// the answer of the `least` method that suffices.
 fn why(row: &RatedMethod, least: Option<&RatedMethod>, culprit: &Culprit) -> String {
     let name = row.view.method.name;
     let [i, j] = culprit.pixel;
@@ -237,7 +238,7 @@ fn why(row: &RatedMethod, least: Option<&RatedMethod>, culprit: &Culprit) -> Str
     text + &again(culprit)
 }
 
-/// Tells what helps where no method for one sphere does.
+/// Names what helps where no method for one sphere does.
 fn cure(culprit: &Culprit, precision: Precision) -> &'static str {
     match precision {
         _ if culprit.is_shadow => {
@@ -252,7 +253,7 @@ fn cure(culprit: &Culprit, precision: Precision) -> &'static str {
     }
 }
 
-/// Writes the command that shows the case with all methods.
+/// Writes the command that shows the ray and the sphere by all methods.
 fn again(culprit: &Culprit) -> String {
     let vector = |v: Vec3| v.to_array().map(|number| format!("{number:?}")).join(",");
     let Culprit { case, t_min, .. } = culprit;

@@ -13,13 +13,13 @@ use slips::Chapter;
 
 use crate::limited;
 
-/// The crate that a reader wrote for a chapter.
+/// The crate that a reader wrote for an earlier chapter.
 pub(super) struct EarlierCrate {
     chapter: String,
     /// The named items of `src/lib.rs`, from the top; or why that file can't be read.
     items: Result<Vec<NamedItem>, String>,
     pub(super) folder: PathBuf,
-    /// The other files of `src`, by their names as seen from the crate.
+    /// The other files of `src`, by their paths from the crate.
     pub(super) files: Vec<PathBuf>,
 }
 
@@ -39,20 +39,21 @@ impl EarlierCrate {
         }
     }
 
-    /// Returns true if vectors and rays are the reader's own.
+    /// Returns true if the reader typed vectors and rays, too.
     pub(super) fn has_own_prelude(&self) -> bool {
         let prelude = Path::new("src/rtweekend.rs");
         self.files.iter().any(|name| name == prelude)
     }
 }
 
-/// The files of a chapter to be typed, and a sentence about their origin.
+/// The files of a chapter to be typed, and a sentence about their origin, empty for a first crate.
 pub(super) struct CarriedFiles {
     pub(super) files: Vec<SourceFile>,
     pub(super) said: String,
 }
 
-/// Makes the chapter's skeletons with the functions that were written before.
+/// Makes the skeletons of a chapter, with the functions of the reader's earlier crate put into
+/// them. With `own`, they use a prelude of the reader's own.
 pub(super) fn carry_over(
     chapter: Chapter,
     own: bool,
@@ -103,7 +104,7 @@ pub(super) fn carry_over(
     CarriedFiles { files, said }
 }
 
-/// Finds the place, in bytes, of the item of the skeleton that has this text.
+/// Finds the range of bytes of the skeleton's item that has `text` in it.
 fn place(skeleton: &str, text: &str) -> Range<usize> {
     let items = source::items(skeleton).expect("a skeleton is Rust");
     let mut places = items.into_iter().map(|item| item.place);
@@ -111,7 +112,7 @@ fn place(skeleton: &str, text: &str) -> Range<usize> {
     places.find(has_it).expect("a skeleton has the item")
 }
 
-/// Returns the items of the chapter before, and a sentence about their origin.
+/// Returns the items of the earlier crate, and a sentence about the origin of the new one.
 fn origin(written: Option<&EarlierCrate>) -> (&[NamedItem], String) {
     let Some(EarlierCrate { chapter, items, .. }) = written else {
         return (&[], String::new());
@@ -128,7 +129,7 @@ fn origin(written: Option<&EarlierCrate>) -> (&[NamedItem], String) {
     }
 }
 
-/// Writes the item as a comment.
+/// Writes the item as a comment, without its documentation.
 fn as_comment(text: &str) -> String {
     let is_doc = |line: &&str| line.trim_start().starts_with("///");
     let lines = text.lines().filter(|line| !is_doc(line));
@@ -136,8 +137,8 @@ fn as_comment(text: &str) -> String {
     format!("// What you wrote before:\n//\n{comment}\n")
 }
 
-/// Lists the files below a folder of the crate, however deep, but for the chapter itself and hidden
-/// files. A link is left where it is.
+/// Lists the files below a folder of the crate, but for `src/lib.rs`, `src/main.rs`, hidden ones
+/// and links.
 fn other_files(folder: &Path, below: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder.join(below)).into_iter().flatten();
     let mut files = Vec::new();

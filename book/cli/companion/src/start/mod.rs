@@ -22,7 +22,7 @@ use crate::misuse::misuse;
 use crate::reader_crates::{ReaderCrates, TYPED};
 use crate::wrap::wrap_hanging;
 
-/// The words behind `cargo rtrace start`.
+/// The arguments of `cargo rtrace start`.
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// The chapter that you are about to type
@@ -38,7 +38,10 @@ pub(crate) struct Arguments {
     own_prelude: bool,
 }
 
-/// Makes the crate, and says where it is and what comes next.
+/// Makes a crate for the reader to type a chapter in, and prints where it is and what comes next.
+///
+/// # Errors
+/// If the crate exists already, if the workspace is gone, or if a file can't be written.
 pub(crate) fn start(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let chapter = arguments.chapter;
     let crates = ReaderCrates::find(arguments.into.as_deref());
@@ -67,14 +70,14 @@ pub(crate) fn start(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     Ok(output::to_stdout(|out| out.write_all(said.as_bytes()))?)
 }
 
-/// A crate that is about to be written.
+/// A crate of a reader that is about to be written.
 struct NewCrate {
     chapter: Chapter,
-    /// The crate of the chapter before.
+    /// The reader's crate of the chapter before, if there is one.
     before: Option<PathBuf>,
-    /// Files to be copied as they are, each with the name that it gets.
+    /// Files to be copied from there as they are, each with its path in the new crate.
     copies: Vec<(PathBuf, PathBuf)>,
-    /// The other files, by their names. One of the chapter takes the place of a copy.
+    /// The other files, in the order in which they are typed. One of the same name replaces a copy.
     files: Vec<SourceFile>,
     /// A sentence about what was carried over from the chapter before, or why nothing was.
     carried: String,
@@ -120,7 +123,7 @@ impl NewCrate {
         })
     }
 
-    /// Makes the whole folder beside its place, and moves it there.
+    /// Writes the whole crate beside its place, and moves it there: it appears whole or not at all.
     fn make(&self, folder: &Path) -> io::Result<()> {
         output::forget_partials(folder);
         let partial = output::partial(folder)?;
@@ -134,7 +137,7 @@ impl NewCrate {
         made
     }
 
-    /// Writes all files into the folder. What was private stays so.
+    /// Writes all files into the folder, with no more rights for others than in the crate before.
     fn write(&self, folder: &Path) -> io::Result<()> {
         let place = |name: &Path| {
             let path = folder.join(name);
@@ -154,8 +157,8 @@ impl NewCrate {
         Ok(())
     }
 
-    /// Takes rights away from a file that the file of that name in the chapter before does not
-    /// give, or, if there is none, that `src/lib.rs` does not give.
+    /// Takes the rights away from `file` that the file `name` of the crate before does not give,
+    /// or, if there is none, that its `src/lib.rs` does not give.
     #[cfg(unix)]
     fn keep_private(&self, file: &File, name: &str) -> io::Result<()> {
         use std::os::unix::fs::PermissionsExt;
@@ -198,7 +201,7 @@ impl NewCrate {
     }
 }
 
-/// Writes the files that the reader need not touch.
+/// Writes the files that the reader need not touch; an empty text is no file.
 fn given(chapter: Chapter, own: bool, folder: &Path, workspace: &Path) -> [SourceFile; 6] {
     let ours = settings::workspace_from_crate(folder, workspace);
     let path = settings::with_slashes(&ours);

@@ -6,7 +6,8 @@ use slips::{Chapter, steps};
 
 use crate::wrap::filled;
 
-/// Returns the path of the workspace as seen from a crate: one that lies in it moves with it.
+/// Returns the path of the workspace as a crate in `folder` names it: relative if the crate lies in
+/// the workspace and so moves with it, and else absolute.
 pub(super) fn workspace_from_crate(folder: &Path, workspace: &Path) -> PathBuf {
     let real = |folder: &Path| folder.canonicalize().ok();
     let mine = folder.parent().and_then(real);
@@ -18,10 +19,10 @@ pub(super) fn workspace_from_crate(folder: &Path, workspace: &Path) -> PathBuf {
     })
 }
 
-/// Writes `.cargo/config.toml`: all crates of readers, wherever they are, share what was built
-/// once, and in each of them `cargo rtrace` is what it is in the workspace. The alias is one text,
-/// as there, or cargo would not put the two together; so there is none where a path has a space in
-/// it. It is read wherever the reader is in the crate, and so its paths are absolute.
+/// Writes `.cargo/config.toml` of a reader's crate. All such crates share what was built once, and
+/// `cargo rtrace` means in them what it means in the workspace. Cargo merges the alias with the
+/// workspace's only if it is one text; so there is none where a path has a space in it. It is read
+/// wherever the reader is in the crate, and so its paths are absolute.
 pub(super) fn cargo_config(from_crate: &Path, workspace: &Path) -> String {
     let shared = with_slashes(&from_crate.join("target/mine"));
     let target = format!("[build]\ntarget-dir = {shared:?}\n");
@@ -35,7 +36,7 @@ pub(super) fn cargo_config(from_crate: &Path, workspace: &Path) -> String {
     format!("{target}\n[alias]\nrtrace = {alias:?}\n")
 }
 
-/// Writes the head of the chapter: its steps.
+/// Writes the comment at the top of a chapter's `src/lib.rs`: its title and its steps.
 pub(super) fn chapter_head(chapter: Chapter) -> String {
     let number = chapter as usize;
     let mut about = format!(
@@ -49,7 +50,8 @@ pub(super) fn chapter_head(chapter: Chapter) -> String {
     about + "\n"
 }
 
-/// Writes the path as cargo reads it on every system: a crate may be built on two of them.
+/// Writes the path with slashes, as cargo reads it on every system: a crate may be built on two of
+/// them.
 pub(super) fn with_slashes(path: &Path) -> String {
     path.display().to_string().replace(MAIN_SEPARATOR, "/")
 }

@@ -17,10 +17,10 @@ use super::tree;
 /// The environment variable that marks a reader's program and all that it starts.
 pub(crate) const MARK: &str = "RTRACE_STARTED_BY";
 
-/// The environment variable that makes a process the guard of programs with that mark.
+/// The environment variable that makes a process the guard of programs with this mark.
 const GUARDS: &str = "RTRACE_GUARDS";
 
-/// Returns the mark of this run, which no other run of this program has.
+/// Returns the mark of this process, which no other run of this program has.
 pub(crate) fn mark() -> &'static str {
     static MARKED: LazyLock<String> = LazyLock::new(|| {
         // The standard library asks the system for a random number to seed its hash tables.
@@ -30,13 +30,13 @@ pub(crate) fn mark() -> &'static str {
     &MARKED
 }
 
-/// The pipe that the guard reads.
+/// The pipe that the guard reads; `None` before it is started.
 static PIPE: Mutex<Option<ChildStdin>> = Mutex::new(None);
 
-/// Starts the guard, unless it is there.
+/// Starts the guard, a second process of this program, unless it runs already.
 ///
 /// # Errors
-/// If it does not start.
+/// If the guard does not start.
 pub(super) fn ensure_started() -> io::Result<()> {
     let mut pipe = PIPE.lock().unwrap_or_else(PoisonError::into_inner);
     if pipe.is_none() {
@@ -52,12 +52,12 @@ pub(super) fn ensure_started() -> io::Result<()> {
     Ok(())
 }
 
-/// Tells the guard of a program that has begun.
+/// Tells the guard the number of a process that it has to end if this one ends.
 pub(super) fn add(program: u32) {
     tell(&format!("{program}\n"));
 }
 
-/// Tells the guard that all that the program had started has ended.
+/// Tells the guard that the process with this number has ended, and all that it had started.
 pub(super) fn remove(program: u32) {
     tell(&format!("-{program}\n"));
 }
@@ -70,7 +70,8 @@ fn tell(line: &str) {
     }
 }
 
-/// Guards until the first process is gone, if this one is to guard. Returns true if it has.
+/// Returns false at once if this process is not to guard. Else waits until the process that started
+/// it is gone, ends all that it left, and returns true.
 pub(crate) fn run_if_guard() -> bool {
     let Ok(mark) = env::var(GUARDS) else {
         return false;

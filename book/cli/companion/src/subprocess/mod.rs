@@ -23,7 +23,8 @@ use crate::misuse::complain;
 
 pub(crate) use running::RunningProgram;
 
-/// Runs a program and returns all that it prints, [limited](read_picture_bytes).
+/// Runs a program to its end and returns all that it prints to standard output, up to one byte more
+/// than a picture may have. Shows its standard error as it comes.
 ///
 /// # Errors
 /// If the program does not start, fails, or takes longer than `limit`.
@@ -32,10 +33,11 @@ pub(crate) fn output_of(words: &[OsString], limit: Duration) -> Result<Vec<u8>, 
     printed_or_cause(words, ran.map(|(end, _)| end), limit)
 }
 
-/// Returns what the program printed before it came to this end.
+/// Returns the standard output of a program that has ended well, or that printed too much for a
+/// picture.
 ///
 /// # Errors
-/// If that is no good end, or the program did not start.
+/// If the program did not start, failed, or was ended after `limit`.
 pub(crate) fn printed_or_cause(
     words: &[OsString],
     end: io::Result<ProgramEnd>,
@@ -62,36 +64,39 @@ pub(crate) fn printed_or_cause(
     Err(Cause::new("program-failed", problem, fix))
 }
 
-/// Makes the command of a reader's program, with the mark by which all that it starts is found.
+/// Makes the command of a reader's program, given by its name and its arguments. All that the
+/// program starts can be found by a mark in its environment.
 pub(crate) fn reader_command(words: &[OsString]) -> Command {
     let mut command = Command::new(&words[0]);
     command.args(&words[1..]).env(guard::MARK, guard::mark());
     command
 }
 
-/// How a program came to its end.
+/// The way in which a program ended.
 pub(crate) enum ProgramEnd {
-    /// By itself, after it had printed this.
+    /// An end of its own, with its status and its standard output.
     Itself(ExitStatus, Vec<u8>),
-    /// It printed more than any picture has.
+    /// An end by us, since it printed more than any picture has; this is the beginning.
     Full(Vec<u8>),
-    /// It took too long.
+    /// An end by us after the time limit.
     TooSlow,
-    /// It is no longer wanted.
+    /// An end by us, since its result was no longer wanted.
     Interrupted,
 }
 
-/// How often to look whether a program has ended.
+/// The time between two looks whether a program has ended.
 const TICK: Duration = Duration::from_millis(5);
 
-/// How long the last that a program has printed may be on its way.
+/// The time to wait for what an ended program has printed last.
 const FAREWELL: Duration = Duration::from_secs(1);
 
-/// Runs the program until it ends, has to, or `is_old` says that it is no longer wanted. Returns
-/// how it ended, and what `listen` returned, which reads its standard error.
+/// Runs a program until it ends, takes longer than `limit`, prints too much, or `is_old` returns
+/// true: then its result is no longer wanted. A thread calls `listen` with its standard error.
+/// Returns how the program ended, and what `listen` returned, or an empty text if that takes too
+/// long.
 ///
 /// # Errors
-/// If the program does not start.
+/// If the program does not start, or its output can't be read.
 pub(crate) fn run(
     mut command: Command,
     limit: Duration,
@@ -114,7 +119,7 @@ pub(crate) fn run(
     Ok((end, said.recv_timeout(FAREWELL).unwrap_or_default()))
 }
 
-/// Waits until the program ends, or has to.
+/// Waits until the program ends by itself, or ends it.
 fn finish(
     running: &mut RunningProgram,
     printed: &Receiver<io::Result<Vec<u8>>>,
@@ -149,7 +154,7 @@ fn finish(
     }
 }
 
-/// Starts a thread, whose result can be received once.
+/// Does `work` in a new thread, and returns the channel that its result comes through, once.
 pub(crate) fn in_a_thread<T: Send + 'static>(
     work: impl FnOnce() -> T + Send + 'static,
 ) -> Receiver<T> {
@@ -159,18 +164,19 @@ pub(crate) fn in_a_thread<T: Send + 'static>(
     result
 }
 
-/// Reads to the end, or one byte more than a picture may have, so that the reading of pictures can
-/// say so; a program that prints more can't go on.
+/// Reads to the end, but at most one byte more than a picture may have, so that the parser can
+/// refuse it.
 ///
 /// # Errors
-/// If it can't be read.
+/// If the input can't be read.
 pub(crate) fn read_picture_bytes(input: impl Read) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     input.take(MOST_BYTES as u64 + 1).read_to_end(&mut bytes)?;
     Ok(bytes)
 }
 
-/// Shows what a program says as it comes, up to a megabyte, and reads the rest.
+/// Copies a program's standard error to ours as it comes, up to a megabyte, and drops the rest.
+/// Returns an empty text.
 pub(crate) fn show_errors(mut errors: ChildStderr) -> String {
     const MOST: u64 = 1 << 20;
     let copied = io::copy(&mut (&mut errors).take(MOST), &mut io::stderr());
@@ -182,7 +188,8 @@ pub(crate) fn show_errors(mut errors: ChildStderr) -> String {
     String::new()
 }
 
-/// Keeps the last of what a program says.
+/// Reads a program's standard error to its end, and returns the last 16 KiB, with � for what is not
+/// UTF-8.
 pub(crate) fn last_errors(mut errors: ChildStderr) -> String {
     const KEPT: usize = 1 << 14;
     let mut said = Vec::new();

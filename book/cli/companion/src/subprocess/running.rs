@@ -5,22 +5,24 @@ use std::process::{ChildStderr, ChildStdin, ChildStdout, Command, ExitStatus};
 
 use super::{guard, tree};
 
-/// A program that ends when this is dropped, with all that it has started.
+/// A running program. Dropping this ends it, with all that it has started.
 pub(crate) struct RunningProgram {
     tree: tree::ProcessTree,
-    /// True if it has the mark of a reader's program.
+    /// True if the environment has the mark of a reader's program.
     is_marked: bool,
-    /// Its input, output and errors, as far as they are piped.
+    /// The pipe to its standard input; `None` if that is not piped, or was taken.
     pub(crate) input: Option<ChildStdin>,
+    /// The pipe from its standard output; `None` if that is not piped, or was taken.
     pub(crate) printed: Option<ChildStdout>,
+    /// The pipe from its standard error; `None` if that is not piped, or was taken.
     pub(crate) errors: Option<ChildStderr>,
 }
 
 impl RunningProgram {
-    /// Starts the program.
+    /// Starts a program, which the guard ends if this process ends first.
     ///
     /// # Errors
-    /// If it does not start, or can't be guarded.
+    /// If the program or the guard does not start.
     pub(crate) fn start(command: &mut Command) -> io::Result<Self> {
         guard::ensure_started()?;
         let is_marked = command.get_envs().any(|(name, _)| name == guard::MARK);
@@ -36,20 +38,20 @@ impl RunningProgram {
         })
     }
 
-    /// Gives way to everything else that runs here.
+    /// Has the program run at the lowest priority, with all that it starts.
     pub(crate) fn lower_priority(&self) {
         tree::lower_priority(self.tree.id());
     }
 
-    /// Returns its status, if it has ended.
+    /// Returns the program's exit status; `None` if it still runs.
     ///
     /// # Errors
-    /// If the system does not tell.
+    /// If the system does not know the program.
     pub(crate) fn exit_status(&mut self) -> io::Result<Option<ExitStatus>> {
         self.tree.try_wait()
     }
 
-    /// Ends it, with all that it has started.
+    /// Ends the program, with all that it has started, and waits for its end.
     pub(crate) fn kill(&mut self) {
         tree::kill(&mut self.tree);
         if self.is_marked {

@@ -12,41 +12,41 @@ use std::time::Duration;
 
 use rustix::process::{Pid, Signal, kill_process, kill_process_group, setpriority_pgrp};
 
-/// A program and what it starts.
+/// A program and all that it starts: the leader of a process group.
 pub(super) use std::process::Child as ProcessTree;
 
-/// Starts the program as the leader of a group.
+/// Starts a program as the leader of a new process group.
 pub(super) fn spawn(command: &mut Command) -> io::Result<ProcessTree> {
     command.process_group(0).spawn()
 }
 
-/// Takes its input, output and errors, as far as they are piped.
+/// Takes the pipes of the program's input, output and errors, as far as they are piped.
 pub(super) fn take_pipes(
     tree: &mut ProcessTree,
 ) -> (Option<ChildStdin>, Option<ChildStdout>, Option<ChildStderr>) {
     (tree.stdin.take(), tree.stdout.take(), tree.stderr.take())
 }
 
-/// Ends the program and its group.
+/// Ends the program and its group, and waits for the program's end.
 pub(super) fn kill(tree: &mut ProcessTree) {
     kill_group(tree.id());
     let _ = tree.wait();
 }
 
-/// Ends the group of that leader.
+/// Ends the process group with this leader.
 pub(super) fn kill_group(leader: u32) {
     if let Some(group) = pid(leader) {
         let _ = kill_process_group(group, Signal::KILL);
     }
 }
 
-/// Has the group run where nothing else does.
+/// Gives the process group with this leader the lowest priority.
 pub(super) fn lower_priority(leader: u32) {
     const LAST: i32 = 19;
     let _ = setpriority_pgrp(pid(leader), LAST);
 }
 
-/// Ends whatever has the mark in its environment, also what it starts meanwhile.
+/// Ends all processes with this mark in their environment, also those that they start meanwhile.
 pub(super) fn kill_marked(mark: &str) {
     const ROUNDS: usize = 200;
     let mark = format!("{}={mark}", super::guard::MARK);
@@ -63,13 +63,13 @@ pub(super) fn kill_marked(mark: &str) {
     }
 }
 
-/// Lists all processes, where the system shows them as folders.
+/// Lists all processes, on systems that show them as folders.
 fn processes() -> impl Iterator<Item = Pid> {
     let entries = fs::read_dir("/proc").into_iter().flatten().flatten();
     entries.filter_map(|entry| pid(entry.file_name().to_str()?.parse().ok()?))
 }
 
-/// Returns true if the process began with `mark` in its environment. One that has ended has none.
+/// Returns true if the process began with `mark` in its environment; false if it has ended.
 fn has(process: Pid, mark: &[u8]) -> bool {
     let environment = fs::read(format!("/proc/{}/environ", process.as_raw_nonzero()));
     environment.is_ok_and(|it| it.split(|&byte| byte == 0).any(|it| it == mark))

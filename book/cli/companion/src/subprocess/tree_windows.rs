@@ -6,16 +6,16 @@ use std::process::{ChildStderr, ChildStdin, ChildStdout, Command, Stdio};
 
 use process_wrap::std::{ChildWrapper, CommandWrap, JobObject};
 
-/// A program and what it starts.
+/// A program and all that it starts: a job object.
 pub(super) type ProcessTree = Box<dyn ChildWrapper>;
 
-/// Starts the program in a job.
+/// Starts a program in a new job.
 pub(super) fn spawn(command: &mut Command) -> io::Result<ProcessTree> {
     let command = mem::replace(command, Command::new(""));
     CommandWrap::from(command).wrap(JobObject).spawn()
 }
 
-/// Its input, output and errors, as far as they are piped.
+/// Takes the pipes of the program's input, output and errors, as far as they are piped.
 pub(super) fn take_pipes(
     tree: &mut ProcessTree,
 ) -> (Option<ChildStdin>, Option<ChildStdout>, Option<ChildStderr>) {
@@ -26,14 +26,14 @@ pub(super) fn take_pipes(
     )
 }
 
-/// Ends the job.
+/// Ends all processes of the job.
 pub(super) fn kill(tree: &mut ProcessTree) {
     // What has ended already can't be ended once more.
     let _ = tree.kill();
 }
 
-/// Ends what the process has started, as far as its parents still run: the job of a program
-/// that was started here is ended by its handle, which the guard does not have.
+/// Ends the process and those that it has started, as far as their parents still run. The job
+/// itself is ended by its handle, which the guard does not have.
 pub(super) fn kill_group(leader: u32) {
     let leader = leader.to_string();
     let mut kill = Command::new("taskkill");
@@ -42,8 +42,8 @@ pub(super) fn kill_group(leader: u32) {
     let _ = kill.stdout(Stdio::null()).stderr(Stdio::null()).status();
 }
 
-/// Nothing: a job runs as other programs do.
+/// Does nothing: a job runs as other programs do.
 pub(super) fn lower_priority(_leader: u32) {}
 
-/// Nothing: whatever starts in a job stays in it.
+/// Does nothing: whatever starts in a job stays in it.
 pub(super) fn kill_marked(_mark: &str) {}

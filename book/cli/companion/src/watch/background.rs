@@ -16,7 +16,7 @@ use crate::subprocess::RunningProgram;
 
 const MEANWHILE: &str = "Meanwhile, the laws are built, which test your functions: about a minute, once, and no save waits";
 
-/// Cargo, as it builds all that the tests of a reader's crate stand on.
+/// A cargo in the background that builds all dependencies of a reader's tests.
 #[derive(Default)]
 pub(super) struct BackgroundBuild {
     running: Option<RunningProgram>,
@@ -25,7 +25,8 @@ pub(super) struct BackgroundBuild {
 }
 
 impl BackgroundBuild {
-    /// Begins, or goes on, unless all is built.
+    /// Starts cargo for the crate in `folder`, unless all is built. Cargo goes on where it was
+    /// stopped.
     pub(super) fn go_on(&mut self, folder: &Path) {
         if self.is_done {
             return;
@@ -47,7 +48,7 @@ impl BackgroundBuild {
         }
     }
 
-    /// Returns true if it has ended by itself since the last look.
+    /// Returns true if cargo has ended by itself since the last call or start.
     pub(super) fn has_ended(&mut self) -> bool {
         let ended = |it: &mut RunningProgram| it.exit_status().ok().flatten().is_some();
         let has_ended = self.running.as_mut().is_some_and(ended);
@@ -55,7 +56,7 @@ impl BackgroundBuild {
         has_ended
     }
 
-    /// Stops at once.
+    /// Stops cargo at once.
     pub(super) fn pause(&mut self) {
         self.has_ended();
         self.running = None;

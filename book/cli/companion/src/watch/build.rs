@@ -15,42 +15,43 @@ use serde_json::Value;
 use crate::subprocess::{self, ProgramEnd};
 use crate::terminal::Palette;
 
-/// The programs of a reader's crate.
+/// A reader's crate that cargo has built.
 pub(super) struct BuiltCrate {
-    /// Prints the picture.
+    /// The path of its program, which prints the picture.
     pub(super) program: OsString,
-    /// The compiler's warnings of the reader's files, each in its first line.
+    /// The compiler's warnings: of each the file, the line and the first sentence, in one line.
     pub(super) warnings: Vec<String>,
 }
 
-/// Why a crate was not built.
+/// The reason why cargo could not build a crate.
 pub(super) struct BuildFailure {
-    /// The compiler's first message, as it prints it.
+    /// The compiler's first error, or else the words of cargo, in several lines.
     pub(super) first: String,
-    /// How many more there are.
+    /// The number of errors after the first.
     pub(super) more: usize,
-    /// What to do.
+    /// The advice to the reader.
     pub(super) advice: &'static str,
 }
 
-/// Lines to show before more is built than the crate: for chapter 1, and for those with laws.
+/// The line to show before cargo builds more than the crate, in chapter 1.
 const PRELUDE: &str = "\nBuilding the prelude for all your crates: once, about a quarter of a minute. \
     The laws, from chapter 2 on, take a minute more, once";
+/// The line to show before cargo builds more than the crate, in a chapter with laws.
 const LAWS: &str =
     "\nBuilding the laws, which test your functions, for all your crates: once, about a minute";
 
-/// Why there is nothing to judge.
+/// The reason why a crate is not judged.
 pub(super) enum NoVerdict {
-    /// Something newer was saved.
+    /// A newer save, which is judged instead.
     NewerSave,
-    /// Cargo has not built it.
+    /// A crate that can't be built.
     NotBuilt(BuildFailure),
 }
 
-/// Builds the crate in `folder`.
+/// Builds the reader's crate in `folder`.
 ///
 /// # Errors
-/// If it can't be built, or `is_old` says that there is a newer save.
+/// If the crate can't be built, or if `is_old` returns true meanwhile: there is a newer save.
 pub(super) fn build_crate(
     folder: &Path,
     is_old: &mut dyn FnMut() -> bool,
@@ -65,11 +66,12 @@ pub(super) fn build_crate(
     })
 }
 
-/// Builds the test that puts the functions of the crate under the laws, and returns its program.
-/// Unless it `waits`, it returns `None` as soon as cargo has more to build than the crate.
+/// Builds the test that puts the functions of a crate under the laws, and returns the path of its
+/// program. Without `waits`, returns `None` as soon as cargo has more to build than the crate; with
+/// it, `None` if there is no such test.
 ///
 /// # Errors
-/// If the test can't be built, or `is_old` says that there is a newer save.
+/// If the test can't be built, or if `is_old` returns true meanwhile: there is a newer save.
 pub(super) fn build_laws_test(
     folder: &Path,
     waits: bool,
@@ -89,7 +91,8 @@ pub(super) fn build_laws_test(
     }
 }
 
-/// Makes the command that has cargo do `words` for the crate in `folder`.
+/// Makes the command that runs cargo with the arguments `words` in `folder`, without input and
+/// color.
 pub(super) fn cargo_command(folder: &Path, words: &[&str]) -> Command {
     let mut command = Command::new(cargo::program_name());
     command.args(words).current_dir(folder);
@@ -99,7 +102,8 @@ pub(super) fn cargo_command(folder: &Path, words: &[&str]) -> Command {
     command
 }
 
-/// Runs cargo and returns its messages, if it succeeds. `listen` reads its standard error.
+/// Runs cargo to its end and returns its messages, if it succeeds. `listen` reads its standard
+/// error.
 fn cargo_says(
     folder: &Path,
     words: &[&str],
@@ -130,7 +134,7 @@ fn cargo_says(
     }
 }
 
-/// Lists the compiler's warnings, each with its file and line, once.
+/// Lists the compiler's warnings in order, each once, as a line with file, line and text.
 fn warnings(messages: &[Value]) -> Vec<String> {
     let messages = messages.iter().map(|it| &it["message"]);
     let warning = |message: &Value| {
@@ -148,7 +152,7 @@ fn warnings(messages: &[Value]) -> Vec<String> {
     warnings
 }
 
-/// Returns the first error, or the words of cargo itself where the compiler has said nothing.
+/// Describes the first error of the compiler, or the words of cargo where the compiler has none.
 fn problem(messages: &[Value], said: &str) -> BuildFailure {
     let messages = messages.iter().map(|message| &message["message"]);
     let is_error = |message: &&Value| {
@@ -174,7 +178,7 @@ fn problem(messages: &[Value], said: &str) -> BuildFailure {
     }
 }
 
-/// Leaves out the lists of the types that implement a trait: none of them is meant.
+/// Leaves out of a message the lists of types that implement a trait: they don't help here.
 fn without_impls(message: &str) -> String {
     let mut is_listing = false;
     let is_kept = |line: &&str| {
@@ -189,8 +193,8 @@ fn without_impls(message: &str) -> String {
         .join("\n")
 }
 
-/// Returns true if the compiler advises to compare an `Option` with another one, where a number
-/// is to be taken out of it.
+/// Returns true if the compiler advises to compare an `Option` with another one, where the reader
+/// should take the number out of it.
 fn compares_an_option(error: &Value) -> bool {
     let line = error["spans"][0]["text"][0]["text"].as_str();
     let compares = |line: &str| {
@@ -202,11 +206,11 @@ fn compares_an_option(error: &Value) -> bool {
     line.is_some_and(compares) && rendered.contains("wrapping the expression in `Some`")
 }
 
-/// What to do instead.
+/// The advice to give instead of the compiler's.
 const UNWRAP: &str =
     "do not wrap the number: take t out of the Option, as in `if let Some(t) = … && t > 0.0`";
 
-/// Returns the program that was built of a target of this kind.
+/// Returns the path of the program that was built for a target of this kind, such as `bin`.
 fn executable(messages: &[Value], kind: &str) -> Option<OsString> {
     let of_kind = |message: &&Value| message["target"]["kind"][0] == kind;
     let program = |message: &Value| Some(message["executable"].as_str()?.into());

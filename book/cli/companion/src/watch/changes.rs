@@ -12,12 +12,12 @@ use std::time::{Duration, Instant, SystemTime};
 use crate::done::DONE;
 use crate::sources;
 
-/// The files below a folder, as far as they change.
+/// The files below a folder, to tell a reader's save from what a program wrote.
 pub(super) struct FolderChanges {
     folder: PathBuf,
-    /// The files as they were when the last run began, or when they were last waited for.
+    /// The files when the last run began, or at the last look since.
     judged: FileStamps,
-    /// The files that were edited while no program ran.
+    /// The files that changed while no program ran: the reader edits them.
     edited: HashSet<PathBuf>,
     last_look: Instant,
 }
@@ -25,13 +25,13 @@ pub(super) struct FolderChanges {
 /// The time and the length of each file.
 type FileStamps = HashMap<PathBuf, (Option<SystemTime>, u64)>;
 
-/// How often to look.
+/// The time between two looks at the files.
 const LOOK: Duration = Duration::from_millis(100);
 
-/// So many looks at most, one after the other, until a save counts as finished.
+/// The greatest number of looks, one after the other, until a save counts as finished.
 const PATIENCE: usize = 20;
 
-/// No more files are looked at: a folder with more than that has something else in it.
+/// The number of files that are looked at: a folder with more has something else in it.
 const MOST_FILES: usize = 10_000;
 
 impl FolderChanges {
@@ -44,7 +44,8 @@ impl FolderChanges {
         }
     }
 
-    /// Returns true if the reader has saved something since the program was started.
+    /// Returns true if the reader has saved a file since the program was started. Looks at the
+    /// files at most ten times a second, and returns false in between.
     pub(super) fn has_a_save(&mut self) -> bool {
         if self.last_look.elapsed() < LOOK {
             return false;
@@ -54,8 +55,9 @@ impl FolderChanges {
         changed(&self.judged, &now).any(|path| self.is_the_readers(path))
     }
 
-    /// Waits for a save, or until `has_ended` says that there is nothing to wait for; returns at
-    /// once if there was a save since the program was started. `false` if the folder is gone.
+    /// Waits until the reader saves a file, or `has_ended` returns true. Returns at once if there
+    /// was a save since the program was started. Returns false if the folder is gone, and else
+    /// true.
     pub(super) fn wait_for_save(&mut self, has_ended: &mut dyn FnMut() -> bool) -> bool {
         let now = files_in(&self.folder);
         let mut again = changed(&self.judged, &now).any(|path| self.is_the_readers(path));
@@ -79,14 +81,14 @@ impl FolderChanges {
     }
 }
 
-/// Lists the files that differ, or are only in one of both.
+/// Lists the files that differ, or are only in one of the two.
 fn changed<'a>(old: &'a FileStamps, new: &'a FileStamps) -> impl Iterator<Item = &'a PathBuf> {
     let gone = old.keys().filter(|path| !new.contains_key(*path));
     let is_news = |(path, now): &(&PathBuf, &_)| old.get(*path) != Some(*now);
     gone.chain(new.iter().filter(is_news).map(|(path, _)| path))
 }
 
-/// Waits until nothing happens to the files any more, and returns them.
+/// Waits until the files do not change any more, and returns them.
 fn settled(folder: &Path) -> FileStamps {
     let mut files = files_in(folder);
     for _ in 0..PATIENCE {
@@ -100,8 +102,8 @@ fn settled(folder: &Path) -> FileStamps {
     files
 }
 
-/// Lists all files below the folder, but for hidden ones, builds, and the list of done things. No
-/// link is followed: it may lead to anything.
+/// Lists all files below the folder, but for hidden ones, builds, and the list of done things.
+/// Follows no links.
 fn files_in(folder: &Path) -> FileStamps {
     let mut files = FileStamps::new();
     let mut folders = vec![folder.to_owned()];

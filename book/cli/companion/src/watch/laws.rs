@@ -13,15 +13,15 @@ use slips::{Chapter, ReaderLanguage, lawful};
 use crate::limited;
 use crate::subprocess::{self, ProgramEnd};
 
-/// The result of the test of a reader's crate.
+/// The result of the test that puts the functions of a reader's crate under the laws.
 pub(super) struct LawsResult {
-    /// The answers of the functions.
+    /// All answers that the functions gave.
     pub(super) answers: Answers,
-    /// The first complaint, or that the laws hold.
+    /// The most important complaint, or that all laws hold.
     pub(super) outcome: LawsStatus,
-    /// The functions that obey the laws.
+    /// The names of the functions that obey all laws.
     pub(super) obeyed: Vec<String>,
-    /// The places of each `todo!()` that a test came upon.
+    /// The place of each `todo!()` that a test came upon, as `file:line:column`.
     pub(super) unwritten: Vec<String>,
 }
 
@@ -33,7 +33,8 @@ fn answered(file: &Path) -> String {
     String::from_utf8_lossy(&bytes).into_owned()
 }
 
-/// Runs the test of a reader's crate.
+/// Runs the program `test` of a reader's crate in `folder`, for at most `limit`. A test that can't
+/// be run gives an unknown outcome.
 pub(super) fn run_laws_test(
     test: &OsStr,
     chapter: Chapter,
@@ -90,7 +91,7 @@ fn worst(complaints: Vec<FunctionOutcome>) -> Option<FunctionOutcome> {
     })
 }
 
-/// The name of a prelude in a trial.
+/// The name of the prelude in the outcomes of a test.
 const PRELUDE: &str = "prelude";
 
 fn of_first(of: &str, outcome: Outcome) -> LawsStatus {

@@ -40,15 +40,14 @@ use build::{BuildFailure, BuiltCrate, NoVerdict};
 use changes::FolderChanges;
 use laws::LawsResult;
 
-/// The words behind `cargo rtrace watch`.
+/// The arguments of `cargo rtrace watch`.
 #[derive(Args)]
 pub(crate) struct Arguments {
     /// Which picture it should be
     #[arg(value_name = "CHAPTER", value_parser = ChapterParser(&Chapter::OF_THE_BOOK))]
     chapter: Chapter,
 
-    /// Your own program, which prints the picture; the current folder is watched
-    /// [default: the crate that `start` made, whose folder is watched]
+    /// The reader's program with its arguments, or empty for the crate in `folder`.
     #[arg(last = true, value_name = "PROGRAM", conflicts_with = "in_folder")]
     program: Vec<OsString>,
 
@@ -69,7 +68,12 @@ pub(crate) struct Arguments {
     once: bool,
 }
 
-/// Says how far the reader is, now and whenever something is saved.
+/// Judges the reader's crate or program at once and after each save, and prints each answer, until
+/// the reader ends this or closes the terminal. With `once`, returns 0 if the picture is right,
+/// else 1.
+///
+/// # Errors
+/// If the crate or its folder is missing, or the folder disappears.
 pub(crate) fn watch(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
     let subject = WatchedProgram::of(arguments)?;
     let mut changes = FolderChanges::below(&subject.folder);
@@ -114,10 +118,10 @@ pub(crate) fn watch(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
     }
 }
 
-/// After so many answers that a program would not give, no more are counted.
+/// The number of differing answers of functions after which no more are counted.
 const MOST_UNLIKE: usize = 60;
 
-/// What is watched and judged.
+/// The crate or program that is watched and judged.
 struct WatchedProgram {
     task: Task,
     /// The reader's program with its arguments, or none for the crate in `folder`.
@@ -126,7 +130,7 @@ struct WatchedProgram {
     limit: Duration,
     done: Done,
     crates: ReaderCrates,
-    /// True if the last verdict came without the laws.
+    /// True if the last answer came before the laws were built.
     misses_laws: Cell<bool>,
 }
 
@@ -174,8 +178,11 @@ impl WatchedProgram {
         }
     }
 
-    /// Builds, draws and compares, and waits for the laws if it `waits`, unless `is_old` says
-    /// meanwhile that there is something newer to judge.
+    /// Builds and runs the program, and judges its picture. With `waits`, waits until the laws are
+    /// built.
+    ///
+    /// # Errors
+    /// If the crate can't be built, or if `is_old` returns true meanwhile: there is a newer save.
     fn judge(&self, waits: bool, is_old: &mut dyn FnMut() -> bool) -> Result<Answer, NoVerdict> {
         self.misses_laws.set(false);
         let is_crate = self.program.is_empty();
@@ -206,7 +213,8 @@ impl WatchedProgram {
         }
     }
 
-    /// Returns what the test says that puts the crate under the laws, if it is built.
+    /// Runs the test that puts the crate under the laws. Returns `None` if there is no such test,
+    /// or if the laws are still to be built and this does not wait for them.
     fn laws(
         &self,
         waits: bool,
@@ -224,8 +232,8 @@ impl WatchedProgram {
         )
     }
 
-    /// Returns true if chapter 2 has only its sky yet: there is nothing to ask, and no reader waits
-    /// for the laws.
+    /// Returns true if the picture of chapter 2 is only the sky yet: there is nothing to ask, and
+    /// no reader waits for the laws.
     fn is_before_the_laws(&self, bytes: &[u8]) -> bool {
         let chapter = self.task.chapter;
         let is_sky = |picture: Picture| picture == Chapter::Gradient.picture(picture.width());
@@ -300,7 +308,7 @@ impl WatchedProgram {
         Ok(answer)
     }
 
-    /// The command that watches this, or a probe of it.
+    /// Writes the command that watches this program, or a probe of it.
     fn watch(&self, probe: Option<Probe>) -> String {
         let chapter = self.task.chapter;
         let probe = probe.map_or(String::new(), |probe| format!(" --probe {}", probe.name));
@@ -311,7 +319,7 @@ impl WatchedProgram {
         }
     }
 
-    /// The command that goes on with another chapter.
+    /// Writes the command with which the reader goes on to another chapter.
     fn start(&self, chapter: Chapter) -> String {
         if self.program.is_empty() && self.crates.folder_of(chapter).is_dir() {
             self.crates.watch_command(chapter)
@@ -340,7 +348,7 @@ fn not_built(problem: &BuildFailure) -> Answer {
     sentences::not_compiled(problem.more + 1, lines.collect()).then(next)
 }
 
-/// The program printed no picture, and these were its last words.
+/// Makes the answer to a program that printed no picture, with its last words on standard error.
 fn stopped(cause: &Cause, errors: &str) -> Answer {
     let next = if errors.contains("has overflowed its stack") {
         "a function calls itself without an end: look for one whose own name is in its body"
@@ -353,8 +361,8 @@ fn stopped(cause: &Cause, errors: &str) -> Answer {
     refused.with(printed_rows(errors)).then(next)
 }
 
-/// The program stopped at `place`, where nothing has been written yet. The laws judge what is
-/// written already, and the first file that waits is the next one.
+/// Makes the answer to a program that stopped at `place`, a `todo!()`. The laws judge what is
+/// written already; the first file in the order of typing with a `todo!()` is the next to type.
 fn not_written(chapter: Chapter, place: &str, asked: Option<LawsResult>) -> Answer {
     let Some(asked) = asked else {
         return sentences::not_written(chapter, place, &[]);
@@ -374,7 +382,7 @@ fn not_written(chapter: Chapter, place: &str, asked: Option<LawsResult>) -> Answ
     }
 }
 
-/// Where panics say that nothing has been written yet.
+/// Lists the places of panics of a `todo!()`, as `file:line:column`.
 fn not_written_yet(errors: &str) -> impl Iterator<Item = &str> {
     let panics = errors.split(":\nnot yet implemented");
     panics.filter_map(|before| Some(before.lines().next_back()?.split_once("panicked at ")?.1))

@@ -10,10 +10,11 @@ use check::text::{MOST_LINES, answer_lines};
 use crate::terminal::{self, Palette};
 use crate::wrap::{style, text_width, wrap_hanging};
 
-/// How large each picture is, in characters.
+/// The width and the height of each picture, in characters.
 const PICTURE: (u32, u32) = (32, 9);
 
-/// The screen as text; on a terminal it replaces the one before.
+/// Writes a screen: the title, both pictures small, the answer, and the `news` on the list of done
+/// things. On a terminal, it begins with the codes that clear the last one.
 pub(super) fn compose(title: &str, answer: &Answer, news: &[String], took: Duration) -> String {
     let above: Vec<String> = iter::once(head(title, took))
         .chain(pictures(answer))
@@ -28,13 +29,13 @@ pub(super) fn compose(title: &str, answer: &Answer, news: &[String], took: Durat
     format!("{clear}{}\n", [above, answer, done].concat().join("\n"))
 }
 
-/// Returns true if each screen takes the place of the one before: on a terminal that can.
+/// Returns true if each screen replaces the one before: on a terminal that can be cleared.
 pub(super) fn is_cleared() -> bool {
     stdout().is_terminal()
         && env::var_os("TERM").is_some_and(|term| term != "dumb" && !term.is_empty())
 }
 
-/// Returns true if nobody reads any more what is printed, as behind `| head -1`.
+/// Returns true if nobody reads standard output any more, as behind `| head -1`.
 pub(super) fn is_output_closed() -> bool {
     #[cfg(unix)]
     {
@@ -49,13 +50,13 @@ pub(super) fn is_output_closed() -> bool {
     false
 }
 
-/// Returns what is judged, and how long that took.
+/// Writes the title, and the time that judging took.
 fn head(title: &str, took: Duration) -> String {
     let took = format!("judged in {:.1} s", took.as_secs_f64());
     format!("{}  {}", style().bold(title), style().dim(&took))
 }
 
-/// The lines of the terminal, but for the one with the cursor.
+/// Returns the number of the terminal's lines, but for the one with the cursor.
 fn height() -> usize {
     let size = terminal_size::terminal_size();
     size.map_or(usize::MAX, |(_, height)| {
@@ -63,7 +64,7 @@ fn height() -> usize {
     })
 }
 
-/// Yours at the left, and at the right what it should be.
+/// Returns lines with both pictures: the reader's at the left, the right one at the right.
 fn pictures(answer: &Answer) -> Vec<String> {
     let (Some(palette), Some(it)) = (Palette::of_stdout(), &answer.pictures) else {
         return Vec::new();
