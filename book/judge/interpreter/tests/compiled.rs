@@ -255,7 +255,7 @@ fn expressions_come_to_what_the_compiler_makes_of_them() {
     }
 }
 
-/// The rows of a table, without its head.
+/// Returns the rows of a table without its head, split at ` ¦ `.
 fn rows<const N: usize>(table: &str) -> Vec<[String; N]> {
     let rows = table.lines().skip(1);
     let parts = rows.map(|row| row.splitn(N, " ¦ ").map(|it| it.replace('⏎', "\n")));
@@ -265,11 +265,11 @@ fn rows<const N: usize>(table: &str) -> Vec<[String; N]> {
         .collect()
 }
 
-/// Mistakes that the compiler finds: in which chapter, what it has, what is typed there, and
-/// what is said, after the line.
+/// A table of mistakes that the compiler finds: the chapter, a text of it, the text typed in its
+/// place, and the line and message of the fault.
 const REFUSED: &str = include_str!("texts/refused.txt");
 
-/// Returns the files of the row's chapter, one of them changed.
+/// Returns the files of a row's chapter, one of them changed as the row says.
 fn changed(row: &[String]) -> Vec<(&'static str, String)> {
     let [name, right, wrong, ..] = row else {
         panic!("{row:?} is no row");
@@ -277,7 +277,8 @@ fn changed(row: &[String]) -> Vec<(&'static str, String)> {
     replaced(Chapter::find(name).expect("a chapter"), right, wrong)
 }
 
-/// Returns what is said first: the file, the line and the words.
+/// Returns the file, the line and the message of the first fault, or of the first lines that were
+/// not checked.
 fn said_here(files: &[(&'static str, String)]) -> Option<(String, usize, String)> {
     let there = |file: usize, line, said: &str| Some((files[file].0.to_owned(), line, said.into()));
     let drawn = read(files).and_then(|program| program.draw(16).map(|_| program));
@@ -372,7 +373,7 @@ fn what_is_read_or_is_not_known_compiles() {
     assert!(refused.is_empty(), "{}", refused.join("\n"));
 }
 
-/// A folder with the manifest of a crate.
+/// Makes a folder with the manifest of a crate, and returns its path.
 fn crate_of_ones_own(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     let common = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../common");
@@ -385,7 +386,7 @@ fn crate_of_ones_own(name: &str) -> PathBuf {
     folder
 }
 
-/// Returns what the compiler says of the crate with these files.
+/// Returns the compiler's messages for the crate with these files.
 fn said_of(folder: &Path, files: &[(&'static str, String)]) -> String {
     for (name, text) in files {
         fs::write(folder.join(name), text).expect("a file");

@@ -4,7 +4,8 @@ use std::thread;
 
 use interpreter::SourceFile;
 
-/// What opens a level, what is inside, and what closes it; and how many levels are taken.
+/// Texts that nest: the opening of a level, the innermost text, the closing of a level, and how
+/// many levels are read.
 const NESTED: [(&str, &str, &str, usize); 19] = [
     ("(", "x", ")", 194),
     ("", "x", " + x", 194),
@@ -27,7 +28,7 @@ const NESTED: [(&str, &str, &str, usize); 19] = [
     ("{ fn f<A, B: Fn(A) -> ", "f64", ">() {} x }", 32),
 ];
 
-/// How many levels are far more than a stack has room for.
+/// A count of levels for which no stack has room.
 const MANY: usize = 120_000;
 
 #[test]
@@ -54,7 +55,7 @@ fn what_is_nested_too_deep_is_refused_with_its_line() {
     read.expect("a thread").join().expect("no panic");
 }
 
-/// Returns what is said of a function with that body.
+/// Returns the message at which a function with that body stops; empty if it does not.
 fn stopped(body: &str) -> String {
     let text = format!(
         "use common::rtweekend::*;\n\nstruct Link {{ next: Option<Box<Link>> }}\n\n\
