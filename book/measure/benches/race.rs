@@ -34,7 +34,7 @@ struct Arguments {
 /// The width of the pictures in pixels, at which tracing takes most of the time.
 const WIDEST: u32 = 3840;
 
-/// What is raced: whole programs, whose text is thrown away, and tracing alone, without text.
+/// The kinds of races: whole programs, whose text is thrown away, and tracing alone, without text.
 const COURSES: [&str; 2] = ["nowhere", "traced"];
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -318,15 +318,19 @@ impl<'a> Interview<'a> {
         )
     }
 
-    /// Returns the end of a sentence about the program, which tells the failure, and advice against
-    /// it.
-    fn explained(&self, failure: &DialogueFailure) -> (String, String) {
-        let limit = self.arguments.timeout;
-        let wanted = match self.arguments.chapter {
+    /// Describes an answer as the program should print it.
+    fn wanted(&self) -> &'static str {
+        match self.arguments.chapter {
             Chapter::RedSphere => "hit or miss",
             Chapter::HittableList => "t, and perhaps the normal and front or back; or miss",
             _ => "t, as a number, or miss",
-        };
+        }
+    }
+
+    /// Returns the end of a sentence about the program, which tells the failure, and advice against
+    /// it.
+    fn explained(&self, failure: &DialogueFailure) -> (String, String) {
+        let (limit, wanted) = (self.arguments.timeout, self.wanted());
         let shown = |said: &str| format!("`{}`", names::escape_for_terminal(said));
         match failure {
             DialogueFailure::Tardy => (

@@ -21,6 +21,7 @@ use check::judge_file;
 use check::names::{companion_command, name_from_here};
 use check::reading::{Cause, read};
 use check::sentences::{self, printed_rows, step_done_line};
+use check::sources::Sources;
 use check::task::Task;
 use clap::Args;
 use common::engine::output;
@@ -242,7 +243,8 @@ impl WatchedProgram {
             && read(bytes).is_ok_and(|reading| is_sky(reading.picture()))
     }
 
-    /// The answer to a picture, with all that is known of the program.
+    /// Judges a picture, with all that is known of the program: `built` is the crate that drew it,
+    /// and `ask` runs the test of the laws.
     fn of_picture(
         &self,
         bytes: &[u8],
@@ -251,14 +253,7 @@ impl WatchedProgram {
     ) -> Result<Answer, NoVerdict> {
         let chapter = self.task.chapter;
         let is_crate = built.is_some();
-        let (sources, language) = if is_crate {
-            let sources = sources::of_crate(&self.folder, chapter);
-            (sources, Some(ReaderLanguage::Rust))
-        } else {
-            let found = sources::of_program(&self.program, &self.folder);
-            let language = found.reader_language();
-            (found.sources, language)
-        };
+        let (sources, language) = self.sources_and_language();
         let has_own_prelude = self.folder.join("src/rtweekend.rs").exists();
         let can_be_made = |slip: &Slip| {
             language.is_none_or(|language| slip.is_possible_in_language(language))
@@ -271,19 +266,13 @@ impl WatchedProgram {
         let compare = answers.map(|answers| {
             |program: &ChapterProgram| lawful::mismatch_with(answers, chapter, program, MOST_UNLIKE)
         });
-        let is_done = |step| self.done.has(&step_done_line(chapter, step));
         let context = Context {
             language,
             can_be_made: Some(&can_be_made),
             sources,
             answers: compare.as_ref().map(|compare| compare as _),
             warnings,
-            steps: match self.task.probe {
-                Some(_) => Vec::new(),
-                None => (1..=steps::of_chapter(chapter).len())
-                    .map(is_done)
-                    .collect(),
-            },
+            steps: self.done_steps(),
         };
         let attempt = Attempt {
             laws: match &asked {
@@ -299,13 +288,29 @@ impl WatchedProgram {
         };
         let mut answer = attempt.answer(judge_file(&self.task, bytes, 0, &context));
         if answer.is_right() && !is_crate && ASKED.contains(&chapter) {
-            let (companion, name) = (companion_command(), chapter.name());
-            let asks = format!(
-                "{companion} laws {name} asks your function what no picture shows; lines on the page Check your picture"
-            );
-            answer.rows.push(Row::new(RowKind::Laws, asks));
+            answer.rows.push(laws_hint(chapter));
         }
         Ok(answer)
+    }
+
+    /// Finds the reader's source files, and the language in which an answer shows lines.
+    fn sources_and_language(&self) -> (Sources, Option<ReaderLanguage>) {
+        if self.program.is_empty() {
+            let sources = sources::of_crate(&self.folder, self.task.chapter);
+            return (sources, Some(ReaderLanguage::Rust));
+        }
+        let found = sources::of_program(&self.program, &self.folder);
+        let language = found.reader_language();
+        (found.sources, language)
+    }
+
+    /// Returns for each step of the chapter true if it is on the list of done things; empty for a
+    /// probe, which has no steps.
+    fn done_steps(&self) -> Vec<bool> {
+        let chapter = self.task.chapter;
+        let is_done = |step| self.done.has(&step_done_line(chapter, step));
+        let steps = (1..=steps::of_chapter(chapter).len()).filter(|_| self.task.probe.is_none());
+        steps.map(is_done).collect()
     }
 
     /// Writes the command that watches this program, or a probe of it.
@@ -337,6 +342,16 @@ impl WatchedProgram {
     }
 }
 
+/// Names the command that asks a program in any language what no picture shows.
+fn laws_hint(chapter: Chapter) -> Row {
+    let (companion, name) = (companion_command(), chapter.name());
+    let hint = format!(
+        "{companion} laws {name} asks your function what no picture shows; lines on the page Check your picture"
+    );
+    Row::new(RowKind::Laws, hint)
+}
+
+/// Makes the answer to a crate that can't be built: the compiler's first error, and advice.
 fn not_built(problem: &BuildFailure) -> Answer {
     let number = problem.first.split_once("[E").and_then(|it| it.1.get(..4));
     let more = number.map(|number| format!("; rustc --explain E{number} tells more"));
