@@ -48,7 +48,7 @@ impl Pattern {
         }
     }
 
-    /// Returns the expression of the pattern in [`normal`] form.
+    /// Returns the expression of the pattern in [`normal()`] form.
     pub fn tree(&self) -> &Tree {
         &self.tree
     }
@@ -71,7 +71,7 @@ impl Pattern {
         nodes.iter().filter(counts).count() < SMALL
     }
 
-    /// Searches an expression in [`normal`] form for the pattern, and returns its first occurrence,
+    /// Searches an expression in [`normal()`] form for the pattern, and returns its first occurrence,
     /// the whole before its parts. A [small](Self::is_small) pattern is compared with the whole and
     /// with conditions only.
     pub fn find<'t>(&self, tree: &'t Tree) -> Option<Match<'t>> {

@@ -107,7 +107,7 @@ impl Language {
     }
 
     /// Writes an expression as source code of this language. Returns `None` if the expression has a
-    /// closure or the reciprocal of the [`normal`](crate::normal) form, which are not written.
+    /// closure or the reciprocal of the [`normal`](crate::normal()) form, which are not written.
     pub fn to_source(self, tree: &Tree) -> Option<String> {
         self.within(tree, 0)
     }

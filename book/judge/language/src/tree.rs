@@ -15,7 +15,7 @@ pub enum Op {
     /// method or field of this name of the first part.
     Call(String),
     /// A binary operator between two parts, spelled as in Rust; `//` is the division of whole
-    /// numbers. In [`normal`](crate::normal) form sums and products have more parts, and `<` and
+    /// numbers. In [`normal`](crate::normal()) form sums and products have more parts, and `<` and
     /// `<=` have one that is compared with 0.
     Operator(&'static str),
     /// The arithmetic negation of the only part.
@@ -29,7 +29,7 @@ pub enum Op {
     List,
     /// An element of a list, `a[i]`. The parts are the list and the index.
     Index,
-    /// 1 divided by the only part; only in [`normal`](crate::normal) form.
+    /// 1 divided by the only part; only in [`normal`](crate::normal()) form.
     Reciprocal,
 }
 

@@ -247,7 +247,7 @@ impl Slip {
     }
 
     /// Returns the names of the probes that show the slip in a chapter whose own picture hides it,
-    /// in no fixed order; empty if no probe does. `None` if the chapter's picture shows it.
+    /// in the order of [`PROBES`]; empty if no probe does. `None` if the chapter's picture shows it.
     pub fn revealing_probes(&self, chapter: Chapter) -> Option<Vec<&'static str>> {
         let mut rows = kept(HIDDEN).map(str::split_whitespace);
         rows.find_map(|mut row| {

@@ -6,7 +6,7 @@ use super::chapter_statement::{ChapterStatement, chapter_statements};
 use super::transplant::Transplant;
 use super::{LineStatus, SourceLine, TypedStatement};
 
-/// From this [likeness](super::likeness) on a line is one of the chapter's with a mistake in it.
+/// From this [likeness](super::likeness()) on a line is one of the chapter's with a mistake in it.
 const MISTAKEN: f64 = 0.75;
 
 /// A chapter's statements beside those that a reader typed.

@@ -35,7 +35,7 @@ pub(super) fn sum(parts: Vec<Tree>) -> Tree {
     for term in flattened("+", parts) {
         match (term.value(), number.as_ref().and_then(Tree::value)) {
             (Some(value), Some(before)) => {
-                number = Some(Tree::number(before + value).placed_at(term.at))
+                number = Some(Tree::number(before + value).placed_at(term.at));
             }
             (Some(_), None) => number = Some(term),
             _ => terms.push(term),

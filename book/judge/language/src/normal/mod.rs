@@ -20,7 +20,7 @@ pub(crate) use vocabulary::{REAL, WHOLE, function, is_in};
 enum Rewriting {
     /// Only spelling, as [`plain`] does.
     Plain,
-    /// Also arithmetic and logic, as [`normal`] does.
+    /// Also arithmetic and logic, as [`normal()`] does.
     Normal,
 }
 
@@ -33,7 +33,7 @@ pub fn normal(tree: &Tree) -> Tree {
 
 /// Rewrites an expression with one spelling for all languages: operators for functions like `add`,
 /// fields for functions like `x()`, [`canonical`] names, no casts. The arithmetic stays as it is,
-/// unlike in [`normal`].
+/// unlike in [`normal()`].
 pub fn plain(tree: &Tree) -> Tree {
     rewritten(tree, Rewriting::Plain)
 }
