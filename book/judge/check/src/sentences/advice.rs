@@ -28,15 +28,10 @@ impl Attempt<'_> {
     /// Returns the row that names the chapter that was guessed. Chapters 3 and 4 draw the same
     /// picture, so that both are named.
     pub(crate) fn taken_for(&self) -> Row {
-        let also = self
-            .task
-            .with_the_other_formula()
-            .map(|other| other.chapter);
-        let also = also.map_or(String::new(), |other| format!(" or {}", other.name()));
-        Row::new(
-            RowKind::Besides,
-            format!("the picture was taken for {}{also}", named(&self.task)),
-        )
+        let other = self.task.with_the_other_formula();
+        let also = other.map_or(String::new(), |it| format!(" or {}", it.chapter.name()));
+        let said = format!("the picture was taken for {}{also}", named(&self.task));
+        Row::new(RowKind::Besides, said)
     }
 
     /// Proposes a further picture, which shows mistakes that the right one hides: of those that
@@ -54,10 +49,8 @@ impl Attempt<'_> {
         // A program may have its height as a number.
         let line = format!("image_width = {width}");
         let both = format!("{line}, so that image_height is {}", task.height(*width));
-        let change = task
-            .change_lines(*width, self.context.language)
-            .replace('\n', "; ");
-        let change = change.replacen(&line, &both, 1);
+        let change = task.change_lines(*width, self.context.language);
+        let change = change.replace('\n', "; ").replacen(&line, &both, 1);
         let (name, what) = match task.probe {
             Some(probe) => (probe.name, format!("the probe {}", probe.name)),
             None => ("", format!("the chapter {width} pixels wide")),
@@ -71,9 +64,8 @@ impl Attempt<'_> {
     /// does.
     pub(super) fn to_tell_apart(&self, finding: &Finding) -> Option<Row> {
         let probe = finding.mistakes.as_ref()?.telling?;
-        let change = probe
-            .lines(finding.task.chapter, self.context.language)
-            .replace('\n', "; ");
+        let change = probe.lines(finding.task.chapter, self.context.language);
+        let change = change.replace('\n', "; ");
         let (name, judge) = (probe.name, (self.commands.judge)(Some(probe)));
         let said = format!(
             "draw the probe {name}, which tells some of these mistakes apart: {change}; then {judge}"
@@ -84,18 +76,13 @@ impl Attempt<'_> {
     /// Advises on a shape that is not the book's: it may be a choice, or the work of these slips.
     pub(super) fn shape_is(&self, task: &Task, slips: &[&Slip]) -> String {
         let said = |slip: &&Slip| {
-            format!(
-                "{} ({})",
-                slip.name,
-                self.context.slip_text(slip, task).wrong
-            )
+            let wrong = self.context.slip_text(slip, task).wrong;
+            format!("{} ({wrong})", slip.name)
         };
-        let look = match slips {
+        let slips: Vec<String> = slips.iter().map(said).collect();
+        let look = match &slips[..] {
             [] => String::new(),
-            slips => {
-                let slips = slips.iter().map(said).collect::<Vec<_>>();
-                format!("; if not, look for {}", slips.join(", or "))
-            }
+            slips => format!("; if not, look for {}", slips.join(", or ")),
         };
         format!("if you chose the shape, nothing is wrong{look}")
     }

@@ -150,8 +150,8 @@ impl Mistakes {
         };
         let recognized = match (self.is_in_text, self.all.len() > 1 || is_pair) {
             (true, _) => "",
-            (false, false) => ". Its line was not found in your files",
-            (false, true) => ". Their lines were not found in your files",
+            (false, false) => ". The wrong line was not found in your files",
+            (false, true) => ". The wrong lines were not found in your files",
         };
         format!("the chapter with {with} {draws}{wrapped}{others}{recognized}")
     }
