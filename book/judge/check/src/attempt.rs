@@ -77,8 +77,8 @@ impl Commands<'_> {
 }
 
 impl<'a> Attempt<'a> {
-    /// Makes the attempt at a task that was named, of a reader who hands in a picture alone: without
-    /// name and flaw, and without functions that the laws could ask.
+    /// Makes the attempt at a task that was named, of a reader who hands in a picture alone:
+    /// without name and flaw, and without functions that the laws could ask.
     pub fn new(task: Task, context: &'a Context<'a>) -> Self {
         Self {
             task,

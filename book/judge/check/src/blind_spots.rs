@@ -12,8 +12,8 @@ use crate::task::Task;
 /// The picture to draw next, after a right one.
 #[derive(Debug)]
 pub struct NextPicture {
-    /// The task to draw: a probe of the chapter, or the chapter itself if that was drawn smaller than
-    /// in the book.
+    /// The task to draw: a probe of the chapter, or the chapter itself if that was drawn smaller
+    /// than in the book.
     pub task: Task,
     /// The width to draw, in pixels.
     pub width: u32,

@@ -80,8 +80,8 @@ impl Candidate {
         output.pixel(n).map(|level| self.conversion.apply(level))
     }
 
-    /// Returns true if, judged by a sample of [`GLANCE`] pixels, the program may leave at most `most`
-    /// pixels unexplained.
+    /// Returns true if, judged by a sample of [`GLANCE`] pixels, the program may leave at most
+    /// `most` pixels unexplained.
     pub(crate) fn may_leave(&self, reading: &Reading, most: usize) -> bool {
         let Some(output) = self.output(reading) else {
             return false;
@@ -127,7 +127,8 @@ impl Candidate {
         Some(unexplained)
     }
 
-    /// Iterates over all pixels of the program, row by row from the top; `None` if the sizes differ.
+    /// Iterates over all pixels of the program, row by row from the top; `None` if the sizes
+    /// differ.
     fn pixels<'a>(&'a self, reading: &'a Reading) -> Option<Box<dyn Iterator<Item = Pixel> + 'a>> {
         let output = self.output(reading)?;
         // The right picture is drawn sooner by what is compiled.

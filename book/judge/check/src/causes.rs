@@ -1,5 +1,5 @@
-//! The causes for which a picture is refused before its pixels are judged: its shape, its numbers, and
-//! what it shows.
+//! The causes for which a picture is refused before its pixels are judged: its shape, its numbers,
+//! and what it shows.
 
 use slips::{ChapterProgram, Edition, ReaderLanguage, Slip};
 

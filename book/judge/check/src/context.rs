@@ -15,13 +15,15 @@ pub(crate) use crate::sources::LineStatus;
 use crate::sources::{CorrectedLine, Sources};
 use crate::task::Task;
 
-/// A function that compares the answers of the reader's functions with those of a chapter's program.
+/// A function that compares the answers of the reader's functions with those of a chapter's
+/// program.
 pub type CompareAnswers<'a> = dyn Fn(&ChapterProgram) -> Mismatch + 'a;
 
 /// All that is known of a reader's program besides its picture; by default nothing.
 #[derive(Default)]
 pub struct Context<'a> {
-    /// The language in which the reader writes; `None` means the book's C++, in the edition of the task.
+    /// The language in which the reader writes; `None` means the book's C++, in the edition of the
+    /// task.
     pub language: Option<ReaderLanguage>,
     /// Tells whether the reader can have made a slip; `None` if every slip is possible.
     pub can_be_made: Option<&'a dyn Fn(&Slip) -> bool>,
@@ -32,8 +34,8 @@ pub struct Context<'a> {
     pub answers: Option<&'a CompareAnswers<'a>>,
     /// The warnings of the compiler, in its words.
     pub warnings: Vec<String>,
-    /// For each step of the chapter in its order, true if the reader has done it before; empty if no
-    /// steps are judged.
+    /// For each step of the chapter in its order, true if the reader has done it before; empty if
+    /// no steps are judged.
     pub steps: Vec<bool>,
 }
 
@@ -42,16 +44,16 @@ pub struct Context<'a> {
 const REFUTING: usize = 50;
 
 impl Context<'_> {
-    /// Returns true if the reader's files follow version 4 of the book, as the chapters do: they are
-    /// a chapter's, or have names that no earlier version has.
+    /// Returns true if the reader's files follow version 4 of the book, as the chapters do: they
+    /// are a chapter's, or have names that no earlier version has.
     pub(crate) fn follows_version_4(&self) -> bool {
         let has_names =
             |it: &SourceFile| it.text.contains("pixel_delta") || it.text.contains("pixel00");
         self.sources.are_of_the_chapter() || self.sources.files().iter().any(has_names)
     }
 
-    /// Returns the wrong line, the right line and the reason of a slip in the chapter of the task, in
-    /// the reader's language.
+    /// Returns the wrong line, the right line and the reason of a slip in the chapter of the task,
+    /// in the reader's language.
     pub fn slip_text(&self, slip: &Slip, task: &Task) -> SlipText {
         let is_older = task.edition != Edition::V4;
         let language = match self.language {
@@ -66,8 +68,8 @@ impl Context<'_> {
         slip.text_in(language, task.chapter)
     }
 
-    /// Returns true if the reader can have made the slip, as far as is known: its right line does not
-    /// stand in the files.
+    /// Returns true if the reader can have made the slip, as far as is known: its right line does
+    /// not stand in the files.
     pub fn can_be_made(&self, slip: &Slip, task: &Task) -> bool {
         self.can_be_made.is_none_or(|can_be| can_be(slip))
             && self.line_status(slip, task) != LineStatus::Right
@@ -170,8 +172,9 @@ impl<'a> Evidence<'a> {
         passed.iter().any(|it| it.name == slip.name)
     }
 
-    /// Returns true if the reader's files or functions speak against a program with slips: the right
-    /// line of one of its slips stands in the files, or more than one in [`REFUTING`] answers differ.
+    /// Returns true if the reader's files or functions speak against a program with slips: the
+    /// right line of one of its slips stands in the files, or more than one in [`REFUTING`] answers
+    /// differ.
     pub(crate) fn refutes(&self, it: &Candidate) -> bool {
         let context = self.context;
         let is_right =

@@ -1,12 +1,13 @@
 //! The judge of a picture, ours or a reader's.
 //!
 //! A file passes through these modules in turn: [`reading`] makes a picture of bytes that may be
-//! anything. [`judge()`] asks which program draws the picture, and `search` tries which change makes
-//! the reader's own program right. An [`attempt`] puts the [`verdict`] into an [`answer`], in the
-//! words of [`sentences`], and [`text`] or [`html`] lays it out.
+//! anything. [`judge()`] asks which program draws the picture, and `search` tries which change
+//! makes the reader's own program right. An [`attempt`] puts the [`verdict`] into an [`answer`], in
+//! the words of [`sentences`], and [`text`] or [`html`] lays it out.
 //!
-//! Beside them, [`blind_spots`] finds the mistakes that a right picture hides, [`guess`] the chapter
-//! of a picture without a name, and [`any_language`] puts a function in any language under the laws.
+//! Beside them, [`blind_spots`] finds the mistakes that a right picture hides, [`guess`] the
+//! chapter of a picture without a name, and [`any_language`] puts a function in any language under
+//! the laws.
 
 pub mod answer;
 pub mod any_language;

@@ -10,8 +10,8 @@ use crate::pixels::{distance, spread};
 use crate::reading::Reading;
 use slips::{Chapter, ChapterProgram, Edition, Probe, ReaderLanguage, Slip, steps, width_line};
 
-/// The picture that a reader was asked to draw: a chapter's, as far as a step of it, with a probe or
-/// without, by one edition of the book.
+/// The picture that a reader was asked to draw: a chapter's, as far as a step of it, with a probe
+/// or without, by one edition of the book.
 #[derive(Clone, Copy, Debug)]
 pub struct Task {
     /// The chapter whose program draws the picture.
@@ -30,8 +30,8 @@ pub struct Task {
 }
 
 impl Task {
-    /// Makes the task to draw the whole chapter as the book has it. Version 4 is the edition, but the
-    /// pictures of others count as right, too.
+    /// Makes the task to draw the whole chapter as the book has it. Version 4 is the edition, but
+    /// the pictures of others count as right, too.
     pub fn of(chapter: Chapter) -> Self {
         Self {
             chapter,
@@ -139,8 +139,8 @@ impl Task {
     }
 
     /// Returns this task by each edition whose picture counts as right, in a picture of that size,
-    /// the latest edition first. In the shape of version 4, editions of another shape are left out, but
-    /// for the first: many readers keep the rays and the factor of that one.
+    /// the latest edition first. In the shape of version 4, editions of another shape are left out,
+    /// but for the first: many readers keep the rays and the factor of that one.
     pub(crate) fn by_editions(self, width: u32, height: u32) -> impl Iterator<Item = Self> {
         Edition::ALL
             .into_iter()

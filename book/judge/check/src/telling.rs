@@ -6,8 +6,9 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use crate::task::Task;
 use slips::{PROBES, Probe, Slip};
 
-/// Chooses the probe in which the mistakes draw most different pictures, the first of equals; `None`
-/// if there is one mistake, or all draw the same in each probe. Never chooses that of the task.
+/// Chooses the probe in which the mistakes draw most different pictures, the first of equals;
+/// `None` if there is one mistake, or all draw the same in each probe. Never chooses that of the
+/// task.
 pub(crate) fn telling_probe(task: &Task, mistakes: &[Vec<&'static Slip>]) -> Option<Probe> {
     let mut best = (1, None);
     for probe in PROBES.into_iter().filter(|_| mistakes.len() > 1) {

@@ -63,8 +63,8 @@ pub fn filled(text: &str, width: usize, first: &str, rest: &str) -> String {
     textwrap::fill(&text, options).replace('\u{a0}', " ")
 }
 
-/// Keeps the first rows for which there is room, in lines of a terminal, with a `…` if some are left
-/// out.
+/// Keeps the first rows for which there is room, in lines of a terminal, with a `…` if some are
+/// left out.
 fn fitting(rows: Vec<Vec<String>>, width: usize, room: usize) -> Vec<String> {
     if rows.iter().map(|row| height(row, width)).sum::<usize>() <= room {
         return rows.concat();

@@ -82,8 +82,8 @@ pub struct Finding {
     pub yours: Picture,
     /// The pixels in which the two pictures differ; `None` if no pixel does.
     pub difference: Option<Difference>,
-    /// The few pixels that are wrong, if all others are right; none of them in the picture of a step.
-    /// `None` if the picture is wrong.
+    /// The few pixels that are wrong, if all others are right; none of them in the picture of a
+    /// step. `None` if the picture is wrong.
     pub almost_right: Option<Unexplained>,
     /// The known mistakes that draw the picture; `None` if none does.
     pub mistakes: Option<Mistakes>,
@@ -95,8 +95,8 @@ pub struct Finding {
     /// Two rows about the first pixel that differs: its color, and the numbers of its ray as they
     /// should be. Empty if a known mistake draws the picture.
     pub first_pixel: Vec<Row>,
-    /// The change of the reader's own lines that was tried and makes the program right; `None` if none
-    /// was found.
+    /// The change of the reader's own lines that was tried and makes the program right; `None` if
+    /// none was found.
     pub repair: Option<Repair>,
     /// True if the reader's functions give the answers of the program that explains the picture,
     /// or were asked nothing.
@@ -123,8 +123,8 @@ pub struct Mistakes {
 }
 
 impl Verdict {
-    /// Returns the exit code of a command: 0 for a right picture in a shape that no slip gives, 2 for
-    /// no picture, 1 for everything else.
+    /// Returns the exit code of a command: 0 for a right picture in a shape that no slip gives, 2
+    /// for no picture, 1 for everything else.
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Right(right) if right.shape_given_by.is_empty() => 0,
@@ -143,8 +143,8 @@ impl Verdict {
         }
     }
 
-    /// Returns the explanation of a wrong picture; `None` if the picture is right, is another task's,
-    /// or has no pixels to judge.
+    /// Returns the explanation of a wrong picture; `None` if the picture is right, is another
+    /// task's, or has no pixels to judge.
     pub fn finding(&self) -> Option<&Finding> {
         match self {
             Self::Right(_) | Self::Another { .. } => None,
@@ -164,8 +164,8 @@ impl RightPicture {
 }
 
 impl Finding {
-    /// Returns true if no program explains the picture, more than half of its pixels differ from the
-    /// right ones, and some of them by more than a level.
+    /// Returns true if no program explains the picture, more than half of its pixels differ from
+    /// the right ones, and some of them by more than a level.
     pub(crate) fn is_unlike(&self) -> bool {
         let is_explained = self.almost_right.is_some() || self.mistakes.is_some();
         let difference = self.difference.as_ref();
@@ -191,8 +191,8 @@ impl Finding {
         self.difference.as_ref().map_or(0, |it| it.levels)
     }
 
-    /// Returns the slips of the only known mistake that draws the picture; empty if there is none, or
-    /// more than one.
+    /// Returns the slips of the only known mistake that draws the picture; empty if there is none,
+    /// or more than one.
     pub fn only_mistake(&self) -> &[&'static Slip] {
         match &self.mistakes {
             Some(Mistakes { all, .. }) if all.len() == 1 => &all[0],

@@ -134,7 +134,8 @@ const IN_OTHER_WORDS: [(&str, &str); 2] = [
     ),
 ];
 
-/// A helper whose ground no ray of the picture meets, so that the picture is step 1 to the last bit.
+/// A helper whose ground no ray of the picture meets, so that the picture is step 1 to the last
+/// bit.
 const GROUND: &str = "ground()));
     world
 }

@@ -58,8 +58,8 @@ impl Manner {
         all.into_iter().filter(is_kept).collect()
     }
 
-    /// Returns true if a function with this manner must give another answer to the question than one
-    /// without, whatever its other manners are.
+    /// Returns true if a function with this manner must give another answer to the question than
+    /// one without, whatever its other manners are.
     fn shows(self, function: FunctionKind, asked: &IntervalCase) -> bool {
         let IntervalCase { case, t_min, t_max } = *asked;
         let exact = ExactCase::of(&case);

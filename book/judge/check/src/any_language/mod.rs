@@ -67,8 +67,8 @@ impl FunctionKind {
     ///
     /// The line is `miss`, `hit` for a decision, or the number `t`. For a record, the normal and
     /// `front` or `back` may follow `t`; without them, they count as right. If a program
-    /// `says_minus_one` for a miss, as the book's C++ does in chapters 3 and 4, that number is a miss
-    /// unless it is the root.
+    /// `says_minus_one` for a miss, as the book's C++ does in chapters 3 and 4, that number is a
+    /// miss unless it is the root.
     ///
     /// # Errors
     /// If the line is no answer, with the reason.

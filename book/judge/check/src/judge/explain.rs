@@ -1,8 +1,8 @@
 //! The explanation of a picture by programs: candidates are tried in a fixed order, and the first
 //! that draws the picture counts.
 //!
-//! A candidate counts only if it draws exactly the picture, but for few pixels. A right program comes
-//! before one with a mistake, and one mistake before two.
+//! A candidate counts only if it draws exactly the picture, but for few pixels. A right program
+//! comes before one with a mistake, and one mistake before two.
 
 use std::cmp::Reverse;
 
@@ -55,9 +55,9 @@ const PART: usize = 8;
 const PAIRS: usize = 4;
 
 /// Explains the picture by the first of these that draws it: the right program; another task whose
-/// change was forgotten; a mistake whose line stands in the reader's files, or beside which a repair
-/// was found; any other mistake; another task; the right program but for a few pixels; two mistakes.
-/// A repair without such a mistake ends the search.
+/// change was forgotten; a mistake whose line stands in the reader's files, or beside which a
+/// repair was found; any other mistake; another task; the right program but for a few pixels; two
+/// mistakes. A repair without such a mistake ends the search.
 pub(crate) fn explain(evidence: &Evidence) -> Explanation {
     let reading = evidence.reading;
     let (right, unexplained) = nearest(evidence);

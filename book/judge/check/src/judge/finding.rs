@@ -47,8 +47,8 @@ impl Finding {
         Ok(Box::new(finding.repaired(&evidence)))
     }
 
-    /// Adds the repair of the reader's lines, if one was found, and keeps of the mistakes only the one
-    /// whose line the repair puts right.
+    /// Adds the repair of the reader's lines, if one was found, and keeps of the mistakes only the
+    /// one whose line the repair puts right.
     fn repaired(mut self, evidence: &Evidence) -> Self {
         let (sources, context) = (&evidence.context.sources, evidence.context);
         let is_exact = |it: &Self| {
@@ -114,8 +114,8 @@ impl Finding {
         }
     }
 
-    /// Makes a finding of what is seen, and of the single edits that draw the picture, where no known
-    /// program does.
+    /// Makes a finding of what is seen, and of the single edits that draw the picture, where no
+    /// known program does.
     fn unknown(evidence: &Evidence, right: &Candidate) -> Self {
         let mut finding = Self::beside(evidence, right);
         (finding.observations, finding.first_pixel) =

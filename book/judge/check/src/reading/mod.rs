@@ -28,7 +28,8 @@ pub use cause::Cause;
 pub use limits::{MOST_BYTES, MOST_PIXELS};
 pub use numbers::{InvalidLevels, Reading};
 
-/// Reads the picture in the bytes of a file: P3, P6 or PNG, also P3 in UTF-16 as a shell may make it.
+/// Reads the picture in the bytes of a file: P3, P6 or PNG, also P3 in UTF-16 as a shell may make
+/// it.
 ///
 /// # Errors
 /// The [`Cause`] that keeps the bytes from being a picture, with its fix.

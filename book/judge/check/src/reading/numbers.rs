@@ -16,8 +16,8 @@ pub struct Reading {
     /// Levels are from 0 to 255. A P3 text may hold other numbers, such as 256 and −107, which tell
     /// much about a mistake; beyond 16 bits they become the largest or the smallest number.
     pub pixels: Vec<[i16; 3]>,
-    /// A flaw of the file with which the picture can be read, but viewers don't show all of it: another
-    /// encoding of a text, or transparent pixels of a PNG. `None` if there is none.
+    /// A flaw of the file with which the picture can be read, but viewers don't show all of it:
+    /// another encoding of a text, or transparent pixels of a PNG. `None` if there is none.
     pub flaw: Option<Cause>,
 }
 

@@ -4,8 +4,8 @@ use super::side_by_side::SideBySide;
 use crate::answer::{Row, RowKind};
 
 impl SideBySide<'_> {
-    /// Lists the first pixel that differs, with its right and its wrong color, and the numbers that a
-    /// right program computes there. Empty if no pixel differs.
+    /// Lists the first pixel that differs, with its right and its wrong color, and the numbers that
+    /// a right program computes there. Empty if no pixel differs.
     pub(super) fn first_pixel(&self) -> Vec<Row> {
         let pixels = 0..self.reading.pixels.len() as u32;
         let mut differing = pixels.filter(|&n| self.expected(n) != self.found(n));

@@ -158,8 +158,8 @@ impl Mistakes {
 }
 
 impl DrawingMutants {
-    /// Lists the likeliest edits of the chapter that draw the picture, in the reader's language, and
-    /// how they were tried; nothing if there is none.
+    /// Lists the likeliest edits of the chapter that draw the picture, in the reader's language,
+    /// and how they were tried; nothing if there is none.
     fn rows(&self, context: &Context, task: &Task) -> Vec<Row> {
         let language = context
             .language
