@@ -33,11 +33,11 @@ impl Camera {
         Self::with_size(image_width, image_height)
     }
 
-    /// Returns a camera with the eye of the chapters for a picture of any shape, in pixels: at
-    /// least one in each direction.
+    /// Returns a camera for a picture of any shape, in pixels: at least one in each direction. The
+    /// eye is at the origin and looks along −z.
     ///
-    /// The viewport is 2 units high. Its width follows from the real ratio of width to height,
-    /// which only comes near 16:9, because both are integers.
+    /// The viewport is 2 units high and 1 unit away. Its width follows from the real ratio of width
+    /// to height, which only comes near 16:9, because both are integers.
     pub fn with_size(image_width: u32, image_height: u32) -> Self {
         debug_assert!(
             image_width > 0 && image_height > 0,

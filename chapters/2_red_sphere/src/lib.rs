@@ -10,7 +10,8 @@ pub fn picture(width: u32) -> Picture {
     render(width, ray_color)
 }
 
-/// Returns red where the ray meets a sphere of radius ½ at z = −1, else the sky.
+/// Returns red if the line of `ray` meets a sphere of radius ½ around (0, 0, −1), else the sky's
+/// color.
 pub fn ray_color(ray: &Ray) -> Color {
     if hit_sphere(Point3::new(0.0, 0.0, -1.0), 0.5, ray) {
         return Color::new(1.0, 0.0, 0.0);
@@ -18,10 +19,10 @@ pub fn ray_color(ray: &Ray) -> Color {
     sky(ray)
 }
 
-/// Returns true if the whole line of `ray` meets the sphere, ahead or behind; a tangent does.
+/// Returns true if the line through `ray`, endless in both directions, meets or touches the sphere.
 ///
-/// It asks whether there is a root, not where. `radius` counts by its size; NaN anywhere or
-/// an overflow: false; a direction of 0: true. Source: equations (11)–(15) of the notes.
+/// The sign of `radius` does not matter. NaN in any number, or an overflow, gives false; a
+/// direction of length 0 gives true. Source: equations (11)–(15) of the notes.
 pub fn hit_sphere(center: Point3, radius: f64, ray: &Ray) -> bool {
     let oc = center - ray.origin;
     let a = ray.direction.dot(ray.direction);

@@ -10,7 +10,8 @@ pub fn picture(width: u32) -> Picture {
     render(width, ray_color)
 }
 
-/// Returns the unit normal as a color where the sphere is in front, else the sky.
+/// Returns the unit normal as a color if the ray meets the sphere ahead of it, else the sky's
+/// color.
 ///
 /// Each component of the normal, from −1 to 1, is mapped to 0 to 1.
 #[inline]
@@ -25,12 +26,12 @@ pub fn ray_color(ray: &Ray) -> Color {
     sky(ray)
 }
 
-/// Finds the nearer root `t` of |C − P(t)|² = r², if the line of the ray meets
-/// the sphere; a tangent does.
+/// Finds the lesser `t` at which the line through `ray`, endless in both directions, meets or
+/// touches the sphere: the nearer root of |C − P(t)|² = r². Returns `None` if it misses.
 ///
-/// `t` counts lengths of `ray.direction`; if negative, it lies behind the origin, as from
-/// inside. `radius` counts by its size, ∞ gives −∞; NaN anywhere, a direction of 0 or an
-/// overflow: NaN. Source: equations (12)–(15) of the notes.
+/// `t` counts lengths of `ray.direction`; negative, it lies behind the origin. The sign of `radius`
+/// does not matter; ∞ gives −∞. NaN in any number, a direction of length 0 or an overflow gives
+/// `Some(NaN)`. Source: equations (12)–(15) of the notes.
 pub fn hit_sphere(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
     let oc = center - ray.origin;
     let a = ray.direction.dot(ray.direction);

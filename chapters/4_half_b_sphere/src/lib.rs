@@ -5,12 +5,13 @@
 
 use common::rtweekend::*;
 
-/// Returns the picture of chapter 3, `width` pixels wide.
+/// Returns the picture of the sphere's normals, `width` pixels wide: that of chapter 3.
 pub fn picture(width: u32) -> Picture {
     render(width, ray_color)
 }
 
-/// Returns the unit normal as a color where the sphere is in front, else the sky.
+/// Returns the unit normal as a color if the ray meets the sphere ahead of it, else the sky's
+/// color.
 ///
 /// Each component of the normal, from −1 to 1, is mapped to 0 to 1.
 #[inline]
@@ -25,12 +26,12 @@ pub fn ray_color(ray: &Ray) -> Color {
     sky(ray)
 }
 
-/// Finds the nearer root `t` of |C − P(t)|² = r², if the line of the ray meets
-/// the sphere; a tangent does.
+/// Finds the lesser `t` at which the line through `ray`, endless in both directions, meets or
+/// touches the sphere: the nearer root of |C − P(t)|² = r². Returns `None` if it misses.
 ///
-/// It is the `t` of chapter 3 to the last bit, barring overflow and underflow, and NaN,
-/// −∞ or negative where that is: multiplying by two and four never rounds.
-/// Source: equations (13)–(15) of the notes with h = d·(C − Q) = b/−2.
+/// Unless a number overflows or underflows, it returns what chapter 3 does, to the last bit, NaN
+/// and −∞ included: multiplying by two and four never rounds. Source: equations (13)–(15) of the
+/// notes with h = d·(C − Q) = b/−2.
 pub fn hit_sphere(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
     let oc = center - ray.origin;
     let a = ray.direction.length_squared();

@@ -5,10 +5,10 @@ use common::rtweekend::*;
 /// Anything that a ray can hit: a sphere, a list of such things, or a shape of
 /// your own.
 pub trait Hittable {
-    /// Finds the nearest hit with `t_min` < `t` < `t_max`, if there is one.
+    /// Finds the nearest hit with `t_min` < `t` < `t_max`, or returns `None`.
     ///
-    /// Both ends are left out, so a ray that starts on a surface does not hit it
-    /// at `t` = 0. Where rounding turns that 0 into 1e-17, it still does.
+    /// Both ends are left out, so a ray that starts on a surface does not hit it at `t` = 0. Where
+    /// rounding makes that `t` 1e-17, it does.
     fn hit(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<HitRecord>;
 }
 
@@ -19,9 +19,9 @@ pub struct HitRecord {
     pub t: f64,
     /// The point of the surface that is hit.
     pub point: Point3,
-    /// The unit normal at that point, always against the ray.
+    /// The unit normal at that point; it always points against the ray.
     pub normal: Vec3,
-    /// True if the ray came from outside.
+    /// True if the ray comes from outside, false from inside.
     pub front_face: bool,
 }
 

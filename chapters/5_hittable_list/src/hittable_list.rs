@@ -15,7 +15,7 @@ pub struct HittableList {
 }
 
 impl HittableList {
-    /// Appends `object` to the list.
+    /// Appends `object` to the list, which then owns it.
     pub fn add(&mut self, object: impl Hittable + Send + Sync + 'static) {
         self.objects.push(Box::new(object));
     }

@@ -12,7 +12,7 @@ pub struct Sphere {
 }
 
 impl Sphere {
-    /// Makes a sphere; a `radius` below 0, or NaN, counts as 0, as in the book.
+    /// Makes a sphere. A negative `radius`, or NaN, becomes 0, as in the book.
     pub fn new(center: Point3, radius: f64) -> Self {
         Self {
             center,

@@ -12,14 +12,14 @@ use multiversion::multiversion;
 use crate::certified::{FilteredRoot, Rounded, later_stages};
 use crate::workload::Case;
 
-/// The number of questions in a block: so few that they stay in the processor's cache, and a
-/// multiple of its lanes.
+/// The number of questions that [`in_lanes`] answers at once: so few that they stay in the
+/// processor's cache, and a multiple of its SIMD lanes.
 pub const BLOCK: usize = 64;
 
-/// Computes all answers of a block, `answer(0)`, `answer(1)` and so on, in SIMD lanes.
+/// Fills `answers` with `answer(0)`, `answer(1)` and so on, computed side by side in SIMD lanes.
 ///
 /// The compiler makes three versions, for any processor, for AVX2 and for AVX-512, and the program
-/// chooses when it runs. An operation rounds alike in all of them.
+/// chooses when it runs. All three give the same bits.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512bw+avx512vl+fma", "x86_64+avx2+fma"))]
 pub fn in_lanes<T, F: Fn(usize) -> T>(answers: &mut [T; BLOCK], answer: F) {
     for (k, place) in answers.iter_mut().enumerate() {

@@ -27,8 +27,8 @@ pub use workload::{
 
 use common::rtweekend::Picture;
 
-/// Returns the picture of a star in a telescope, `width` pixels wide: its left half as chapter 5
-/// sees it, its right half as it is.
+/// Returns the picture of a star in a telescope, `width` pixels wide: its left half with the
+/// rounding errors of chapter 5, its right half without them.
 pub fn picture(width: u32) -> Picture {
     let halves = [Method::HALF_B, Method::CERTIFIED_T].map(Arithmetic::Method);
     Scene::telescope().seen_by(halves, width)

@@ -10,15 +10,15 @@ use crate::methods::{
 };
 use crate::precision::{Precision, SingleRay};
 
-/// A function that finds where a ray meets a sphere, with its name.
+/// A function that finds where a ray meets a sphere, with its name for tables and charts.
 #[derive(Clone, Copy, Debug)]
 pub struct Method {
-    /// The name of the function, as in the charts and tables.
+    /// The function's own name, such as `half_b_q`.
     pub name: &'static str,
     /// The function itself.
     pub solve: Solve,
-    /// True if a filter with a proven error bound stands behind each answer, and takes more digits
-    /// where it is not certain.
+    /// True if the function has a proven error bound, and computes with more digits wherever that
+    /// leaves a doubt.
     pub is_certified: bool,
 }
 
@@ -42,16 +42,17 @@ impl Method {
     /// [`cross_q`]: the distance of the line from the center by a cross product.
     pub const CROSS_Q: Self = Self::plain("cross_q", Double(cross_q));
 
-    /// [`compensated`]: adds the digits again that oc, the cross product and c lose.
+    /// [`compensated`]: adds up again the digits that rounding takes from C − Q, the cross product
+    /// and c.
     pub const COMPENSATED: Self = Self::plain("compensated", Double(compensated));
 
-    /// [`certified_hit`]: certain about hit or miss, with the digits of t that `half_b_q` has.
+    /// [`certified_hit`]: proven right about hit or miss; its t is as exact as that of `half_b_q`.
     pub const CERTIFIED_HIT: Self = Self::plain("certified_hit", Double(certified_hit)).certified();
 
-    /// [`certified_t`]: certain about hit or miss, and about the digits of t.
+    /// [`certified_t`]: proven right about hit or miss, with a t that is less than 0.8 ulp off.
     pub const CERTIFIED_T: Self = Self::plain("certified_t", Double(certified_t)).certified();
 
-    /// [`double_double`]: computes with twice the digits.
+    /// [`double_double`]: computes with two `f64` for each number, some 106 binary digits.
     pub const DOUBLE_DOUBLE: Self = Self::plain("double_double", Double(double_double));
 
     /// [`exact`]: computes with integers of any length.
@@ -64,11 +65,10 @@ impl Method {
     pub const WIDENED_HALF_B_Q_F32: Self =
         Self::plain("widened_half_b_q_f32", Single(widened_half_b_q_f32));
 
-    /// [`certified_f32`]: takes and returns `f32`, certain about hit or miss and about the last
-    /// digit of t.
+    /// [`certified_f32`]: [`certified_t`] for input and output in `f32`.
     pub const CERTIFIED_F32: Self = Self::plain("certified_f32", Single(certified_f32)).certified();
 
-    /// The method that the others are compared with: that of the chapters.
+    /// The method with which the others are compared in tables: `half_b`, that of chapter 5.
     pub const REFERENCE: Self = Self::HALF_B;
 
     /// Returns the precision of the method's input and of its t.

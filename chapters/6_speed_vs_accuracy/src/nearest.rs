@@ -10,8 +10,8 @@ use common::rtweekend::*;
 
 use crate::certified::{certified_t, comes_before};
 
-/// Finds the sphere that the ray hits first in the range, and returns its index
-/// in `spheres` and `t`.
+/// Finds the sphere that the ray hits first with `t_min` < `t` < `t_max`: returns its index in
+/// `spheres`, and `t`; `None` if all are missed or the list is empty.
 ///
 /// Under the conditions of the theorem (`certified.md` of the notes) the sphere is right:
 /// its nearest root in the range is the least of all. Where roots are equal, the first

@@ -2,17 +2,17 @@
 
 use glam::Vec3;
 
-/// A floating-point format, named as in IEEE 754.
+/// A floating-point format of IEEE 754: the numbers that a method computes with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Precision {
-    /// `f64`: 53 digits of base two, exponents to ±1000.
+    /// `f64`, with 53 binary digits and exponents of two to ±1000.
     Double,
-    /// `f32`: 24 digits, exponents to ±126.
+    /// `f32`, with 24 binary digits and exponents of two to ±126.
     Single,
 }
 
 impl Precision {
-    /// Both formats, the finer one first.
+    /// Both formats: `f64`, then `f32`.
     pub const ALL: [Self; 2] = [Self::Double, Self::Single];
 
     /// Returns the name of the format in Rust, `f64` or `f32`.
@@ -23,7 +23,7 @@ impl Precision {
         }
     }
 
-    /// Returns the distance between neighboring numbers from 1 to 2.
+    /// Returns the spacing of the numbers from 1 to 2.
     pub fn epsilon(self) -> f64 {
         match self {
             Self::Double => f64::EPSILON,
@@ -42,7 +42,7 @@ pub struct SingleRay {
 }
 
 impl SingleRay {
-    /// Makes the ray from `origin` along `direction`.
+    /// Makes the ray from `origin` along `direction`, which need not have unit length.
     #[inline]
     pub const fn new(origin: Vec3, direction: Vec3) -> Self {
         Self { origin, direction }

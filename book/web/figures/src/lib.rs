@@ -42,7 +42,7 @@ pub use style::{CSS, standalone};
 pub use svg::Svg;
 pub use text::{escape, html};
 
-/// The figures of the lesson, in reading order. A page names a figure by its index here.
+/// The figures of chapters 0 to 5, in reading order. Scripts call a figure by its index here.
 pub static LESSON: &[&dyn Movable] = &[
     &backwards::LIVE,
     &arrows::LIVE,
@@ -57,11 +57,11 @@ pub static LESSON: &[&dyn Movable] = &[
     &face_normal::LIVE,
 ];
 
-/// The figure of chapter 6, apart from the others because it needs all methods and integers of any
-/// size.
+/// The figure of chapter 6, in a list of its own because drawing it needs all methods and integers
+/// of any size.
 pub static ACCURACY: &[&dyn Movable] = &[&digits::LIVE];
 
-/// Returns all figures of the book, in reading order.
+/// Returns all live figures of the book, in reading order.
 pub fn figures() -> impl Iterator<Item = &'static dyn Movable> {
     LESSON.iter().chain(ACCURACY).copied()
 }

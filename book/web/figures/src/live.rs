@@ -76,11 +76,13 @@ pub(crate) type Says = BTreeMap<&'static str, String>;
 pub struct DrawnFigure {
     /// The drawing itself.
     pub drawing: Svg,
-    /// A sentence about this drawing; `*t*` marks a number, `**P**` a vector.
+    /// A sentence that says what this drawing shows; `*t*` marks a number, `**P**` a vector.
     pub sentence: String,
-    /// The place of each handle on the sheet: x to the right, y down, in units of the viewBox.
+    /// The place of each handle (a spot that a reader can drag), in the order of
+    /// [`Movable::handles`]: x to the right, y down, in units of the SVG's viewBox.
     pub handles: Vec<DVec2>,
-    /// Words by name, such as values, that the page shows in its sentences and beside listings.
+    /// Texts by name, such as values of t, that the page puts into its sentences and beside
+    /// listings.
     pub says: BTreeMap<&'static str, String>,
 }
 
@@ -96,37 +98,40 @@ impl DrawnFigure {
     }
 }
 
-/// A live figure, whatever its parameters: callers pass these as a list of numbers.
+/// A figure that a reader can change, whatever its parameters are: callers pass them as a list of
+/// numbers, in the order of [`Movable::parameters`].
 pub trait Movable: Sync {
-    /// Returns the words of the figure.
+    /// Returns the figure's name, title, caption and other words.
     fn figure(&self) -> &Figure;
 
-    /// Returns the parameters that a reader can change. All lists of numbers have their order.
+    /// Returns the name, range and default of each parameter, in the order of all lists of numbers
+    /// here.
     fn parameters(&self) -> &'static [Parameter];
 
-    /// Returns, for each handle, the indices of the parameters that dragging it changes.
+    /// Returns one list per handle (a spot of the drawing that a reader can drag): the indices of
+    /// the parameters that dragging it changes.
     fn handles(&self) -> Vec<Vec<usize>>;
 
-    /// Returns the words on each button.
+    /// Returns the label of each button, in the order of [`Movable::act`].
     fn actions(&self) -> Vec<&'static str>;
 
-    /// Changes `numbers` as dragging a handle to a place on the sheet does: the parameters that it
-    /// changes come onto the nearest step of their sliders, within their ranges.
+    /// Sets `numbers` as dragging the handle with this index to the point `to` of the drawing does.
+    /// The changed parameters come onto the nearest step of their sliders, within their ranges.
     ///
     /// # Panics
-    /// If there is no such handle.
+    /// If there is no such handle, or the list has another length than the parameters.
     fn drag(&self, handle: usize, numbers: &mut [f64], to: DVec2);
 
-    /// Changes `numbers` as pressing a button does, within their ranges.
+    /// Sets `numbers` as pressing the button with this index does, within their ranges.
     ///
     /// # Panics
-    /// If there is no such button.
+    /// If there is no such button, or the list has another length than the parameters.
     fn act(&self, action: usize, numbers: &mut [f64]);
 
-    /// Draws the figure for these numbers, each of which has to be within its range.
+    /// Draws the figure for these values of its parameters, each within its range.
     fn answer(&self, numbers: &[f64]) -> DrawnFigure;
 
-    /// Returns the name by which pages call the figure.
+    /// Returns the name by which pages and links call the figure, such as `walk`.
     fn name(&self) -> &'static str {
         self.figure().name
     }
@@ -136,7 +141,7 @@ pub trait Movable: Sync {
         self.parameters().iter().map(|it| it.default).collect()
     }
 
-    /// Brings each number into its range, and a whole one onto a whole number. NaN and infinity
+    /// Brings each number into its parameter's range, and rounds a whole one. NaN and infinity
     /// become the default.
     fn confine(&self, numbers: &mut [f64]) {
         for (n, number) in self.parameters().iter().enumerate() {
@@ -145,9 +150,10 @@ pub trait Movable: Sync {
         }
     }
 
-    /// Draws the figure, as lines for a script: the `<svg>` element, the sentence, and then lines
-    /// with tabs between their fields: `handle`, x, y; `value`, the number, its words, its greatest
-    /// value; `says`, a name, its words.
+    /// Draws the figure and writes all that a script needs, in lines: the `<svg>` element; the
+    /// sentence as HTML; and then, with tabs between fields, `handle`, x, y for each handle;
+    /// `value`, the number, its words, its greatest value for each parameter; and `says`, name,
+    /// text for each text.
     fn text(&self, numbers: &[f64]) -> String {
         let answer = self.answer(numbers);
         let mut text = format!("{}\n{}", answer.drawing.finish(), html(&answer.sentence));

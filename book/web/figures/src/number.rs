@@ -54,8 +54,8 @@ pub(crate) fn number(value: f64) -> String {
     if short == "-0" { "0" } else { short }.to_owned()
 }
 
-/// Writes a number with at most two decimals, for a page: a half is rounded away from zero, and the
-/// minus is a real one.
+/// Writes a number with at most two decimals, for a page: 0.5, −2, 1.25. A half is rounded away
+/// from zero, and the minus is the sign − (U+2212).
 pub fn spoken(value: f64) -> String {
     number((100.0 * value).round() / 100.0).replace('-', "−")
 }

@@ -8,9 +8,9 @@ use crate::plane::xy;
 /// A number of a figure that a reader can change, with its name, range, step and default.
 #[derive(Clone, Copy, Debug)]
 pub struct Parameter {
-    /// The field of the figure's parameters that it is a part of: a point has two parameters.
+    /// The name of the struct field that holds the number; both numbers of a point have the same.
     pub field: &'static str,
-    /// The label of its slider.
+    /// The label of the slider, such as "d, to the right".
     pub name: &'static str,
     /// The least value.
     pub least: f64,
@@ -20,13 +20,14 @@ pub struct Parameter {
     pub steps: f64,
     /// The value with which the figure is first shown.
     pub default: f64,
-    /// Returns the greatest value while all parameters have these values, or `None` if that is
-    /// always `most`.
+    /// Returns the greatest value for given values of all parameters, if these may lower it; `None`
+    /// if the greatest value is always `most`.
     pub most_beside: Option<fn(&[f64]) -> f64>,
     /// True if a greater value is farther down on the drawing, so that the arrow key for down means
     /// more.
     pub downwards: bool,
-    /// The names of the values, from `least` on, if a reader chooses from a list; else empty.
+    /// The names of the values `least`, `least` + 1 and so on, if a reader chooses from a list;
+    /// empty for a number with a slider.
     pub choices: &'static [&'static str],
 }
 

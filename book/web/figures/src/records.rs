@@ -32,14 +32,16 @@ pub struct Accuracy {
     /// The error of t that half of the hits do not exceed, in ulps of the exact root in this
     /// precision; `None`, like the four fields below, if the method hit nothing.
     pub median_ulps: Option<f64>,
-    /// The error of t that 999 of 1000 hits do not exceed, in ulps.
+    /// The error of t that 999 of 1000 hits do not exceed, in ulps; `None` if the method hit
+    /// nothing.
     pub p999_ulps: Option<f64>,
-    /// The largest error of t, in ulps.
+    /// The largest error of t, in ulps; `None` if the method hit nothing.
     pub largest_ulps: Option<f64>,
     /// The distance of the point at t from the sphere's surface, in radii, that half of the hits do
-    /// not exceed.
+    /// not exceed; `None` if the method hit nothing.
     pub surface_median_radii: Option<f64>,
-    /// The largest distance of the point at t from the sphere's surface, in radii.
+    /// The largest distance of the point at t from the sphere's surface, in radii; `None` if the
+    /// method hit nothing.
     pub surface_largest_radii: Option<f64>,
     /// A checksum of the method's first answers, by which a test knows that they have not changed.
     pub answers: u64,
@@ -50,7 +52,8 @@ pub struct Accuracy {
 /// witness wrongly.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Tightness {
-    /// The letter of the bound in the proof, and its side.
+    /// The letter of the bound in the proof, and the side of the bound that the witness comes close
+    /// to.
     pub bound: String,
     /// The unit of the three constants that follow: `u` = 2⁻⁵³, `u2` = u², the `bound` that is
     /// computed with the numbers, or `log2` for exponents of two.
@@ -140,7 +143,8 @@ pub struct Timing {
     /// The time divided by that of `half_b` on the same rays in the same round: the median over
     /// rounds, with the digits on which half of the rounds agree.
     pub ratio: f64,
-    /// The instructions of a ray, as valgrind counts them; `None` but for `book` and `all_hits`.
+    /// The number of processor instructions for a ray, counted by valgrind; `None` for all rays but
+    /// those of `book` and `all_hits`.
     pub instructions: Option<f64>,
 }
 

@@ -14,7 +14,7 @@ pub(crate) fn plain(text: &str) -> String {
     text.replace('*', "")
 }
 
-/// Returns the text as HTML, numbers in italics and vectors bold.
+/// Returns a text with marks as HTML: `*t*`, a number, in italics, and `**P**`, a vector, bold.
 pub fn html(text: &str) -> String {
     marked(text, ["<i>", "</i>"], ["<b>", "</b>"])
 }
@@ -67,7 +67,7 @@ pub(crate) fn width(label: &str, size: f64) -> f64 {
     size * label.chars().map(advance).sum::<f64>()
 }
 
-/// Escapes the characters that have a meaning in XML and HTML.
+/// Replaces the characters that have a meaning in XML and HTML by their entities.
 pub fn escape(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")

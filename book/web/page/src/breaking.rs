@@ -28,11 +28,12 @@ pub struct Breakable {
 pub struct WordEdit {
     /// The index of the edited file in [`Draft::files`].
     pub file: usize,
-    /// The range of bytes that the edit replaces in that file: whole words, no more than change.
+    /// The range of bytes in that file which the edit replaces: whole words, and only those that
+    /// change.
     pub at: Range<usize>,
     /// The text that takes the place of the range; empty if the words are deleted.
     pub new: String,
-    /// The name of the known slip that this edit makes, or `None` if it is only a possible mistake.
+    /// The name of the known mistake that this edit makes, or `None` for a mistake without a name.
     pub slip: Option<&'static str>,
     /// The order in which edits are offered: known slips first, then those that replace the fewest
     /// words.
@@ -121,8 +122,9 @@ impl Breakable {
         })
     }
 
-    /// Returns the words on the button of `edit`: the new text, or both the old and the new one if
-    /// the edit replaces more than `word`, and the name of a known slip.
+    /// Returns the words that offer `edit` for `word` in a list: the new text, `old → new` if the
+    /// edit replaces more than `word`, or `without old`; and then the name of a known mistake in
+    /// brackets.
     pub fn label(&self, word: &Word, edit: &WordEdit) -> String {
         let text = &self.draft.files[edit.file].text;
         let squeezed = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");

@@ -19,16 +19,18 @@ use slips::{Chapter, Edition, PROBES, Probe, Slip};
 
 use crate::rgba;
 
-/// The words with which a reader hands in a picture to be checked.
+/// All that a reader says of a picture when handing it in to be checked.
 #[derive(Clone, Debug, Default)]
 pub struct CheckRequest {
-    /// The name of the picture's file, for the sentences of the answer.
+    /// The name of the picture's file, which sentences of the answer repeat.
     pub name: String,
     /// The chapter that the picture is said to be of, or `None` if it is to be guessed.
     pub chapter: Option<Chapter>,
-    /// The probe (a small change of the scene that a page proposes) that the reader made, if any.
+    /// The probe that the reader made: a small change of the chapter's scene that a page proposes.
+    /// `None` for the chapter's own scene.
     pub probe: Option<Probe>,
-    /// The only edition of the book whose picture counts as right, or `None` if all do.
+    /// The only edition of *Ray Tracing in One Weekend* whose picture counts as right, or `None` if
+    /// all do.
     pub edition: Option<Edition>,
 }
 
@@ -83,8 +85,8 @@ impl CheckRequest {
     }
 }
 
-/// Returns all that a reader can choose in the page's form, a line each, with tabs between the name
-/// of the list (`chapter`, `probe` or `edition`), the words that are shown, and the value.
+/// Returns the options of the page's form, one per line, with tabs between the list's name
+/// (`chapter`, `probe` or `edition`), the option's value, and the words that are shown.
 pub fn choices() -> String {
     let chapters = Chapter::OF_THE_BOOK.map(|it| format!("chapter\t{}\t{0}", it.name()));
     let probes = PROBES.map(|it| format!("probe\t{}\t{0}", it.name));
@@ -227,9 +229,9 @@ fn read_by_browser(cause: &Cause) -> String {
 }
 
 impl CheckResponse {
-    /// Returns a picture as a canvas takes it, four bytes a pixel, row by row from the top: the
-    /// right one (0), the reader's (1), or the difference (2). Returns no bytes if there is no such
-    /// picture.
+    /// Returns a picture's pixels for a canvas, four bytes each (red, green, blue, 255), row by row
+    /// from the top. `which` is 0 for the right picture, 1 for the reader's, 2 for their
+    /// difference. Returns no bytes if there is no such picture.
     pub fn rgba(&self, which: usize) -> Vec<u8> {
         match (&self.pictures, which) {
             (Some(it), 0) => rgba(&it.right),
@@ -246,9 +248,10 @@ impl CheckResponse {
         }
     }
 
-    /// Returns the numbers behind a pixel (column and row from the top left), a line each: the name
-    /// of the number, its right value, and, if a mistake is known, its value with the mistake. The
-    /// last line has the reader's levels, 0–255. Returns an empty text if there is no picture.
+    /// Returns the numbers from which a pixel's color comes, one per line, at `column` and `row`
+    /// from the top left: name, right value and, if a known mistake draws the picture, the value
+    /// with that mistake, with tabs between. The last line is `yours` and the reader's levels,
+    /// 0–255. Returns an empty text if there is no picture.
     pub fn inspect(&self, column: u32, row: u32) -> String {
         let (Some(it), Some(_)) = (&self.traced, &self.pictures) else {
             return String::new();

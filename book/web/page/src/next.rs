@@ -7,18 +7,18 @@ use crate::typed::Draft;
 /// The first line of a chapter that a draft lacks, and its place in the draft.
 #[derive(Debug, PartialEq, Eq)]
 pub struct NextLine {
-    /// The index of its file in [`Draft::files`].
+    /// The index in [`Draft::files`] of the file that lacks the line.
     pub file: usize,
-    /// The line of the draft, counted from 0, above which it goes.
+    /// The index, from 0, of the draft's line above which the missing line goes.
     pub above: usize,
     /// The line itself, indented as in the chapter, without an end of line.
     pub text: &'static str,
-    /// True if it goes in the place of the line at `above`, a `todo!()`, rather than above it.
+    /// True if the missing line replaces the line at `above`, a `todo!()`; false if it is inserted.
     pub replaces_todo: bool,
 }
 
-/// Returns the first line of the chapter that the draft lacks, searched in the file with the index
-/// `first` and those after it, then in all from the first on. Returns `None` if no line is missing.
+/// Returns the first line of the chapter that the draft lacks, or `None` if it has all. The search
+/// begins in the file with the index `first`, and goes on through the others in their order.
 /// Comments, attributes and empty lines do not count.
 pub fn next(yours: &Draft, first: usize) -> Option<NextLine> {
     let files = yours.files.iter().enumerate();

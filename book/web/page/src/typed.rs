@@ -34,14 +34,15 @@ pub struct Draft {
     pub caret: Option<Caret>,
 }
 
-/// The answer of the page to a draft.
+/// The judgement on a draft, laid out as HTML.
 #[derive(Debug)]
 pub struct Feedback {
-    /// The places in the draft to be underlined, with the index of the file in [`Draft::files`].
+    /// The places in the draft to be underlined, each with the index of its file in
+    /// [`Draft::files`]; empty if no place is at fault.
     pub places: Vec<SourceSpan>,
-    /// The verdict as one line of HTML, which the page reads aloud.
+    /// The verdict as one line of HTML, without a line break, which the page reads aloud.
     pub headline: String,
-    /// All below the headline, as HTML.
+    /// The explanation below the verdict, as HTML; empty if there is none.
     pub rest: String,
 }
 
@@ -56,8 +57,9 @@ impl Feedback {
     }
 }
 
-/// Returns the texts with which an editor begins: for each file of the chapter its name, its text
-/// with empty functions, and its full text. A last text has the chapter's steps, a line each.
+/// Returns the texts with which an editor begins: for each file of the chapter three, its name, its
+/// text with empty functions, and its complete text. The last text has the chapter's steps, one per
+/// line.
 pub fn beginning(chapter: Chapter) -> Vec<String> {
     let files = Draft::skeleton(chapter).files.into_iter();
     let files = files.zip(Draft::full(chapter).files);
@@ -70,7 +72,7 @@ pub fn beginning(chapter: Chapter) -> Vec<String> {
 }
 
 impl Draft {
-    /// Returns the files of a chapter with `todo!()` in place of each function's body.
+    /// Returns a draft of the chapter's files with `todo!()` in place of each function's body.
     pub fn skeleton(chapter: Chapter) -> Self {
         Self {
             chapter,
@@ -79,7 +81,7 @@ impl Draft {
         }
     }
 
-    /// Returns the chapter's own files, complete.
+    /// Returns a draft that has the chapter's own files, complete.
     pub fn full(chapter: Chapter) -> Self {
         let own = |name: &str| chapter.files().iter().find(|it| it.name == name);
         let files = Self::skeleton(chapter).files.into_iter();
@@ -122,7 +124,8 @@ impl Draft {
         })
     }
 
-    /// Judges the draft, read as `program`, by its picture, its functions and its lines.
+    /// Judges the draft, which was read as `program` and drew `picture`, and lays out the answer.
+    /// While the reader still types a line, the answer says only so.
     pub fn judged(&self, program: interpreter::Program, picture: &Picture) -> Feedback {
         let mut answer = self.answer(&program, picture);
         // A line that the picture never runs is run by the laws.
@@ -159,8 +162,8 @@ impl Draft {
         ChapterProgram::typed(self.chapter, typed.clone())
     }
 
-    /// Judges the picture, tries the laws on the functions, and compares the typed lines with the
-    /// chapter's.
+    /// Judges the draft, which was read as `program` and drew `picture`: compares the picture with
+    /// the right one, tries the laws on its functions, and compares its lines with the chapter's.
     pub fn answer(&self, program: &interpreter::Program, picture: &Picture) -> Answer {
         let task = Task::of(self.chapter);
         let asked = self.in_place_of_ours(program);

@@ -7,7 +7,7 @@ use interpreter::{Fault, FaultKind};
 
 use crate::typed::Draft;
 
-/// The end of the line in which a reader is typing.
+/// The place of the text cursor at the end of a line in which a reader is typing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Caret {
     /// The index of the file in [`Draft::files`].

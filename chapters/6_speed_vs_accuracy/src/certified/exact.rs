@@ -12,7 +12,7 @@ use common::rtweekend::*;
 use dashu_int::ops::{Abs, BitTest, SquareRoot};
 use dashu_int::{IBig, UBig};
 
-/// Finds the nearest root in the range, decided exactly and rounded once.
+/// Finds the nearest root with `t_min` < `t` < `t_max`, decided exactly and rounded once.
 ///
 /// Cost: a few hundred times that of `half_b`, more for numbers of very
 /// different size. Error: half an ulp. Fails: never. A root that is in range
@@ -26,10 +26,10 @@ pub fn exact(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> 
     inwards(quadratic.rounded(root), t_min, t_max)
 }
 
-/// Computes D = h² − a·c, of which nothing is rounded before it becomes an `f64`.
+/// Computes the discriminant D = h² − a·c of a ray and a sphere exactly, and rounds it once.
 ///
-/// Its unit is the squared length of the scene times that of the direction. Error: an
-/// ulp, unless D is beyond the normal numbers. `None` if a number is infinite or NaN.
+/// D is in squared lengths of the scene times squared lengths of the direction. Error: an ulp,
+/// unless D is beyond the normal numbers. Returns `None` if a number is infinite or NaN.
 pub fn exact_discriminant(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
     let ([a, h, c], units) = coefficients(center, radius, ray)?;
     let unit = 2 * units.iter().sum::<i64>();

@@ -34,14 +34,14 @@ pub(crate) use exact::comes_before;
 pub use exact::{exact, exact_discriminant};
 pub(crate) use filter::{FilteredRoot, Rounded};
 
-/// Finds the nearest root in the range: hit or miss, and which of the two roots, as the
-/// [theorem](self) says.
+/// Finds the nearest root with `t_min` < `t` < `t_max`. Hit or miss, and which of the two roots it
+/// is, are proven right for finite input, a direction that is not 0 and a range that holds an
+/// `f64`: see the [theorem](self). All other input is a miss.
 ///
-/// Cost: 1 √, 1 ÷, and a few + and × more than `half_b_q`. Some thirty times as much
-/// where `half_b_q` could decide wrongly, because the sphere is far, or the ray starts
-/// on its surface or nearly touches it; and that of [`exact`] if lengths differ by a
-/// factor of 2⁶⁷. Error of t: that of `half_b_q`, and half an ulp where integers were
-/// asked.
+/// Cost: 1 √, 1 ÷, and a few + and × more than `half_b_q`. Some thirty times as much where
+/// `half_b_q` could decide wrongly, because the sphere is far, or the ray starts on its surface or
+/// nearly touches it; and as much as [`exact`](crate::exact()) if lengths differ by a factor of
+/// 2⁶⁷. Error of t: that of `half_b_q`, and half an ulp where integers decide.
 #[inline]
 pub fn certified_hit(
     center: Point3,
@@ -53,24 +53,22 @@ pub fn certified_hit(
     staged::<false>(Case::new(center, radius, *ray), t_min, t_max).0
 }
 
-/// Finds the root of [`certified_hit`], with a `t` that is less than 0.8 ulp from it, as the
-/// [theorem](self) says.
+/// Finds the root that [`certified_hit`] finds, with a `t` that is proven to be less than 0.8 ulp
+/// off: see the [theorem](self).
 ///
-/// Cost: that of `certified_hit`, and for a hit 1 ÷ and 90 + or × more. Integers
-/// are asked also if D or c is small: from some 250 radii away, and close to the
-/// surface.
+/// Cost: that of `certified_hit`, and for a hit 1 ÷ and 90 + or × more. Integers decide also if D
+/// or c is small: from some 250 radii away, and close to the surface.
 #[inline]
 pub fn certified_t(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
     staged::<true>(Case::new(center, radius, *ray), t_min, t_max).0
 }
 
-/// Asks [`certified_t`] about numbers that are stored in `f32`: the [theorem](self) with `f32` for
-/// `f64`, about the sphere and the ray as they are after that.
+/// Finds the nearest root by [`certified_t`] for a sphere and a ray that are stored in `f32`:
+/// decides about them without an error, and returns `t` rounded to `f32`.
 ///
 /// Cost: that of `certified_t`, and the conversions. Error: less than 0.51 ulp of an `f32`, with
-/// the theorem's exceptions. A filter in `f32` would be silent from 600 radii on, 48u·a·M being
-/// all of D there, and for the last digit of t it takes wider numbers anyway: so they are
-/// widened first.
+/// the exceptions of the [theorem](self). The numbers are widened first: a filter in `f32` would be
+/// uncertain from 600 radii on, and the last digit of t takes wider numbers anyway.
 #[inline]
 pub fn certified_f32(
     center: SingleVec3,
@@ -82,7 +80,8 @@ pub fn certified_f32(
     widened(certified_t, center, radius, ray, t_min, t_max)
 }
 
-/// A stage of a certified method; a case goes to the next, slower one if it is not decided.
+/// A stage of a certified method. A case that one stage cannot decide goes to the next, which is
+/// slower.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Stage {
     /// The first stage: plain `f64` with an error bound.

@@ -5,9 +5,9 @@ use common::rtweekend::*;
 use super::error_free::{c_and_differences, difference_of_products};
 use super::half_b_q::nearest_by_q;
 
-/// Finds the nearest root in the range as [`cross_q`](crate::cross_q) does where the sphere is far,
-/// and near its surface as [`half_b_q`](crate::half_b_q), with a c and a cross product that have
-/// all their digits.
+/// Finds the nearest root with `t_min` < `t` < `t_max`: as [`cross_q`](crate::cross_q) does if the
+/// sphere is far, and as [`half_b_q`](crate::half_b_q) does near its surface, with a c and a cross
+/// product that keep all their digits.
 ///
 /// Cost: 1 √, 1 ÷, and some 120 + or ×, 17 of them fused: quick where the processor fuses and the
 /// compiler may say so, as in lanes; else each is the call of a function. Error: that of the

@@ -4,7 +4,7 @@ use common::rtweekend::*;
 
 use super::half_b_q::nearest_by_q;
 
-/// Finds the nearest root in the range, with the discriminant by the identity of
+/// Finds the nearest root with `t_min` < `t` < `t_max`, with the discriminant by the identity of
 /// Lagrange: (d·oc)² + |d × oc|² is |d|²·|oc|², so D = a·r² − |d × oc|².
 ///
 /// Cost: 1 √, 1 ÷. Error of D: u·(6w·|d||oc| + 6w² + 6a·r²) with w = |d × oc|. Fails:

@@ -6,8 +6,8 @@ use common::rtweekend::*;
 
 use super::error_free::{quick_two_sum, two_product, two_sum};
 
-/// Finds the nearest root in the range as `half_b_q` does, with some 106 digits
-/// instead of 53; `t` is rounded at the end.
+/// Finds the nearest root with `t_min` < `t` < `t_max` as `half_b_q` does, with some 106 binary
+/// digits instead of 53; `t` is rounded at the end.
 ///
 /// Cost: 1 √, 2 to 4 ÷, and about 400 + or ×, 15 of them fused. Error: at most 72u²·a·M in
 /// D, where rounded once it is 24u·a·M. Fails: by the decision from 10¹³ radii on, once in a

@@ -2,8 +2,8 @@
 
 use common::rtweekend::*;
 
-/// Finds the nearest root in the range as chapter 5 does, to the bit, and makes no record of the
-/// hit.
+/// Finds the nearest root with `t_min` < `t` < `t_max` as chapter 5 does, to the bit, and makes no
+/// record of the hit.
 ///
 /// Cost: 1 √, 1 ÷, and a second ÷ if only the farther root is in range.
 /// Error: 24u·a·M in D, and with it about 12u·M/√D in t. Fails: by the decision,

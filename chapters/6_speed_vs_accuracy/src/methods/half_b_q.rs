@@ -2,9 +2,9 @@
 
 use common::rtweekend::*;
 
-/// Finds the nearest root in the range, with the discriminant of `half_b` and each root by the
-/// division that does not cancel; only the one that counts is divided. The plain method to begin
-/// with.
+/// Finds the nearest root with `t_min` < `t` < `t_max`, with the discriminant of `half_b` and each
+/// root by a division in which nothing cancels; only the root that is returned is divided. Of all
+/// methods, the one to begin with.
 ///
 /// Cost: 1 √, 1 ÷; neither for a miss, or a ray from outside that turns away. Error: 24u·a·M in D
 /// as before, but t keeps the digits that c has. Fails: where `half_b` does, save that a

@@ -10,8 +10,7 @@ use glam::Vec3;
 use super::half_b_q::half_b_q;
 use crate::precision::SingleRay;
 
-/// Finds the nearest root in the range as [`half_b`](crate::half_b) does, in
-/// `f32`.
+/// Finds the nearest root with `t_min` < `t` < `t_max` as [`half_b`](crate::half_b) does, in `f32`.
 ///
 /// Cost: 1 √, 1 ÷. Fails: by the decision from 10 radii on, a few times in a
 /// million, and from 1000 radii on for one ray in thirty.
@@ -39,8 +38,8 @@ pub fn half_b_f32(
         .or_else(|| Some((h + sqrtd) / a).filter(in_range))
 }
 
-/// Asks [`half_b_q`](crate::half_b_q) about numbers that are stored in `f32`:
-/// widened, solved in `f64`, and rounded back.
+/// Finds the nearest root with `t_min` < `t` < `t_max` by [`half_b_q`] for numbers that are stored
+/// in `f32`: widens them, solves in `f64`, and rounds `t` back.
 ///
 /// Cost: 1 √, 1 ÷ in `f64`, and the conversions. Error: one rounding of t to
 /// `f32`, as long as `half_b_q` is good for 24 digits. Fails: by the decision

@@ -12,7 +12,7 @@ use crate::precision::{Precision, SingleRay};
 pub struct Case {
     /// The center of the sphere.
     pub center: Point3,
-    /// The radius of the sphere; a negative one counts by its size.
+    /// The radius of the sphere; its sign does not matter.
     pub radius: f64,
     /// The ray; a direction of length 0 makes every method answer a miss.
     pub ray: Ray,
@@ -62,7 +62,7 @@ impl Case {
         }
     }
 
-    /// Returns the point of the ray at `t`, computed in `precision`.
+    /// Returns the point of the ray at `t`, computed in `precision` and widened to `f64`.
     pub fn point(&self, t: f64, precision: Precision) -> Point3 {
         match precision {
             Precision::Double => self.ray.at(t),
@@ -121,12 +121,11 @@ impl Case {
         self.m().sqrt() / self.a().sqrt()
     }
 
-    /// Returns true if no number on the way to the root overflows, and none that
-    /// counts underflows.
+    /// Returns true if no step of finding the root overflows, and no underflow is large enough to
+    /// matter.
     ///
-    /// Between 1e-300 and 1e300, twenty times a·M is still a number, and what
-    /// underflow takes away, 5e-324 at a time, is far below u·a·M. All error
-    /// bounds hold on this condition.
+    /// Between 1e-300 and 1e300, twenty times a·M is still a number, and what underflow takes away,
+    /// 5e-324 at a time, is far below u·a·M. All error bounds hold on this condition.
     pub fn is_well_scaled(&self) -> bool {
         let (a, m) = (self.a(), self.m());
         [a, m, a * m]
@@ -134,7 +133,7 @@ impl Case {
             .all(|scale| (1e-300..=1e300).contains(scale))
     }
 
-    /// Returns the case of this sphere and another ray.
+    /// Returns the case of the same sphere and another ray, from `origin` along `direction`.
     pub fn with_ray(&self, origin: Point3, direction: Vec3) -> Self {
         Self {
             ray: Ray::new(origin, direction),
@@ -142,7 +141,8 @@ impl Case {
         }
     }
 
-    /// Returns the ten numbers of the case: center, radius, origin, direction.
+    /// Returns the ten numbers of the case: the center's three, the radius, and three each of the
+    /// ray's origin and direction.
     pub fn numbers(&self) -> [f64; 10] {
         let ([cx, cy, cz], r) = (self.center.to_array(), self.radius);
         let [qx, qy, qz] = self.ray.origin.to_array();
@@ -150,7 +150,7 @@ impl Case {
         [cx, cy, cz, r, qx, qy, qz, dx, dy, dz]
     }
 
-    /// Makes the case with these ten numbers, in the order of [`Case::numbers`].
+    /// Makes a case from its ten numbers, in the order of [`Case::numbers`].
     pub fn from_numbers([cx, cy, cz, r, qx, qy, qz, dx, dy, dz]: [f64; 10]) -> Self {
         Self {
             center: Point3::new(cx, cy, cz),

@@ -13,7 +13,8 @@ use common::rtweekend::*;
 use super::case::Case;
 use crate::precision::Precision;
 
-/// A kind of situation that rays and spheres are in, at levels k from mild to hard.
+/// A generator of random questions about rays and spheres in one situation, such as small spheres
+/// far away, at levels k from mild to hard.
 #[derive(Clone, Copy, Debug)]
 pub struct Regime {
     /// The name of the regime in tables: one word.
@@ -23,7 +24,7 @@ pub struct Regime {
     case: fn(&mut Random, level: i32) -> Case,
 }
 
-/// All regimes, that of the book first.
+/// All six regimes, that of the book's picture first.
 pub const REGIMES: [Regime; 6] = [
     Regime::BOOK,
     // Near a tangent: the line passes the center at (1 ± 10⁻ᵏ) radii.
@@ -38,10 +39,10 @@ pub const REGIMES: [Regime; 6] = [
 ];
 
 impl Regime {
-    /// The camera rays of the book’s own picture.
+    /// The regime `book`: rays of the book's own picture.
     pub const BOOK: Self = Self::new("book", [(0, 0); 2], |random, _| book(random));
 
-    /// Small spheres far away: the ray starts 10ᵏ radii away.
+    /// The regime `far`: small spheres, with a ray that starts 10ᵏ radii away at level k.
     pub const FAR: Self = Self::new("far", [(1, 15), (1, 6)], far);
 
     const fn new(
@@ -52,7 +53,8 @@ impl Regime {
         Self { name, levels, case }
     }
 
-    /// Makes `count` cases, each of a random level. A `seed` always gives the same cases.
+    /// Makes `count` random cases, each of a random level, in numbers that `precision` can hold.
+    /// The same `seed` gives the same cases.
     pub fn cases(&self, precision: Precision, seed: u64, count: usize) -> Vec<Case> {
         let levels = self.levels(precision);
         self.make(precision, seed, count, |random| {
@@ -61,12 +63,13 @@ impl Regime {
         })
     }
 
-    /// Makes `count` cases of one level. A `seed` always gives the same cases.
+    /// Makes `count` random cases of one level, in numbers that `precision` can hold. The same
+    /// `seed` gives the same cases.
     pub fn cases_at(&self, level: i32, precision: Precision, seed: u64, count: usize) -> Vec<Case> {
         self.make(precision, seed, count, |_| level)
     }
 
-    /// Returns the levels at which this precision is tried, from the mildest to the hardest.
+    /// Returns the levels k that make sense in `precision`, from the mildest to the hardest.
     pub fn levels(&self, precision: Precision) -> RangeInclusive<i32> {
         let [double, single] = self.levels;
         match precision {

@@ -16,10 +16,10 @@ pub struct Scene {
     pub width: u32,
     /// The unit vector towards the sun, or `None` if nothing casts a shadow.
     pub sun: Option<Vec3>,
-    /// The t after which a hit counts: along rays of the camera, and along rays to the sun, which
-    /// would else hit the surface where they start.
+    /// The `t` after which a hit counts: first along rays of the camera, then along rays to the
+    /// sun, which would else hit the surface where they start.
     pub t_min: [f64; 2],
-    /// The eye, and its view of the spheres.
+    /// The lens of the camera: the eye's place, and its view of the spheres.
     pub lens: Lens,
     /// The spheres, center and radius of each; at least one.
     pub spheres: Vec<(Point3, f64)>,
@@ -30,7 +30,8 @@ pub struct Scene {
 pub const USUAL_T_MIN: [f64; 2] = [0.0, 1e-3];
 
 impl Scene {
-    /// Returns the scene of a star in a telescope, as far as one like the Sun at seven light-years.
+    /// Returns the scene of one star seen through a telescope, as far away for its size as a Sun at
+    /// seven light-years.
     pub fn telescope() -> Self {
         Self {
             name: "telescope".to_owned(),
@@ -69,14 +70,14 @@ impl Scene {
         })
     }
 
-    /// Returns the ray of the scene's camera for a `ray` of the book's.
+    /// Returns the ray of the scene that goes through the pixel of this `ray` of the book's camera.
     pub fn ray(&self, ray: &Ray) -> Ray {
         self.lens.ray(ray)
     }
 
-    /// Returns the nearest hit and the color along the scene's ray for a `ray` of the book's
-    /// camera: a normal's color, darker in shadow, or that of the sky, which is the same behind
-    /// every lens.
+    /// Computes the color and the first hit along the ray of the scene that goes through the pixel
+    /// of this `ray` of the book's camera. A hit has the color of its normal, darker in shadow; a
+    /// miss has that of the sky along `ray`, without the lens.
     pub fn look(&self, arithmetic: Arithmetic, ray: &Ray) -> Sight {
         let Some((sphere, case, t)) = self.nearest(arithmetic, &self.ray(ray), self.t_min[0])
         else {
@@ -143,14 +144,14 @@ pub struct Hit {
     pub sphere: usize,
     /// The ray parameter, in lengths of the ray's direction.
     pub t: f64,
-    /// The point of the hit, as it is computed from t.
+    /// The point of the hit, computed from `t` and so not quite on the sphere.
     pub point: Point3,
     /// The index of the first sphere between the point and the sun, or `None` if the sun reaches
     /// it.
     pub shaded_by: Option<usize>,
 }
 
-/// The eye's place, and how its view differs from that of the book's camera.
+/// A lens before the book's camera: it moves the eye, turns its view and magnifies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lens {
     origin: Point3,
@@ -202,11 +203,10 @@ pub fn unit(v: Vec3) -> Vec3 {
 /// The arithmetic by which a scene's picture is computed.
 #[derive(Clone, Copy, Debug)]
 pub enum Arithmetic {
-    /// A method, in its own precision: the loop of chapter 5 asks it about one sphere after the
+    /// A method, in its own precision: as in chapter 5, it is asked about one sphere after the
     /// other.
     Method(Method),
-    /// Exact arithmetic, which every other one should equal: only the points that are found are
-    /// rounded, to `f64`.
+    /// Exact arithmetic, with no rounding until a point is found and rounded to `f64`.
     Exact,
 }
 

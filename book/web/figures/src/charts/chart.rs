@@ -19,7 +19,8 @@ pub struct Chart {
     /// The names of the chart's panels, from which a reader chooses one to see; empty if the page
     /// shows all panels at once.
     pub choices: &'static [&'static str],
-    /// The files that the chart is drawn from, as paths from the folder `book/notes`.
+    /// The files that hold the chart's numbers, as paths from the folder `book/notes`; at least
+    /// one.
     pub files: &'static [&'static str],
     /// Draws the chart from the texts of `files`, in their order.
     ///
