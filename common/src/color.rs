@@ -1,4 +1,4 @@
-//! Colors: what a ray returns, and the bytes that a picture stores.
+//! Colors: the color of the sky, and the bytes that a picture stores.
 
 use crate::ray::Ray;
 use crate::vec3::Vec3;

@@ -1,4 +1,4 @@
-//! What it means to be hit.
+//! The trait of anything that a ray can hit, and the record of a hit.
 
 use common::rtweekend::*;
 

@@ -1,4 +1,4 @@
-//! Many things to hit, which together are one.
+//! A list of things to hit, which can be hit itself.
 
 use common::rtweekend::*;
 

@@ -1,4 +1,4 @@
-//! A sphere, inside and out.
+//! A sphere, which a ray can hit from outside and from inside.
 
 use common::rtweekend::*;
 

@@ -124,7 +124,7 @@ impl Picture {
         }
     }
 
-    /// Writes the picture as the book's programs do: as P3 (plain PPM) text, with a pixel a line.
+    /// Writes the picture as the book's programs do: as P3 (plain PPM) text, one pixel per line.
     ///
     /// # Errors
     /// The first error of `out`, after which nothing is written.

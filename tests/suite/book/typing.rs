@@ -22,7 +22,7 @@ fn the_next_lines_lead_from_empty_functions_to_the_chapter() {
             assert!(lines.len() < 200, "{file:?} never ends");
             file.text = lines.join("\n");
         }
-        for (typed, full) in draft.files.iter().zip(Draft::full(chapter).files) {
+        for (typed, full) in draft.files.iter().zip(Draft::complete(chapter).files) {
             let (name, chapter) = (&typed.name, chapter.name());
             assert_eq!(code(&typed.text), code(&full.text), "{name} of {chapter}");
         }
@@ -67,7 +67,7 @@ const LETTERS: usize = 3;
 
 #[test]
 fn a_line_of_the_chapter_that_is_typed_in_part_is_unfinished_though_it_draws() {
-    let mut draft = Draft::full(Chapter::Gradient);
+    let mut draft = Draft::complete(Chapter::Gradient);
     let line = |draft: &Draft| {
         draft.files[0]
             .text
@@ -143,7 +143,7 @@ fn a_habit_from_another_language_is_answered_by_what_rust_writes() {
         ("sky(ray)", "Sky(ray)", "there is `sky`"),
     ];
     for (right, typed, expected) in rows {
-        let mut draft = Draft::full(Chapter::Normals);
+        let mut draft = Draft::complete(Chapter::Normals);
         let file = &mut draft.files[0].text;
         *file = file.replacen(right, typed, 1);
         let said = drawn(&draft).expect_err(typed);

@@ -145,7 +145,7 @@ fn assert_right(desk: &Desk, spelling: &Typing, command: &str) {
 fn right_programs_in_rust_get_no_remark() {
     for spelling in typings(include_str!("programs/spellings.rs.txt")) {
         let chapter = Chapter::find(&spelling.title).expect("a chapter");
-        let mut typed = Draft::full(chapter);
+        let mut typed = Draft::complete(chapter);
         for Change { old, new } in &spelling.changes {
             let mut files = typed.files.iter_mut();
             let found = files.find(|it| it.text.contains(old));

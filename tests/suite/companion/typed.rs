@@ -18,7 +18,7 @@ use suite::reader::TestReader;
 fn the_page_says_what_watch_says_of_the_same_text() {
     let reader = TestReader::empty();
     for (chapter, old, new) in TYPED {
-        let mut draft = Draft::full(chapter);
+        let mut draft = Draft::complete(chapter);
         let found = draft.files.iter_mut().find(|it| it.text.contains(old));
         let file = &mut found.expect("the chapter has the line").text;
         *file = file.replace(old, new);

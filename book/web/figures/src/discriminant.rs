@@ -76,12 +76,6 @@ fn answer(it: &Parameters) -> DrawnFigure {
     DrawnFigure::new(draw(it, &roots), sentence(&roots), says)
 }
 
-/// Writes roots with "and" between them.
-fn listed(roots: &[f64]) -> String {
-    let roots: Vec<String> = roots.iter().copied().map(spoken).collect();
-    roots.join(" and ")
-}
-
 /// Says what the number and the signs of the roots mean.
 fn sentence(roots: &[f64]) -> String {
     let at = listed(roots);

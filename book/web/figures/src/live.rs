@@ -1,13 +1,12 @@
-//! Live figures: what can be changed in a figure, and what it answers.
+//! Live figures: parameters that a reader changes, and the drawing that follows.
 //!
-//! A page shows a figure as a drawing that was made when the book was woven. A reader may move
-//! what is in it, and the same function draws it anew in the page, compiled to WebAssembly
-//! (package `page`). Two files have all that is known about a figure: `walk.md` its words, and
-//! `walk.rs` its parameters with their ranges, which of them can be grasped on the sheet, the
-//! drawing, and the sentence below.
+//! A page shows a figure as a drawing that was made when the book was woven. When a reader changes
+//! the figure, the same function draws it anew in the page, compiled to WebAssembly (package
+//! `page`). A figure consists of two files: `walk.md` has its words, and `walk.rs` its parameters
+//! with their ranges, the handles to be dragged, the drawing, and the sentence below.
 //!
-//! To make another figure: write its words, state its `parameters!`, make a [`Live`] of it, and
-//! name that in [`LESSON`](crate::LESSON). From then on `{{figure NAME}}` weaves it with its
+//! To make another figure: write its words, declare its `parameters!`, make a [`Live`] of them, and
+//! add that to [`LESSON`](crate::LESSON). From then on `{{figure NAME}}` weaves it with its
 //! handles. `.ci/live` builds the module of the pages anew.
 
 use std::collections::BTreeMap;

@@ -1,4 +1,4 @@
-//! Numbers in few characters.
+//! Number formatting: numbers in few characters, for files, pages and drawings.
 
 use std::cmp::Ordering;
 
@@ -58,6 +58,12 @@ pub(crate) fn number(value: f64) -> String {
 /// from zero, and the minus is the sign − (U+2212).
 pub fn spoken(value: f64) -> String {
     number((100.0 * value).round() / 100.0).replace('-', "−")
+}
+
+/// Writes numbers with at most two decimals, and "and" between them.
+pub(crate) fn listed(values: &[f64]) -> String {
+    let values: Vec<String> = values.iter().copied().map(spoken).collect();
+    values.join(" and ")
 }
 
 /// Returns `<`, `=` or `>`: how one number compares with the other.

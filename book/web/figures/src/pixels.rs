@@ -1,4 +1,4 @@
-//! Large squares: the pixels of a picture.
+//! A picture with its pixels as large squares.
 
 use common::rtweekend::*;
 use glam::DVec2;

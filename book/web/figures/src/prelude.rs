@@ -1,5 +1,5 @@
-//! What figures are made of, in one import: points and rays in a plane, axes, large pixels,
-//! labels off a dot, and what a reader drags.
+//! The prelude of all figures: points and rays in a plane, axes, large pixels, labels, numbers as
+//! text, and the parts of a live figure.
 
 pub(crate) use common::rtweekend::*;
 pub(crate) use glam::DVec2;
@@ -7,7 +7,7 @@ pub(crate) use glam::DVec2;
 pub(crate) use crate::axis::{Axis, ticks};
 pub(crate) use crate::figure::figure;
 pub(crate) use crate::live::{DrawnFigure, Handle, Live, Movable, point};
-pub(crate) use crate::number::{power_of_ten, printed, sign, spoken, three_digits, triple};
+pub(crate) use crate::number::{listed, power_of_ten, printed, sign, spoken, three_digits, triple};
 pub(crate) use crate::parameters::{Parameter, parameters};
 pub(crate) use crate::pixels::PixelGrid;
 pub(crate) use crate::plane::{Plane, nearest, ray, roots, xy};

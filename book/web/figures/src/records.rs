@@ -1,9 +1,8 @@
-//! Records: the rows of the files that hold what was measured. Charts are drawn
-//! from them.
+//! Records: the rows of the files with measured numbers, from which the charts are drawn.
 //!
-//! What was asked a few thousand times, a test keeps as it is; what was asked millions
-//! of times, or measured by a clock, the benchmarks of the package `measure` record
-//! anew.
+//! A test keeps the numbers that take a few thousand questions, and fails if they change. Numbers
+//! that take millions of questions or a clock are recorded by the benchmarks of the package
+//! `measure`.
 
 use serde::{Deserialize, Serialize};
 use speed_vs_accuracy::Precision;

@@ -1,4 +1,4 @@
-//! One visual language for all drawings.
+//! The style sheet that all drawings share.
 
 /// The style sheet of all drawings, which the pages load: for each idea a color in light and in
 /// dark, and a class for each way to draw.

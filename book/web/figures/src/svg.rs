@@ -1,4 +1,4 @@
-//! A drawing in SVG, written element by element.
+//! A writer of SVG: drawings, element by element.
 
 use glam::DVec2;
 

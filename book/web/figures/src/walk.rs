@@ -74,8 +74,7 @@ fn answer(it: &Parameters) -> DrawnFigure {
     let half = roots.last().map_or(0.0, |t| way(t - it.foot()));
     let [h, l_said, r, half] = [way(it.foot()), l, it.radius, half].map(spoken);
     let walk = format!("After a walk of {h} the center is *l* = {l_said} away");
-    let at: Vec<String> = roots.iter().copied().map(spoken).collect();
-    let at = at.join(" and ");
+    let at = listed(&roots);
     let sentence = match roots.len() {
         0 => format!("{walk}, more than *r* = {r}: the line misses."),
         1 => format!("{walk}, as far as *r*: the line touches, at *t* = {at}."),

@@ -1,5 +1,5 @@
-//! Mutation by hand: what people type in the place of each word of a chapter, so that a reader
-//! sees what that word is for.
+//! Mutation by hand: finds what people type in place of each word of a chapter, so that a reader
+//! sees the use of that word.
 
 use std::ops::Range;
 
@@ -14,8 +14,6 @@ use crate::words::words;
 const MOST: usize = 8;
 /// Signs that only hold others together: a reader cannot choose them as words to break.
 const GLUE: [&str; 12] = ["(", ")", "[", "]", "{", "}", ".", ",", ";", "::", "?", "|"];
-/// The width, in pixels, of the trial picture that shows if a compiler would refuse an edited text.
-const WIDTH: u32 = 24;
 
 /// A chapter's own text, with all edits that a reader can make in it by choosing a word.
 pub struct Breakable {
@@ -55,7 +53,7 @@ impl Breakable {
     /// # Panics
     /// If the interpreter cannot read the chapter's own text.
     pub fn new(chapter: Chapter) -> Self {
-        let draft = Draft::full(chapter);
+        let draft = Draft::complete(chapter);
         let program = draft.read().unwrap_or_else(|said| panic!("{}", said.rest));
         let known = known(chapter, &draft);
         let typed = edits_everywhere(&program, &draft.files).into_iter();
@@ -114,12 +112,8 @@ impl Breakable {
     /// Returns true if the interpreter reads and draws the text after `edit`, or it compiles and
     /// stops.
     fn is_drawn(&self, edit: &WordEdit) -> bool {
-        let broken = self.broken(edit);
-        let program = interpreter::read(&broken.in_reading_order());
-        program.is_ok_and(|it| match it.draw(WIDTH) {
-            Ok(_) => true,
-            Err(fault) => fault.kind == FaultKind::Stopped,
-        })
+        let fault = self.broken(edit).first_fault();
+        matches!(fault, None | Some(FaultKind::Stopped))
     }
 
     /// Returns the words that offer `edit` for `word` in a list: the new text, `old → new` if the

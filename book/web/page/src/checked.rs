@@ -1,7 +1,7 @@
-//! What the page *Check your picture* asks: bytes in; words, pixels and numbers out.
+//! The judge behind the page *Check your picture*: bytes in; words, pixels and numbers out.
 //!
-//! The verdict and its words are those of [`check`], as in the command. Here they only
-//! become HTML.
+//! [`check`] judges the picture and words the verdict, as it does for the command. This module
+//! turns them into HTML.
 
 use std::iter;
 

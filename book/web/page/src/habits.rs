@@ -1,4 +1,5 @@
-//! Habits from C++ and its kin: what people type who know another language, and what Rust writes.
+//! Habits from C++ and similar languages: what people type out of habit, and what Rust writes
+//! instead.
 
 use std::ops::Range;
 

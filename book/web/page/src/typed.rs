@@ -62,7 +62,7 @@ impl Feedback {
 /// line.
 pub fn beginning(chapter: Chapter) -> Vec<String> {
     let files = Draft::skeleton(chapter).files.into_iter();
-    let files = files.zip(Draft::full(chapter).files);
+    let files = files.zip(Draft::complete(chapter).files);
     let files = files.flat_map(|(empty, full)| [empty.name, empty.text, full.text]);
     let steps: Vec<&str> = steps::of_chapter(chapter)
         .iter()
@@ -82,7 +82,7 @@ impl Draft {
     }
 
     /// Returns a draft that has the chapter's own files, complete.
-    pub fn full(chapter: Chapter) -> Self {
+    pub fn complete(chapter: Chapter) -> Self {
         let own = |name: &str| chapter.files().iter().find(|it| it.name == name);
         let files = Self::skeleton(chapter).files.into_iter();
         let full = files.map(|file| match own(&file.name) {
@@ -107,10 +107,21 @@ impl Draft {
     }
 
     /// Returns the files with the crate's root first: readers type that file last.
-    pub(crate) fn in_reading_order(&self) -> Vec<SourceFile> {
+    fn in_reading_order(&self) -> Vec<SourceFile> {
         let mut files = self.files.clone();
         files.rotate_right(1);
         files
+    }
+
+    /// Returns the kind of the first fault that shows when the draft is read and drawn in a small
+    /// picture, or `None` if it draws.
+    pub(crate) fn first_fault(&self) -> Option<FaultKind> {
+        let program = interpreter::read(&self.in_reading_order());
+        let fault = match program.map(|it| it.draw(TRIAL_WIDTH)) {
+            Ok(drawn) => drawn.err(),
+            Err(faults) => faults.into_iter().next(),
+        };
+        fault.map(|it| it.kind)
     }
 
     /// Draws the program that was read, `width` pixels wide.
@@ -318,6 +329,8 @@ fn being_typed(line: usize) -> Answer {
 
 /// The beginning of the message of a panic in `todo!()`.
 const NOT_WRITTEN: &str = "not yet implemented";
+/// The width, in pixels, of a picture that is drawn only to find faults.
+const TRIAL_WIDTH: u32 = 24;
 /// The largest number of faults that are shown: later ones often come from the first.
 const MOST_FAULTS: usize = 5;
 /// The number of answers unlike a program's at which counting stops.

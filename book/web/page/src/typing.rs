@@ -16,9 +16,6 @@ pub struct Caret {
     pub line: usize,
 }
 
-/// The width, in pixels, of the trial picture that shows if a compiler would refuse the text.
-const WIDTH: u32 = 16;
-
 impl Draft {
     /// Returns the caret's line if the faults may come only from missing words at its end: a
     /// bracket is not yet closed, all faults lie in the caret's statement, or the text without it
@@ -79,12 +76,7 @@ impl Draft {
             let blank: String = text[part.clone()].chars().map(blank).collect();
             text.replace_range(part, &blank);
         }
-        let program = interpreter::read(&rest.in_reading_order());
-        let fault = match program.map(|it| it.draw(WIDTH)) {
-            Ok(drawn) => drawn.err(),
-            Err(faults) => faults.into_iter().next(),
-        };
-        fault.is_none_or(|it| it.kind != FaultKind::Refused)
+        rest.first_fault() != Some(FaultKind::Refused)
     }
 }
 

@@ -1,4 +1,4 @@
-//! Marks: what color and shape a method has in charts, and how many digits it has right.
+//! Marks: the color and the shape of each method in the charts, and its number of right digits.
 
 use glam::DVec2;
 use speed_vs_accuracy::Precision::{self, Double, Single};

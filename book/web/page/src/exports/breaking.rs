@@ -11,7 +11,7 @@ thread_local! {
     static BREAKABLE: RefCell<Option<(Breakable, Vec<Word>)>> = const { RefCell::new(None) };
 }
 
-/// Lists the words that can be broken, of the chapter whose name was given: a line each, with the
+/// Lists the words that can be broken, of the chapter whose name was given: one per line, with the
 /// index of its file, and the positions where it begins and ends.
 #[unsafe(no_mangle)]
 extern "C" fn breakable_words() -> usize {
