@@ -46,7 +46,7 @@ pub struct Mismatch {
     pub differing: usize,
 }
 
-/// The recorded answers of a program's functions.
+/// The answers that a program's functions gave to [`Question`]s, recorded in order.
 #[derive(Clone, Debug, Default)]
 pub struct Answers {
     /// Each question with its answer, in the order in which they were asked; empty if nothing was

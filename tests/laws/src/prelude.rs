@@ -6,7 +6,7 @@ use proptest::prelude::*;
 
 use crate::nearer_root::U;
 use crate::question::{Functions, code, of_ray, vector};
-use crate::strategies::{ahead_if_zero, samples, whole_vector};
+use crate::strategies::{ahead_if_zero, integer_vector, samples};
 use crate::verdict::{BrokenLaw, LawResult};
 
 /// The operators and functions of a program's own vectors and rays, as closures that laws ask one
@@ -34,7 +34,8 @@ pub struct Prelude<'a> {
     pub at: &'a dyn Fn(Ray, f64) -> Point3,
 }
 
-/// One of the ten functions of a [`Prelude`], with the error that rounding may cause in it.
+/// One of the ten functions of a [`Prelude`], with the largest relative error that rounding may
+/// cause in its answer.
 #[derive(Debug)]
 pub struct PreludeFunction {
     /// A call of the function as Rust has it, with the vectors `u` and `v` and the number `t`.
@@ -93,7 +94,7 @@ impl PreludeFunction {
     pub(crate) fn questions(&'static self) -> impl Strategy<Value = PreludeQuestion> {
         let tenths = (1..=9).prop_map(|k| f64::from(k) / 10.0);
         let number = prop_oneof![(-8..=8).prop_map(|k| 0.5 * f64::from(k)), tenths];
-        (whole_vector(9), whole_vector(9), number).prop_map(move |(u, v, t)| PreludeQuestion {
+        (integer_vector(9), integer_vector(9), number).prop_map(move |(u, v, t)| PreludeQuestion {
             function: self,
             u,
             v: ahead_if_zero(v),

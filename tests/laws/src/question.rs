@@ -71,34 +71,36 @@ pub trait Functions {
 const TELLING: u32 = 250;
 
 impl Question {
-    /// Lists twenty questions to each function on vectors, always the same ones: so many that
-    /// different mistakes give different answers.
+    /// Lists twenty questions to each function on vectors. The list is the same in every run, and
+    /// long enough that different mistakes give different answers.
     pub fn of_prelude() -> Vec<Self> {
         let telling = PRELUDE_FUNCTIONS.iter().flat_map(|it| it.telling_cases());
         telling.map(Self::Prelude).collect()
     }
 
-    /// Lists 250 questions about one ray and one sphere, always the same ones: so many that
-    /// different mistakes give different answers. `kind` is [`Question::Decision`] or
-    /// [`Question::Root`].
+    /// Lists 250 questions about one ray and one sphere: whether the ray hits, if `kind` is
+    /// [`Question::Decision`], or at which `t`, if it is [`Question::Root`]. The list is the same in
+    /// every run, and long enough that different mistakes give different answers.
     pub fn of_sphere(kind: fn(Case) -> Self) -> Vec<Self> {
         of(kind, &strategies::ordinary())
     }
 
-    /// Lists 250 questions about one ray, one sphere and an interval, always the same ones: so many
-    /// that different mistakes give different answers.
+    /// Lists 250 questions that ask for the record of a ray's hit with one sphere in an interval.
+    /// The list is the same in every run, and long enough that different mistakes give different
+    /// answers.
     pub fn of_record() -> Vec<Self> {
         of(Self::Record, &strategies::ordinary_with_interval())
     }
 
-    /// Lists 250 questions about one ray and several spheres, always the same ones: so many that
-    /// different mistakes give different answers.
+    /// Lists 250 questions that ask for the `t` of a ray's nearest hit with several spheres. The
+    /// list is the same in every run, and long enough that different mistakes give different
+    /// answers.
     pub fn of_list() -> Vec<Self> {
         of(Self::Nearest, &strategies::worlds())
     }
 
-    /// Lists 250 questions about the color of a ray, always the same ones: so many that different
-    /// mistakes give different answers.
+    /// Lists 250 questions that ask for the color of a ray. The list is the same in every run, and
+    /// long enough that different mistakes give different answers.
     pub fn of_ray_color() -> Vec<Self> {
         of(Self::RayColor, &ray_color::rays())
     }
@@ -195,8 +197,8 @@ fn of<T: Debug>(kind: fn(T) -> Question, strategy: &impl Strategy<Value = T>) ->
     telling_cases(strategy).into_iter().map(kind).collect()
 }
 
-/// Draws the first 250 values of a strategy, always the same ones: so many that different mistakes
-/// in a function give different answers.
+/// Draws the first 250 values of a strategy. They are the same in every run, and enough that
+/// different mistakes in a function give different answers.
 pub fn telling_cases<T: Debug>(strategy: &impl Strategy<Value = T>) -> Vec<T> {
     samples(strategy, TELLING)
 }
