@@ -26,11 +26,11 @@ pub struct HitRecord {
 }
 
 impl HitRecord {
-    /// Sets `front_face`, and `normal` to whichever of `outward_normal` and its
-    /// opposite points against `ray`.
+    /// Sets `front_face`, and `normal` to whichever of `outward_normal` and its opposite points
+    /// against `ray`.
     ///
-    /// `outward_normal` must have unit length. A ray that only grazes the
-    /// surface, at a right angle to the normal, counts as coming from inside.
+    /// `outward_normal` must have unit length. For a ray at a right angle to it, which only grazes
+    /// the surface, `front_face` is false.
     pub fn set_face_normal(&mut self, ray: &Ray, outward_normal: Vec3) {
         self.front_face = ray.direction.dot(outward_normal) < 0.0;
         self.normal = if self.front_face {

@@ -33,35 +33,39 @@ pub enum Solve {
 }
 
 impl Method {
-    /// [`half_b`]: the equation with half of b, as in chapter 5.
+    /// [`half_b`]: solves the equation with half of b, as chapter 5 does.
     pub const HALF_B: Self = Self::plain("half_b", Double(half_b));
 
-    /// [`half_b_q`]: the discriminant of `half_b`, and roots that do not cancel.
+    /// [`half_b_q`]: takes the discriminant of `half_b`, and computes the roots without
+    /// cancellation.
     pub const HALF_B_Q: Self = Self::plain("half_b_q", Double(half_b_q));
 
-    /// [`cross_q`]: the distance of the line from the center by a cross product.
+    /// [`cross_q`]: takes the discriminant from the distance of the line to the center, which it
+    /// computes by a cross product.
     pub const CROSS_Q: Self = Self::plain("cross_q", Double(cross_q));
 
-    /// [`compensated`]: adds up again the digits that rounding takes from C − Q, the cross product
-    /// and c.
+    /// [`compensated`]: adds back the digits that rounding takes from center − origin, from the
+    /// cross product, and from the equation's c.
     pub const COMPENSATED: Self = Self::plain("compensated", Double(compensated));
 
-    /// [`certified_hit`]: proven right about hit or miss; its t is as exact as that of `half_b_q`.
+    /// [`certified_hit`]: always decides correctly between hit and miss; its t is as accurate as
+    /// that of [`half_b_q`].
     pub const CERTIFIED_HIT: Self = Self::plain("certified_hit", Double(certified_hit)).certified();
 
-    /// [`certified_t`]: proven right about hit or miss, with a t that is less than 0.8 ulp off.
+    /// [`certified_t`]: always decides correctly between hit and miss, with a t less than 0.8 ulp
+    /// off.
     pub const CERTIFIED_T: Self = Self::plain("certified_t", Double(certified_t)).certified();
 
     /// [`double_double`]: computes with two `f64` for each number, some 106 binary digits.
     pub const DOUBLE_DOUBLE: Self = Self::plain("double_double", Double(double_double));
 
-    /// [`exact`]: computes with integers of any length.
+    /// [`exact`]: computes with integers of any length, and rounds t once.
     pub const EXACT: Self = Self::plain("exact", Double(exact));
 
     /// [`half_b_f32`]: computes as `half_b` in `f32`.
     pub const HALF_B_F32: Self = Self::plain("half_b_f32", Single(half_b_f32));
 
-    /// [`widened_half_b_q_f32`]: takes and returns `f32`, and computes in `f64` between.
+    /// [`widened_half_b_q_f32`]: takes and returns `f32`, and computes as [`half_b_q`] in `f64`.
     pub const WIDENED_HALF_B_Q_F32: Self =
         Self::plain("widened_half_b_q_f32", Single(widened_half_b_q_f32));
 

@@ -2,7 +2,8 @@
 
 use crate::svg::Svg;
 
-/// The words of a figure: its title, caption and description, and a question about it.
+/// The words of a figure, each a plain text in one line; in the caption, question and solution
+/// `*t*` marks a number, `**P**` a vector.
 #[derive(Clone, Debug)]
 pub struct Figure {
     /// The name of the figure in `{{figure NAME}}` on a page.
@@ -11,9 +12,9 @@ pub struct Figure {
     pub title: String,
     /// A description in sentences, for a reader who cannot see the drawing.
     pub description: String,
-    /// The caption below the figure; `*t*` marks a number, `**P**` a vector.
+    /// The caption below the figure.
     pub caption: String,
-    /// A question to the reader about the figure; `*t*` marks a number, `**P**` a vector.
+    /// A question to the reader about the figure, and then what to do with it.
     pub question: String,
     /// The answer to the question: the page shows it when the reader asks for it.
     pub solution: String,

@@ -83,6 +83,98 @@ impl CheckRequest {
         self.edition
             .map_or(task, |edition| task.only_by_edition(edition))
     }
+
+    /// Judges the bytes of a picture file, as the command `check` does. A file that is no picture
+    /// gets a response that says why.
+    pub fn answer(self, bytes: &[u8]) -> CheckResponse {
+        match reading::read(bytes) {
+            Ok(reading) => self.judged(reading, None),
+            Err(cause) => self.refused(cause),
+        }
+    }
+
+    /// Returns the response to a file that is too large to be read.
+    pub fn too_large(self) -> CheckResponse {
+        self.refused(Cause::too_large())
+    }
+
+    /// Judges a file that only the browser can read, as the browser shows it: `rgba` has four bytes
+    /// a pixel, row by row from the top, and `why` the first bytes of the file.
+    ///
+    /// Where the format loses levels in ways of its own (JPEG, WebP), only a right picture is
+    /// judged: a difference may be the file's fault. If the number of bytes does not fit the size,
+    /// the file is refused.
+    pub fn decoded(self, why: &[u8], width: u32, height: u32, rgba: &[u8]) -> CheckResponse {
+        let Err(cause) = reading::read(why) else {
+            return self.too_large();
+        };
+        let count = u64::from(width) * u64::from(height);
+        if count > MOST_PIXELS || count * 4 != rgba.len() as u64 {
+            return self.refused(cause);
+        }
+        let (pixels, _) = rgba.as_chunks::<4>();
+        let levels = |&[r, g, b, _]: &[u8; 4]| [r, g, b].map(i16::from);
+        let reading = Reading {
+            width,
+            height,
+            pixels: pixels.iter().map(levels).collect(),
+            flaw: None,
+        };
+        self.judged(reading, Some(cause))
+    }
+
+    /// Judges a picture that has been read; `foreign` says why only the browser could read its
+    /// file, or is `None` if it was read here.
+    fn judged(self, reading: Reading, foreign: Option<Cause>) -> CheckResponse {
+        let context = Context::default();
+        let wanted = self.task(Some(&reading));
+        let is_guessed = self.chapter.is_none();
+        let (task, verdict) = if is_guessed {
+            judge_guessed(&wanted, &reading, 0, &context)
+        } else {
+            (wanted, judge(&wanted, &reading, 0, &context))
+        };
+        let is_lossy = |it: &&Cause| it.problem.contains("JPEG") || it.problem.contains("WebP");
+        if let Some(cause) = foreign.as_ref().filter(is_lossy)
+            && !matches!(verdict, Verdict::Right(_))
+        {
+            return self.refused(cause.clone());
+        }
+        let facts = facts(&task, &verdict, &reading);
+        let mistakes = verdict.finding().and_then(|it| it.mistakes.as_ref());
+        let mistake = mistakes.map(|it| it.all[0].clone());
+        let judged_by = match &verdict {
+            Verdict::Right(right) => right.task,
+            other => other.finding().map_or(task, |finding| finding.task),
+        };
+        let attempt = Attempt {
+            is_guessed,
+            name: self.name,
+            flaw: reading.flaw.clone(),
+            ..Attempt::new(task, &context)
+        };
+        let answer = attempt.answer(verdict);
+        CheckResponse {
+            text: laid_out(&facts, &answer)
+                + &foreign.map_or(String::new(), |it| read_by_browser(&it)),
+            traced: Some(Traced {
+                task: judged_by.fitting(reading.width, reading.height),
+                reading,
+                mistake,
+            }),
+            pictures: answer.pictures,
+        }
+    }
+
+    /// Returns the response to a file that cannot be judged, for this cause.
+    fn refused(self, cause: Cause) -> CheckResponse {
+        let answer = sentences::refused(&self.name, "not a picture", &cause);
+        CheckResponse {
+            text: laid_out(&["", "", cause.name, "", "0"].join("\t"), &answer),
+            traced: None,
+            pictures: None,
+        }
+    }
 }
 
 /// Returns the options of the page's form, one per line, with tabs between the list's name
@@ -92,107 +184,6 @@ pub fn choices() -> String {
     let probes = PROBES.map(|it| format!("probe\t{}\t{0}", it.name));
     let editions = Edition::ALL.map(|it| format!("edition\t{}\t{it}", it.name()));
     [&chapters[..], &probes, &editions].concat().join("\n")
-}
-
-/// Judges the bytes of a picture file, as the command `check` does. A file that is no picture gets
-/// a response that says why.
-pub fn answer(request: CheckRequest, bytes: &[u8]) -> CheckResponse {
-    match reading::read(bytes) {
-        Ok(reading) => judged(request, reading, None),
-        Err(cause) => refused(request, cause),
-    }
-}
-
-/// Returns the response to a file that is too large to be read.
-pub fn too_large(request: CheckRequest) -> CheckResponse {
-    refused(request, Cause::too_large())
-}
-
-/// Judges a file that only the browser can read, as the browser shows it: `rgba` has four bytes a
-/// pixel, row by row from the top, and `why` the first bytes of the file.
-///
-/// Where the format loses levels in ways of its own (JPEG, WebP), only a right picture is judged: a
-/// difference may be the file's fault. If the number of bytes does not fit the size, the file is
-/// refused.
-pub fn decoded(
-    request: CheckRequest,
-    why: &[u8],
-    width: u32,
-    height: u32,
-    rgba: &[u8],
-) -> CheckResponse {
-    let Err(cause) = reading::read(why) else {
-        return too_large(request);
-    };
-    let count = u64::from(width) * u64::from(height);
-    if count > MOST_PIXELS || count * 4 != rgba.len() as u64 {
-        return refused(request, cause);
-    }
-    let (pixels, _) = rgba.as_chunks::<4>();
-    let levels = |&[r, g, b, _]: &[u8; 4]| [r, g, b].map(i16::from);
-    let reading = Reading {
-        width,
-        height,
-        pixels: pixels.iter().map(levels).collect(),
-        flaw: None,
-    };
-    judged(request, reading, Some(cause))
-}
-
-/// Judges a picture that has been read; `foreign` says why only the browser could read its file, if
-/// so.
-fn judged(request: CheckRequest, reading: Reading, foreign: Option<Cause>) -> CheckResponse {
-    let context = Context::default();
-    let wanted = request.task(Some(&reading));
-    let is_guessed = request.chapter.is_none();
-    let (task, verdict) = if is_guessed {
-        judge_guessed(&wanted, &reading, 0, &context)
-    } else {
-        (wanted, judge(&wanted, &reading, 0, &context))
-    };
-    let loses_levels = |it: &Cause| {
-        ["JPEG", "WebP"]
-            .iter()
-            .any(|kind| it.problem.contains(kind))
-    };
-    if let Some(cause) = foreign.as_ref().filter(|it| loses_levels(it))
-        && !matches!(verdict, Verdict::Right(_))
-    {
-        return refused(request, cause.clone());
-    }
-    let facts = facts(&task, &verdict, &reading);
-    let mistakes = verdict.finding().and_then(|it| it.mistakes.as_ref());
-    let mistake = mistakes.map(|it| it.all[0].clone());
-    let judged_by = match &verdict {
-        Verdict::Right(right) => right.task,
-        other => other.finding().map_or(task, |finding| finding.task),
-    };
-    let attempt = Attempt {
-        is_guessed,
-        name: request.name,
-        flaw: reading.flaw.clone(),
-        ..Attempt::new(task, &context)
-    };
-    let answer = attempt.answer(verdict);
-    CheckResponse {
-        text: laid_out(&facts, &answer) + &foreign.map_or(String::new(), |it| read_by_browser(&it)),
-        traced: Some(Traced {
-            task: judged_by.fitting(reading.width, reading.height),
-            reading,
-            mistake,
-        }),
-        pictures: answer.pictures,
-    }
-}
-
-/// Returns the response to a file that cannot be judged, for this cause.
-fn refused(request: CheckRequest, cause: Cause) -> CheckResponse {
-    let answer = sentences::refused(&request.name, "not a picture", &cause);
-    CheckResponse {
-        text: laid_out(&["", "", cause.name, "", "0"].join("\t"), &answer),
-        traced: None,
-        pictures: None,
-    }
 }
 
 /// Writes the facts for the script: chapter, probe, cause, the size with the first pixel that

@@ -4,6 +4,8 @@
 //! [`check`] judges it in the words that `watch` has for a crate on disk. This module turns the
 //! verdict into HTML.
 
+use std::slice;
+
 use check::answer::{Answer, Grade, Row, RowKind};
 use check::attempt::{Attempt, Commands, LawsStatus};
 use check::context::Context;
@@ -83,17 +85,13 @@ impl Draft {
 
     /// Returns a draft that has the chapter's own files, complete.
     pub fn complete(chapter: Chapter) -> Self {
-        let own = |name: &str| chapter.files().iter().find(|it| it.name == name);
-        let files = Self::skeleton(chapter).files.into_iter();
-        let full = files.map(|file| match own(&file.name) {
-            Some(full) => SourceFile::new(full.name, full.text),
-            None => file,
-        });
-        Self {
-            chapter,
-            files: full.collect(),
-            caret: None,
+        let mut draft = Self::skeleton(chapter);
+        for file in &mut draft.files {
+            if let Some(full) = chapter.files().iter().find(|it| it.name == file.name) {
+                file.text = full.text.to_owned();
+            }
         }
+        draft
     }
 
     /// Parses and checks the draft, so that it can be drawn.
@@ -102,22 +100,20 @@ impl Draft {
     /// Returns the feedback on a text that a compiler would refuse, or that the interpreter can't
     /// read.
     pub fn read(&self) -> Result<interpreter::Program, Feedback> {
-        let program = interpreter::read(&self.in_reading_order());
-        program.map_err(|faults| self.not_compiled(&faults))
+        self.parsed().map_err(|faults| self.not_compiled(&faults))
     }
 
-    /// Returns the files with the crate's root first: readers type that file last.
-    fn in_reading_order(&self) -> Vec<SourceFile> {
+    /// Parses and checks the files, with the crate's root first: readers type that file last.
+    fn parsed(&self) -> Result<interpreter::Program, Vec<Fault>> {
         let mut files = self.files.clone();
         files.rotate_right(1);
-        files
+        interpreter::read(&files)
     }
 
     /// Returns the kind of the first fault that shows when the draft is read and drawn in a small
     /// picture, or `None` if it draws.
     pub(crate) fn first_fault(&self) -> Option<FaultKind> {
-        let program = interpreter::read(&self.in_reading_order());
-        let fault = match program.map(|it| it.draw(TRIAL_WIDTH)) {
+        let fault = match self.parsed().map(|it| it.draw(TRIAL_WIDTH)) {
             Ok(drawn) => drawn.err(),
             Err(faults) => faults.into_iter().next(),
         };
@@ -140,8 +136,8 @@ impl Draft {
     pub fn judged(&self, program: interpreter::Program, picture: &Picture) -> Feedback {
         let mut answer = self.answer(&program, picture);
         // A line that the picture never runs is run by the laws.
-        if let Some(refused) = self.refused(&program) {
-            return refused;
+        if let Some(fault) = program.first_refusal() {
+            return self.not_compiled(slice::from_ref(fault));
         }
         if answer.is_right() {
             let unchecked = self.unchecked(&program);
@@ -168,16 +164,11 @@ impl Draft {
         }
     }
 
-    /// Returns the chapter's program with the typed code in the place of ours.
-    fn in_place_of_ours(&self, typed: &interpreter::Program) -> ChapterProgram {
-        ChapterProgram::typed(self.chapter, typed.clone())
-    }
-
     /// Judges the draft, which was read as `program` and drew `picture`: compares the picture with
     /// the right one, tries the laws on its functions, and compares its lines with the chapter's.
     pub fn answer(&self, program: &interpreter::Program, picture: &Picture) -> Answer {
         let task = Task::of(self.chapter);
-        let asked = self.in_place_of_ours(program);
+        let asked = ChapterProgram::typed(self.chapter, program.clone());
         let laws = laws_of(&asked);
         let answers = Answers::of(&asked, lawful::questions(self.chapter));
         let compare = |program: &ChapterProgram| {
@@ -194,16 +185,13 @@ impl Draft {
             warnings: Vec::new(),
             steps: vec![false; steps::of_chapter(self.chapter).len()],
         };
-        let name = self.chapter.name();
+        let (name, companion) = (self.chapter.name(), companion_command());
         let attempt = Attempt {
             laws: laws.as_ref(),
             commands: Commands {
                 judge: Box::new(|probe| {
                     let probe = probe.map_or("", |probe| probe.name);
-                    format!(
-                        "{} watch {name} --probe {probe}, at home",
-                        companion_command()
-                    )
+                    format!("{companion} watch {name} --probe {probe}, at home")
                 }),
                 // A button below the answer leads on.
                 start: None,
@@ -215,18 +203,11 @@ impl Draft {
         attempt.answer(judge(&task, &reading, 0, &context))
     }
 
-    /// Returns the feedback on a fault of compilation that only came to light when the laws ran.
-    fn refused(&self, program: &interpreter::Program) -> Option<Feedback> {
-        let fault = program.first_refusal()?;
-        Some(self.not_compiled(std::slice::from_ref(fault)))
-    }
-
     /// Returns the feedback on faults of compilation: calm, if the reader is still typing the line.
     fn not_compiled(&self, faults: &[Fault]) -> Feedback {
         if let Some(line) = self.unfinished_line(faults) {
             let so_far = faults
-                .iter()
-                .take(1)
+                .first()
                 .map(|it| format!("So far: {}", self.in_words(it)));
             let rows = so_far.map(|words| Row::new(RowKind::Printed, words));
             return Feedback::new(&being_typed(line).with(rows));
@@ -239,8 +220,7 @@ impl Draft {
             [fault, ..] if fault.kind == FaultKind::Unread => {
                 let number = fault.place.as_ref().map_or(0, |it| it.line);
                 let said = format!("This page cannot read line {number}; cargo may.");
-                let answer = Answer::sentence(Grade::OnTheWay, said).with([line(fault)]);
-                Feedback::new(&answer)
+                Feedback::new(&Answer::sentence(Grade::OnTheWay, said).with([line(fault)]))
             }
             [fault, ..] if fault.kind == FaultKind::Unfinished => {
                 let said = format!("Not finished: {}.", fault.help);
@@ -284,8 +264,7 @@ impl Draft {
     fn stopped(&self, fault: &Fault) -> Feedback {
         match self.place(fault) {
             Some(place) if fault.message.starts_with(NOT_WRITTEN) => {
-                let answer = sentences::not_written(self.chapter, &place, &[]);
-                Feedback::new(&answer)
+                Feedback::new(&sentences::not_written(self.chapter, &place, &[]))
             }
             place => {
                 let place = place.map_or(String::new(), |place| format!(" at {place}"));

@@ -10,11 +10,11 @@ use crate::svg::Svg;
 pub struct Chart {
     /// The name of the chart in `{{chart NAME}}` on a page.
     pub name: &'static str,
-    /// A title of a few words, read aloud to a reader who cannot see the chart.
+    /// A title of a few words as plain text, read aloud to a reader who cannot see the chart.
     pub title: &'static str,
-    /// A description in sentences, for a reader who cannot see the chart.
+    /// A description in sentences as plain text, for a reader who cannot see the chart.
     pub description: &'static str,
-    /// The caption below the chart on the page.
+    /// The caption below the chart on the page, as HTML.
     pub caption: &'static str,
     /// The names of the chart's panels, from which a reader chooses one to see; empty if the page
     /// shows all panels at once.
@@ -29,7 +29,7 @@ pub struct Chart {
     pub draw: fn(&[&str]) -> Result<DrawnChart, String>,
 }
 
-/// A drawn chart: its panels, and the same numbers as a table.
+/// A chart as drawn from its files: SVG elements, and the same numbers as a Markdown table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DrawnChart {
     /// The panels, each an `<svg>` element in one line.

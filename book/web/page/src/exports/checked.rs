@@ -12,14 +12,14 @@ thread_local! {
 /// Judges the bytes that were given: a request, `asked` bytes long, and then the file.
 #[unsafe(no_mangle)]
 extern "C" fn check(asked: usize) -> usize {
-    answer(asked, checked::answer)
+    answer(asked, CheckRequest::answer)
 }
 
 /// Answers a request for a file with too many bytes to be given: the `asked` bytes are all there
 /// is.
 #[unsafe(no_mangle)]
 extern "C" fn too_large(asked: usize) -> usize {
-    answer(asked, |request, _| checked::too_large(request))
+    answer(asked, |request, _| request.too_large())
 }
 
 /// Judges a picture that the browser decoded. The bytes that were given are the request (`asked` of
@@ -28,7 +28,7 @@ extern "C" fn too_large(asked: usize) -> usize {
 extern "C" fn decoded(asked: usize, why: usize, width: u32, height: u32) -> usize {
     answer(asked, |request, rest| {
         let (why, rgba) = rest.split_at(why);
-        checked::decoded(request, why, width, height, rgba)
+        request.decoded(why, width, height, rgba)
     })
 }
 
