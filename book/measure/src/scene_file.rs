@@ -2,8 +2,8 @@
 //!
 //! ```toml
 //! width = 400             # pixels; the picture is 16:9
-//! sun = [1, 0.25, 0.5]    # towards it, of any length; without it nothing has a shadow
-//! t_min = 0.001           # no hit counts before; else 0, and 0.001 for shadows
+//! sun = [1, 0.25, 0.5]    # towards the sun, of any length; without a sun no shadows
+//! t_min = 0.001           # no hit counts before; if left out: 0, and 0.001 for shadows
 //!
 //! [camera]                # all of it may be left out
 //! origin = [0, 0, 0]

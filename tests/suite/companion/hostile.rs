@@ -173,7 +173,7 @@ fn a_pipe_into_which_no_program_writes_is_waited_for_and_that_is_said() {
     let first = first_complaint(&mut desk.command("rtrace check normals pipe"));
     assert_eq!(
         first,
-        "pipe is a pipe: it waits until a program writes into it\n"
+        "pipe is a pipe: rtrace waits until a program writes into it\n"
     );
 }
 
@@ -202,7 +202,7 @@ fn a_file_that_is_longer_than_its_limit_is_not_read() {
             let output = desk.run(&format!("rtrace {line}"));
             let said = text(&output.stdout) + &text(&output.stderr);
             assert_eq!(said.contains(shown), is_read, "{name}: {length}: {said}");
-            let refusal = format!("it has more than {most} bytes");
+            let refusal = format!("the file has more than {most} bytes");
             assert_eq!(said.contains(&refusal), !is_read, "{name}: {said}");
         }
     }

@@ -134,7 +134,7 @@ fn a_t_min_that_does_not_fit_the_scene_is_named() {
 fn the_scene_in_its_help_is_read() {
     let help = text(&Desk::default().run("rtrace needs --help").stdout);
     let scene = help.split("are needed:\n").nth(1).expect("a scene");
-    let scene = read(scene.split("\n\nWhat").next().unwrap_or_default());
+    let scene = read(scene.split("\n\nThe columns").next().unwrap_or_default());
     assert_eq!((scene.width, scene.spheres.len()), (400, 1));
 }
 

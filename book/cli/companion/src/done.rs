@@ -20,7 +20,7 @@ use crate::wrap::wrap_hanging;
 /// The arguments of `cargo rtrace done`.
 #[derive(Args)]
 pub(crate) struct Arguments {
-    /// What you have done or understood, in a few words
+    /// A thing that you have done or understood, in a few words
     #[arg(value_name = "TEXT", allow_hyphen_values = true, value_parser = NonEmptyStringValueParser::new())]
     text: Vec<String>,
 

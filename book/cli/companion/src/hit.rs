@@ -99,8 +99,8 @@ fn line(method: &Method, t: Option<f64>, root: Option<ExactRoot>) -> String {
     let verdict = match (t, root) {
         (Some(t), Some(root)) => how_far_off(ulps_off(root, method.precision(), t)),
         (None, None) => "right".to_owned(),
-        (Some(_), None) => "WRONG: it misses".to_owned(),
-        (None, Some(_)) => "WRONG: it hits".to_owned(),
+        (Some(_), None) => "WRONG: the ray misses".to_owned(),
+        (None, Some(_)) => "WRONG: the ray hits".to_owned(),
     };
     format!("  {:<22}{answer:<30}{verdict}\n", method.name)
 }
@@ -122,11 +122,14 @@ fn shortest(method: &Method, t: f64) -> String {
     }
 }
 
-/// Parses a finite number. The error continues a sentence that begins with the text.
+/// Parses a finite number. The error names the text.
 fn finite(text: &str) -> Result<f64, String> {
     match text.trim().parse::<f64>() {
         Ok(number) if number.is_finite() => Ok(number),
-        _ => Err("is not a finite number; write one such as 0.5, -3 or 1e-9".to_owned()),
+        _ => Err(format!(
+            "{:?} is not a finite number; write one such as 0.5, -3 or 1e-9",
+            text.trim()
+        )),
     }
 }
 
@@ -134,16 +137,16 @@ fn finite(text: &str) -> Result<f64, String> {
 fn radius(text: &str) -> Result<f64, String> {
     match finite(text)? {
         radius if radius >= 0.0 => Ok(radius),
-        _ => Err("is negative: since version 4, the book takes such a radius for 0".to_owned()),
+        _ => Err(
+            "a radius is not negative: since version 4, the book takes such a radius for 0"
+                .to_owned(),
+        ),
     }
 }
 
 /// Parses three finite numbers with commas between them.
 fn vector(text: &str) -> Result<Vec3, String> {
-    let numbers: Vec<f64> = text
-        .split(',')
-        .map(|number| finite(number).map_err(|problem| format!("{:?} {problem}", number.trim())))
-        .collect::<Result<_, _>>()?;
+    let numbers: Vec<f64> = text.split(',').map(finite).collect::<Result<_, _>>()?;
     match numbers[..] {
         [x, y, z] => Ok(Vec3::new(x, y, z)),
         _ => Err("three numbers with commas between them are needed, such as 0,0,-1".to_owned()),

@@ -114,7 +114,7 @@ fn found(folder: &Path, files: Vec<PathBuf>, words: &[&str]) -> FoundSources {
                 .collect();
             return FoundSources {
                 why_none: Some(format!(
-                    "No source was read: {} are programs of their own. One that is called as your program is would be, or that your command names.",
+                    "No source was read: {} are programs of their own. Name the right one in your command, or give it the name of your program.",
                     names.join(", ")
                 )),
                 ..FoundSources::default()

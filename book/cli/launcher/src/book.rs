@@ -45,7 +45,7 @@ pub fn book(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
     if arguments.open {
         open::that_detached(&index).map_err(|cause| {
             format!(
-                "no browser opened {}: {cause}\nOpen it by hand.",
+                "no browser opened {}: {cause}\nOpen the page by hand.",
                 index.display()
             )
         })?;

@@ -58,7 +58,7 @@ pub enum Command<C: ArgumentTypes> {
     Done(C::Done),
     /// Look at one ray and one sphere through every method of chapter 6
     Hit(C::Hit),
-    /// Find the least that a scene of your own needs, of all methods of chapter 6
+    /// Find the cheapest method of chapter 6 that draws a scene of your own right
     Needs(C::Needs),
     /// List the small scenes that show what the book's picture can't
     Probes(C::Probes),

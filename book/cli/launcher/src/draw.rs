@@ -49,7 +49,7 @@ pub fn pictures_folder() -> Result<PathBuf, Box<dyn Error>> {
 pub fn find_workspace() -> Result<&'static Path, Box<dyn Error>> {
     course::workspace::workspace().ok_or_else(|| {
         "the workspace that this program was built from is not there any more\n\
-         Run this in another clone of it."
+         Run this command in another clone of the workspace."
             .into()
     })
 }

@@ -186,7 +186,7 @@ fn ours(folder: &Path, kind: &str) -> Result<ManifestLines, Box<dyn Error>> {
 fn refused(folder: &Path, kind: &str, name: &str) -> Box<dyn Error> {
     misuse(&format!(
         "{} holds {name}, which {} did not write there as part of a {kind}\n\
-         Nothing was changed. Move that elsewhere, or name a new folder, or an empty one.",
+         Nothing was changed. Move {name} elsewhere, or name a new folder, or an empty one.",
         name_from_here(folder),
         companion_command(),
     ))

@@ -19,7 +19,7 @@ use crate::terminal::{self, Palette};
 /// The arguments of `cargo rtrace show`.
 #[derive(Args)]
 pub struct Arguments {
-    /// Which picture
+    /// The chapter whose picture to draw
     #[arg(value_name = "CHAPTER", value_parser = ChapterParser(&Chapter::ALL))]
     chapter: Chapter,
 
@@ -100,7 +100,7 @@ fn save_and_say(
     if open {
         open::that_detached(path).map_err(|cause| {
             format!(
-                "no viewer opened {}: {cause}\nOpen it by hand.",
+                "no viewer opened {}: {cause}\nOpen the picture by hand.",
                 path.display()
             )
         })?;

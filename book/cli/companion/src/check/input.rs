@@ -45,7 +45,7 @@ impl<'a> PictureInput<'a> {
             Self::File(path) => opened(path)
                 .and_then(subprocess::read_picture_bytes)
                 .map_err(|cause| {
-                    let problem = format!("it can't be read: {cause}");
+                    let problem = format!("the file can't be read: {cause}");
                     Cause::new("unreadable", problem, "Is this the name of your picture?")
                 }),
             Self::Stdin => subprocess::read_picture_bytes(io::stdin().lock()).map_err(|cause| {
@@ -78,7 +78,7 @@ fn opened(path: &Path) -> io::Result<File> {
     thread::spawn(move || {
         if ends.recv_timeout(PATIENCE) == Err(RecvTimeoutError::Timeout) {
             complain(&format!(
-                "{name} is a pipe: it waits until a program writes into it"
+                "{name} is a pipe: rtrace waits until a program writes into it"
             ));
         }
     });

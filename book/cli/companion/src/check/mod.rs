@@ -34,7 +34,7 @@ use crate::{files, sources};
 /// The arguments of `cargo rtrace check`.
 #[derive(Args)]
 pub(crate) struct Arguments {
-    /// Which picture it should be; without it, the one that comes nearest
+    /// The chapter whose picture it should be; without one, the chapter that comes nearest
     #[arg(value_name = "CHAPTER", value_parser = ChapterOrPictureParser, required_unless_present = "program")]
     first: Option<ChapterOrPicture>,
 
@@ -50,7 +50,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "NAME", value_parser = probe_parser())]
     probe: Option<Probe>,
 
-    /// The picture follows this version of the book; without it, any will do
+    /// The picture follows this version of the book; without this option, any version will do
     #[arg(long, value_name = "VERSION", value_parser = edition_parser())]
     edition: Option<Edition>,
 
@@ -144,14 +144,14 @@ impl Arguments {
                 Ok((Some(*chapter), PictureInput::of(path)))
             }
             (Some(ChapterOrPicture::Chapter(_)), None) if self.program.is_empty() => {
-                Err("your picture is missing, or your program after --".into())
+                Err("name your picture, or your program after --".into())
             }
             (Some(ChapterOrPicture::Chapter(chapter)), None) => Ok((Some(*chapter), program)),
             (Some(ChapterOrPicture::Picture(path)), None) if self.program.is_empty() => {
                 Ok((None, PictureInput::of(path)))
             }
             (Some(ChapterOrPicture::Picture(path)), _) => Err(format!(
-                "{} is no chapter, and there is more than one picture",
+                "{} is not a chapter, and only one picture can be checked",
                 names::escaped_name(path)
             )
             .into()),

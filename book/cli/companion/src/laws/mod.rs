@@ -29,7 +29,7 @@ use dialogue::{Dialogue, DialogueFailure};
 /// The arguments of `cargo rtrace laws`.
 #[derive(Args)]
 pub(crate) struct Arguments {
-    /// Whose intersection of a ray and a sphere it is
+    /// The chapter whose intersection of a ray and a sphere you wrote
     #[arg(value_name = "CHAPTER", value_parser = ChapterParser(&ASKED))]
     chapter: Chapter,
 
@@ -70,7 +70,7 @@ pub(crate) fn laws(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
 fn not_started(program: &[OsString], cause: &str) -> String {
     format!(
         "{} does not start: {cause}\n\
-         to do:    is it built, and is its path right? A program in this folder is ./NAME\n",
+         to do:    is the program built, and is its path right? A program in this folder is ./NAME\n",
         names::escaped_name(&program[0])
     )
 }
@@ -258,7 +258,7 @@ impl<'a> Interview<'a> {
             let line = self.question_line(asked);
             let said = answers.get(&line).map_or("", |answer| &answer.said);
             format!(
-                "{}\nit says:  {}\n",
+                "{}\nanswer:   {}\n",
                 self.by_hand(&line),
                 names::escape_for_terminal(said)
             )
@@ -291,7 +291,7 @@ impl<'a> Interview<'a> {
         let digits = numbers.keys().map(|said| digits(said)).max()?;
         if digits < DIGITS_OF_A_DOUBLE {
             return Some(format!(
-                "no answer has more than {digits} digits: print all, in C++ by std::setprecision(17), \
+                "print all digits, of which the longest answer has {digits}: in C++ by std::setprecision(17), \
                  in awk by \"%.17g\", and elsewhere without a format"
             ));
         }
@@ -335,7 +335,7 @@ impl<'a> Interview<'a> {
         match failure {
             DialogueFailure::Tardy => (
                 format!("did not answer within {limit:?}, but later"),
-                "give it more time, if it is slow to start: --timeout SECONDS".to_owned(),
+                "give the program more time, if it is slow to start: --timeout SECONDS".to_owned(),
             ),
             DialogueFailure::Late => (
                 format!("did not answer within {limit:?}, but when its input ended"),
@@ -343,14 +343,14 @@ impl<'a> Interview<'a> {
             ),
             DialogueFailure::Silent => (
                 format!("did not answer within {limit:?}"),
-                format!("print {wanted}. Does a loop end? --timeout SECONDS gives more time"),
+                format!("print {wanted}. Does every loop end? --timeout SECONDS gives more time"),
             ),
             DialogueFailure::Slow(limit) => (
                 format!(
-                    "gave only {} answers within {limit:?}",
+                    "gave only {} of some two thousand answers within {limit:?}",
                     self.answers.borrow().len()
                 ),
-                "some two thousand are asked for; --timeout SECONDS gives more time".to_owned(),
+                "make it faster, or give it more time: --timeout SECONDS".to_owned(),
             ),
             DialogueFailure::Ended(status) => (
                 match status {
@@ -360,7 +360,10 @@ impl<'a> Interview<'a> {
                 "answer line by line, until the input ends".to_owned(),
             ),
             DialogueFailure::TooMuch(said) => (
-                format!("says more than one line for a line: {}", shown(said)),
+                format!(
+                    "prints more than one line for one question: {}",
+                    shown(said)
+                ),
                 format!("print nothing but {wanted}; the rest can go to standard error"),
             ),
             DialogueFailure::NoAnswer(said, NoAnswer::DecimalComma) => (

@@ -43,8 +43,8 @@ const WITHIN: f64 = 0.001;
 const HELP: &str = "\
 A scene, of which only the spheres are needed:
   width = 400             # pixels; the picture is 16:9
-  sun = [1, 0.25, 0.5]    # towards it, of any length; without it nothing has a shadow
-  t_min = 0.001           # no hit counts before; else 0, and 0.001 for shadows
+  sun = [1, 0.25, 0.5]    # towards the sun, of any length; without a sun no shadows
+  t_min = 0.001           # no hit counts before; if left out: 0, and 0.001 for shadows
 
   [camera]
   origin = [0, 0, 0]
@@ -55,7 +55,7 @@ A scene, of which only the spheres are needed:
   center = [0, 0, -1]
   radius = 0.5
 
-What is said of each method:
+The columns of the table:
   wrong pixels         more than one of 255 levels off, in a component, from the picture
                        that exact arithmetic draws of the scene as it is written, in f64
   worst, levels        how far a component is off in the worst pixel

@@ -67,9 +67,13 @@ fn assumed(scene: &Scene) -> String {
 fn advice(scene: &Scene, found: &[PrecisionNeeds], with_acne: usize) -> String {
     if with_acne > 0 {
         let [_, t_min] = scene.t_min;
+        let pixels = match with_acne {
+            1 => "1 pixel is".to_owned(),
+            count => format!("{count} pixels are"),
+        };
         return format!(
-            "Raise t_min: above {t_min:?}, {with_acne} pixels are in their own shadow, also by \
-             exact arithmetic. Their rays to the sun start at rounded points, and hit there."
+            "Raise t_min: above {t_min:?}, {pixels} in shadow by the surface that they show, also by \
+             exact arithmetic. Rays to the sun start at rounded points there, and hit at once."
         );
     }
     let failing = |it: &PrecisionNeeds| Some(it.rows[it.failing.as_ref()?.0].view.method.name);

@@ -92,7 +92,7 @@ impl NewCrate {
         let chapter = arguments.chapter;
         let workspace = workspace().ok_or(
             "your crate would use the prelude and the laws of the workspace that this program \
-             was built from, and that is not there any more",
+             was built from, and that workspace is not there any more",
         )?;
         let written = before.map(EarlierCrate::read);
         let has_own = written.as_ref().is_some_and(EarlierCrate::has_own_prelude);

@@ -53,12 +53,12 @@ pub(crate) fn printed_or_cause(
         ),
         Ok(ProgramEnd::TooSlow) => (
             format!("{name} did not end within {limit:?}"),
-            "Does a loop end? If the program is only slow: a smaller picture, or --timeout SECONDS.",
+            "Does every loop end? If the program is only slow, draw a smaller picture, or give it more time: --timeout SECONDS.",
         ),
         Ok(ProgramEnd::Interrupted) => unreachable!("nothing is newer"),
         Err(cause) => (
             format!("{name} does not start: {cause}"),
-            "Is it built, and is its path right? A program in this folder is ./NAME.",
+            "Is the program built, and is its path right? A program in this folder is ./NAME.",
         ),
     };
     Err(Cause::new("program-failed", problem, fix))
@@ -140,7 +140,9 @@ fn finish(
         if let Some(status) = ended {
             running.kill();
             let last = || printed.recv_timeout(FAREWELL);
-            let open = |_| io::Error::other("what it has started keeps its output open");
+            let open = |_| {
+                io::Error::other("a process that the program has started keeps the output open")
+            };
             let bytes = whole.map_or_else(|| last().map_err(open)?, Ok)?;
             return Ok(ProgramEnd::Itself(status, bytes));
         }
@@ -181,7 +183,7 @@ pub(crate) fn show_errors(mut errors: ChildStderr) -> String {
     const MOST: u64 = 1 << 20;
     let copied = io::copy(&mut (&mut errors).take(MOST), &mut io::stderr());
     if copied.is_ok_and(|length| length == MOST) {
-        complain("rtrace: … it says more, which is not shown");
+        complain("rtrace: … the program says more, which is not shown");
     }
     // It need not notice that nothing is shown any more.
     let _ = io::copy(&mut errors, &mut io::sink());

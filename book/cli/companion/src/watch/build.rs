@@ -129,7 +129,9 @@ fn cargo_says(
             }
         }
         Ok((ProgramEnd::Interrupted, _)) => Err(NoVerdict::NewerSave),
-        Ok((ProgramEnd::Full(_) | ProgramEnd::TooSlow, _)) => failed(&[], "cargo says too much"),
+        Ok((ProgramEnd::Full(_) | ProgramEnd::TooSlow, _)) => {
+            failed(&[], "cargo prints more than rtrace reads")
+        }
         Err(cause) => failed(&[], &format!("cargo does not start: {cause}")),
     }
 }

@@ -44,11 +44,12 @@ use laws::LawsResult;
 /// The arguments of `cargo rtrace watch`.
 #[derive(Args)]
 pub(crate) struct Arguments {
-    /// Which picture it should be
+    /// The chapter whose picture your crate or program should draw
     #[arg(value_name = "CHAPTER", value_parser = ChapterParser(&Chapter::OF_THE_BOOK))]
     chapter: Chapter,
 
-    /// The reader's program with its arguments, or empty for the crate in `folder`.
+    /// Your own program, which prints the picture; the current folder is watched
+    /// [default: the crate that `start` made, whose folder is watched]
     #[arg(last = true, value_name = "PROGRAM", conflicts_with = "in_folder")]
     program: Vec<OsString>,
 
@@ -64,7 +65,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "SECONDS", default_value = "10", value_parser = parse_seconds, allow_hyphen_values = true)]
     timeout: Duration,
 
-    /// Say it once, and end with 0 if it is right
+    /// Judge once, and end with 0 if the picture is right
     #[arg(long)]
     once: bool,
 }
@@ -125,7 +126,7 @@ const MOST_UNLIKE: usize = 60;
 /// The crate or program that is watched and judged.
 struct WatchedProgram {
     task: Task,
-    /// The reader's program with its arguments, or none for the crate in `folder`.
+    /// The reader's program with its arguments, or empty for the crate in `folder`.
     program: Vec<OsString>,
     folder: PathBuf,
     limit: Duration,
