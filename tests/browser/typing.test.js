@@ -9,7 +9,7 @@ const AREA = ".typing textarea";
 
 inBrowsers("a chapter is typed in its page", async (page) => {
     assert.match(await begin(page, "normals.html"), /^Not written yet: todo!\(\) at src\/lib.rs/);
-    // What is typed goes to the place of the listing, and Tab leads out of it.
+    // The listing's place in the text is selected, and Tab leaves the text field.
     const selected = await page.$eval(AREA, (it) => it.value.slice(it.selectionStart, it.selectionEnd));
     assert.equal(selected, "todo!()");
     await page.keyboard.press("Tab");
@@ -25,7 +25,7 @@ inBrowsers("a chapter is typed in its page", async (page) => {
     assert.equal(await page.$eval(".typing .faults mark", (it) => it.textContent), "false");
     assert.match(await typeOver(page, "return false;", "loop {}"), /takes too many turns of loops and calls/);
 
-    // What was there can be had again, after a visit too.
+    // Undo brings the last text back, and the browser keeps it until the next visit.
     await page.keyboard.down("Control");
     await page.keyboard.press("z");
     await page.keyboard.up("Control");
@@ -55,9 +55,9 @@ inBrowsers("a right function is never called wrong while it is typed", async (pa
         }
     }
     assert.match(await answer(page), /to the last bit/);
-    // What is left unfinished is judged.
+    // An unfinished line is judged when the caret leaves it.
     await page.keyboard.type("x");
-    assert.match(await answer(page), /^Not finished: line \d+ is being typed/);
+    assert.match(await answer(page), /^Not finished: you are typing line \d+/);
     await page.keyboard.press("ArrowUp");
     await page.waitForSelector(fault);
 });
@@ -97,7 +97,7 @@ inBrowsers("a listing opens in its own file, and each of its words can be broken
     await page.click(".instead [data-action=mend]");
     await page.waitForSelector(".instead[hidden]");
     await page.click(".typing [data-action=close]");
-    // What was typed is still there.
+    // The typed text is still there.
     await listing.$eval("button", (button) => button.click());
     await page.waitForSelector(".typing:not(.broken)");
     assert.equal(await answer(page), typed);

@@ -315,7 +315,7 @@ class Editor {
     say({ places, headline, rest }, isOld = false) {
         this.isCalm = headline.includes("is-calm");
         this.desk.classList.toggle("old", isOld && !this.isCalm);
-        this.desk.classList.toggle("unfinished", headline.includes("is being typed"));
+        this.desk.classList.toggle("unfinished", headline.includes("you are typing"));
         if (this.verdict.innerHTML !== headline) {
             this.verdict.innerHTML = headline;
         }

@@ -79,7 +79,7 @@ fn a_line_of_the_chapter_that_is_typed_in_part_is_unfinished_though_it_draws() {
         file: 0,
         line: line(&draft).expect("it is there") + 1,
     };
-    for (caret, expected) in [(Some(at_end), "is being typed"), (None, "Wrong<")] {
+    for (caret, expected) in [(Some(at_end), "you are typing"), (None, "Wrong<")] {
         draft.caret = caret;
         let program = draft.read().expect("it is Rust");
         let picture = draft.draw(&program, 400).expect("it draws");

@@ -302,7 +302,7 @@ impl Draft {
 
 /// Returns the answer while the reader is typing the statement in this line.
 fn being_typed(line: usize) -> Answer {
-    let said = format!("Not finished: line {line} is being typed.");
+    let said = format!("Not finished: you are typing line {line}.");
     Answer::sentence(Grade::OnTheWay, said)
 }
 
