@@ -13,7 +13,7 @@ mod statements;
 mod tokens;
 mod tree;
 
-pub use normal::{canonical, normal, plain};
+pub use normal::{canonical, normal, simplified};
 pub use pattern::{Match, Pattern, Rename};
 pub use statements::{Role, Statement, statements};
 pub use tree::{Op, Tree};

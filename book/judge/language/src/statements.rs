@@ -20,7 +20,8 @@ pub enum Role {
     Result,
     /// The list or range that a loop goes over with a variable of this name.
     LoopOver(String),
-    /// An expression that is evaluated for its effect only, as a call is.
+    /// An expression that is evaluated only for its side effect, as in `world.add(ball);`, its
+    /// value being discarded.
     Effect,
 }
 

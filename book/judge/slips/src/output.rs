@@ -54,8 +54,8 @@ impl Output {
         self.size
     }
 
-    /// Returns the three levels, red, green and blue, that the program prints for the `n`th pixel;
-    /// zeros if it stops there.
+    /// Returns the three levels, red, green and blue, that the program prints for the `n`th pixel,
+    /// from 0; zeros if it stops there, or has no such pixel.
     ///
     /// The levels of a right program are 0 to 255. A wrong one may print any number; NaN becomes 0,
     /// as a conversion to `i32` makes it. In C++ numbers beyond ±2³¹ and NaN become −2³¹ on some
@@ -65,7 +65,7 @@ impl Output {
     }
 
     /// Returns the levels of the `n`th pixel like [`pixel`](Self::pixel), but `None` if the program
-    /// stops there.
+    /// stops there or has no such pixel.
     pub fn printed(&self, n: u32) -> Option<[i32; 3]> {
         let color = self.color(n)?;
         if self.has_right_loop {
@@ -75,10 +75,9 @@ impl Output {
                     .map(|component| (255.999 * component) as i32),
             );
         }
-        let levels = self
-            .program
-            .code_of_levels()
-            .call_with_color("print", color)?;
+        let program = &self.program;
+        let code = program.levels.as_deref().unwrap_or(program.code());
+        let levels = code.call_with_color("print", color)?;
         levels.try_into().ok()
     }
 

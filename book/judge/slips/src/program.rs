@@ -16,7 +16,7 @@ pub struct ChapterProgram {
     pub chapter: Chapter,
     code: interpreter::Program,
     /// The code in double precision, if levels are computed so and all else in single precision.
-    levels: Option<Box<interpreter::Program>>,
+    pub(crate) levels: Option<Box<interpreter::Program>>,
 }
 
 /// The functions of vectors and rays that a program may have in its text. Where it has none, or has
@@ -167,11 +167,6 @@ impl ChapterProgram {
     /// Returns the code of the program, as the interpreter runs it.
     pub fn code(&self) -> &interpreter::Program {
         &self.code
-    }
-
-    /// Returns the interpreter's program that computes levels, which may be more precise.
-    pub(crate) fn code_of_levels(&self) -> &interpreter::Program {
-        self.levels.as_deref().unwrap_or(&self.code)
     }
 
     /// Returns the ray that the program casts through a pixel of a picture `width` pixels wide, in

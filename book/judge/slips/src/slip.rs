@@ -136,8 +136,8 @@ impl Slip {
         known.entry(key).or_insert_with(statement).clone()
     }
 
-    /// Returns true if the slip can be made in a language: not all take a number for a condition,
-    /// or −1.0 for a miss.
+    /// Returns true if a programming language lets the slip be made. Not every language accepts a
+    /// number as a condition, for instance, or a function that returns −1.0 for a miss.
     pub fn is_possible_in_language(&self, language: ReaderLanguage) -> bool {
         let language = match language {
             ReaderLanguage::Rust => "Rust",

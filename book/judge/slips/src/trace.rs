@@ -22,10 +22,12 @@ impl TraceRow {
 }
 
 impl Output {
-    /// Traces the `n`th printed pixel. The rows are its point on the viewport and its ray, then the
-    /// values of the variables in the order of the computation, then the color and the levels.
+    /// Traces the computation of the `n`th printed pixel, from 0. The rows are its point on the
+    /// viewport, the origin and the direction of its ray, then the values of the variables in the
+    /// order of the computation, then the color and the levels.
     ///
-    /// Of a program that stops there are only the rows of what it reaches, and levels of zeros.
+    /// If the program stops early, or has no such pixel, the rows end where it stops, and the
+    /// levels are all 0.
     pub fn trace(&self, n: u32) -> Vec<TraceRow> {
         let mut rows = Vec::new();
         if let Some(ray) = self.ray(n) {

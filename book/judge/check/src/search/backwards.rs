@@ -7,7 +7,7 @@ use std::collections::HashSet;
 use super::edit::{RankedEdit, words};
 use interpreter::Program;
 
-use super::functions::ParsedFunction;
+use super::functions::RustFn;
 use super::goal::Goal;
 use super::{mutation, nearer};
 
@@ -20,14 +20,14 @@ const READABLE: u32 = 16;
 /// A function of a reader and its repaired text.
 pub(super) struct Fix<'a> {
     /// The function as it is.
-    pub(super) yours: &'a ParsedFunction,
+    pub(super) yours: &'a RustFn,
     /// The text that repairs the program.
     pub(super) text: String,
 }
 
 impl<'a> Fix<'a> {
     /// Makes the fix of an edit of a function.
-    fn edit((yours, edit): &(&'a ParsedFunction, RankedEdit)) -> Self {
+    fn edit((yours, edit): &(&'a RustFn, RankedEdit)) -> Self {
         Self {
             yours,
             text: edit.applied_to(&yours.text),
@@ -40,9 +40,9 @@ pub(super) struct RepairSearch<'a> {
     /// The program as it is.
     pub(super) program: &'a Program,
     /// The functions of the program.
-    pub(super) yours: &'a [ParsedFunction],
+    pub(super) yours: &'a [RustFn],
     /// The functions of the chapter's program.
-    pub(super) chapter: &'a [ParsedFunction],
+    pub(super) chapter: &'a [RustFn],
     /// The test that a right program passes.
     pub(super) goal: &'a Goal,
     /// The bytes of functions that have been read, at most [`READ`].
@@ -50,16 +50,16 @@ pub(super) struct RepairSearch<'a> {
 }
 
 /// A function of the reader, and those of the same name in the chapter; never empty.
-type Common<'a> = (&'a ParsedFunction, Vec<&'a ParsedFunction>);
+type Common<'a> = (&'a RustFn, Vec<&'a RustFn>);
 
 /// Makes the edits that undo what people often mistype.
-fn generic(function: &ParsedFunction) -> Vec<RankedEdit> {
+fn generic(function: &RustFn) -> Vec<RankedEdit> {
     let all = mutation::mutations(function).into_iter();
     all.map(|it| it.edit(&function.text)).collect()
 }
 
 /// Functions of the reader, each with another text to try.
-type Patches<'a> = Vec<(&'a ParsedFunction, String)>;
+type Patches<'a> = Vec<(&'a RustFn, String)>;
 
 impl<'a> RepairSearch<'a> {
     /// Finds the functions whose repair makes the program right, one or two; `None` if no edit does
@@ -67,7 +67,7 @@ impl<'a> RepairSearch<'a> {
     pub(super) fn find(&self) -> Option<Vec<Fix<'a>>> {
         let common = self.common();
         let swapped = |(yours, right): &Common<'a>| {
-            let is_right = |it: &&ParsedFunction| self.is_right(&vec![(*yours, it.text.clone())]);
+            let is_right = |it: &&RustFn| self.is_right(&vec![(*yours, it.text.clone())]);
             let at = right.iter().position(is_right)?;
             let mut right = right.clone();
             right.swap(0, at);
@@ -79,7 +79,7 @@ impl<'a> RepairSearch<'a> {
         }
         let found = swapped
             .iter()
-            .filter_map(|common| self.repair(common, &Vec::new()));
+            .filter_map(|common| self.first(self.edits(common), &Vec::new()));
         let found = found.min_by_key(|(_, edit)| edit.rank);
         let found = found.filter(|(_, edit)| edit.rank <= READABLE);
         found.map(|edit| vec![Fix::edit(&edit)])
@@ -110,28 +110,14 @@ impl<'a> RepairSearch<'a> {
     /// Returns true if the program with these patches is read and meets the goal.
     fn meets_the_goal(&self, changes: &Patches) -> bool {
         let mut changes = changes.iter();
-        let first = changes
-            .next()
-            .map(|(it, text)| self.program.patched(&it.name, text));
-        let patched = first.and_then(Result::ok);
-        let program = changes.fold(patched, |program, (it, text)| {
-            program?.patched(&it.name, text).ok()
+        let program = changes.try_fold(self.program.clone(), |program, (it, text)| {
+            program.patched(&it.name, text).ok()
         });
         program.is_some_and(|it| self.goal.is_met_by(&it))
     }
 
-    /// Finds the likeliest edit of a function, or of a helper that it calls, that makes the program
-    /// right together with the other patches.
-    fn repair(
-        &self,
-        common: &Common<'a>,
-        others: &Patches<'a>,
-    ) -> Option<(&'a ParsedFunction, RankedEdit)> {
-        self.first(self.edits(common), others)
-    }
-
     /// Lists the edits of a function and of the helpers that it calls, to try them.
-    fn edits(&self, (yours, right): &Common<'a>) -> Vec<(&'a ParsedFunction, RankedEdit)> {
+    fn edits(&self, (yours, right): &Common<'a>) -> Vec<(&'a RustFn, RankedEdit)> {
         let mutations = generic(yours);
         let own = self.of_chapter(yours, right).into_iter().chain(mutations);
         let mut edits: Vec<_> = own.map(|edit| (*yours, edit)).collect();
@@ -151,7 +137,7 @@ impl<'a> RepairSearch<'a> {
 
     /// Drops the edits that remove a call of a helper, since they would hide a mistake in the
     /// helper.
-    fn keeping_calls(&self, yours: &ParsedFunction, mut edits: Vec<RankedEdit>) -> Vec<RankedEdit> {
+    fn keeping_calls(&self, yours: &RustFn, mut edits: Vec<RankedEdit>) -> Vec<RankedEdit> {
         for helper in self.helpers(yours) {
             edits.retain(|it| !it.writes_out(helper.short_name(), &yours.text));
         }
@@ -160,9 +146,9 @@ impl<'a> RepairSearch<'a> {
 
     /// Lists the edits that bring a function nearer to the chapter's, or to a function that the
     /// chapter's calls and the reader does not have.
-    fn of_chapter(&self, yours: &ParsedFunction, right: &[&ParsedFunction]) -> Vec<RankedEdit> {
-        let is_missing = |it: &&ParsedFunction| self.yours.iter().all(|own| own.name != it.name);
-        let is_called = |it: &&ParsedFunction| {
+    fn of_chapter(&self, yours: &RustFn, right: &[&RustFn]) -> Vec<RankedEdit> {
+        let is_missing = |it: &&RustFn| self.yours.iter().all(|own| own.name != it.name);
+        let is_called = |it: &&RustFn| {
             let mut callers = right.iter();
             callers.any(|right| words(&right.text).contains(&it.name.as_str()))
         };
@@ -173,15 +159,15 @@ impl<'a> RepairSearch<'a> {
     }
 
     /// Finds the function of the chapter whose body is most like that of this one.
-    fn likest(&self, own: &ParsedFunction) -> Option<&'a ParsedFunction> {
-        let like = |it: &&ParsedFunction| it.body.likeness(&own.body);
+    fn likest(&self, own: &RustFn) -> Option<&'a RustFn> {
+        let like = |it: &&RustFn| it.body.likeness(&own.body);
         let all = self.chapter.iter();
         all.max_by(|one, other| like(one).total_cmp(&like(other)))
     }
 
     /// Lists the edits of a function that the chapter does not have: those that bring it nearer to
     /// the chapter's most similar one, and those of what people mistype.
-    fn of_likest(&self, own: &ParsedFunction) -> Vec<RankedEdit> {
+    fn of_likest(&self, own: &RustFn) -> Vec<RankedEdit> {
         let right = self.likest(own);
         let theirs = right.map_or(Vec::new(), |right| nearer::edits(own, right));
         let theirs = self.keeping_calls(own, theirs);
@@ -190,9 +176,9 @@ impl<'a> RepairSearch<'a> {
 
     /// Lists the functions that only the reader has and that this one calls, directly or through
     /// others.
-    fn helpers(&self, caller: &ParsedFunction) -> Vec<&'a ParsedFunction> {
-        let is_own = |it: &&ParsedFunction| self.chapter.iter().all(|other| other.name != it.name);
-        let mut called: Vec<&ParsedFunction> = Vec::new();
+    fn helpers(&self, caller: &RustFn) -> Vec<&'a RustFn> {
+        let is_own = |it: &&RustFn| self.chapter.iter().all(|other| other.name != it.name);
+        let mut called: Vec<&RustFn> = Vec::new();
         let mut texts = vec![caller.text.as_str()];
         while let Some(text) = texts.pop() {
             let words = words(text);
@@ -211,9 +197,9 @@ impl<'a> RepairSearch<'a> {
     /// patches.
     fn first(
         &self,
-        mut edits: Vec<(&'a ParsedFunction, RankedEdit)>,
+        mut edits: Vec<(&'a RustFn, RankedEdit)>,
         others: &Patches<'a>,
-    ) -> Option<(&'a ParsedFunction, RankedEdit)> {
+    ) -> Option<(&'a RustFn, RankedEdit)> {
         edits.sort_by_key(|(_, edit)| edit.rank);
         let mut seen = HashSet::new();
         edits.into_iter().find(|(function, edit)| {
@@ -234,26 +220,23 @@ impl<'a> RepairSearch<'a> {
         let are_right = |[n, m]: &[usize; 2]| self.is_right(&vec![swap(*n), swap(*m)]);
         let [n, m] = pairs.into_iter().find(are_right)?;
         let edits = [(n, m), (m, n)];
-        let edits = edits.map(|(own, other)| self.repair(&common[own], &vec![swap(other)]));
+        let edits =
+            edits.map(|(own, other)| self.first(self.edits(&common[own]), &vec![swap(other)]));
         if let [Some(one), Some(other)] = edits
             && [&one, &other].iter().all(|(_, edit)| edit.rank <= READABLE)
         {
-            return self.whole(vec![Fix::edit(&other), Fix::edit(&one)]);
+            let fixes = vec![Fix::edit(&other), Fix::edit(&one)];
+            let changes = fixes.iter().map(|it| (it.yours, it.text.clone())).collect();
+            return self.meets_the_goal(&changes).then_some(fixes);
         }
         None
-    }
-
-    /// Returns the fixes if the program meets the goal with all of them together.
-    fn whole(&self, fixes: Vec<Fix<'a>>) -> Option<Vec<Fix<'a>>> {
-        let changes = fixes.iter().map(|it| (it.yours, it.text.clone())).collect();
-        self.meets_the_goal(&changes).then_some(fixes)
     }
 
     /// Finds a mistake where no function of the chapter can replace the reader's, by trying the
     /// edits of all functions.
     fn in_any(&self, common: &[Common<'a>]) -> Option<Vec<Fix<'a>>> {
         let of_common = common.iter().flat_map(|it| self.edits(it));
-        let is_own = |it: &&ParsedFunction| common.iter().all(|(other, _)| other.name != it.name);
+        let is_own = |it: &&RustFn| common.iter().all(|(other, _)| other.name != it.name);
         let of_own = self.yours.iter().filter(is_own).flat_map(|own| {
             let edits = self.of_likest(own).into_iter();
             edits.map(move |edit| (own, edit))

@@ -8,8 +8,8 @@ use laws::answers::Answers;
 use slips::{ChapterProgram, Output};
 
 use super::edit::RankedEdit;
-use super::functions::ParsedFunction;
-use super::goal::answers;
+use super::functions::RustFn;
+use super::goal::{answers, some_of};
 use super::mutation;
 use super::tree::squeezed;
 use crate::pixels::{distance, spread};
@@ -43,7 +43,7 @@ pub struct DrawingMutants {
 pub struct Mutant {
     /// The chapter's line in Rust. Where the edit touches several lines, they are joined.
     pub right: String,
-    /// The same line with the edit made; empty if the edit leaves the line out.
+    /// The line with the edit made; empty if the edit deletes the line.
     pub wrong: String,
     /// The line of the reader that has the edit, with its correction; `None` if it is not found.
     pub(crate) yours: Option<CorrectedLine>,
@@ -68,34 +68,18 @@ const SMALL: [u32; 2] = [24, 33];
 /// The search for the edits of a right program that draw a reader's picture.
 pub(super) struct PictureSearch<'a> {
     /// The right program.
-    right: &'a ChapterProgram,
+    pub(super) right: &'a ChapterProgram,
     /// The picture to draw.
-    reading: &'a Reading,
+    pub(super) reading: &'a Reading,
     /// The functions of the right program.
-    functions: &'a [ParsedFunction],
+    pub(super) functions: &'a [RustFn],
     /// The statements of the right program beside those of the reader.
-    lines: &'a LineComparison<'a>,
-    /// The pixels that are compared, those first that most wrong programs draw otherwise.
-    places: Vec<u32>,
+    pub(super) lines: &'a LineComparison<'a>,
+    /// The pixels that are compared first, from [`places`].
+    pub(super) places: Vec<u32>,
 }
 
 impl<'a> PictureSearch<'a> {
-    /// Begins a search, by choosing the pixels to compare.
-    pub(super) fn new(
-        right: &'a ChapterProgram,
-        functions: &'a [ParsedFunction],
-        reading: &'a Reading,
-        lines: &'a LineComparison<'a>,
-    ) -> Self {
-        Self {
-            right,
-            reading,
-            functions,
-            lines,
-            places: places(right, reading),
-        }
-    }
-
     /// Finds the reader's line that makes the chapter's program draw the picture when it is put
     /// there. Of several, as where only sky is drawn, one that has the purpose of the chapter's
     /// line; `None` if that does not decide.
@@ -153,7 +137,7 @@ impl<'a> PictureSearch<'a> {
 
     /// Lists all mutations, the likeliest first: a program that has all mutations of one function,
     /// the number of the mutation in it, the function, and the edit.
-    fn mutated(&self) -> Vec<(Rc<ChapterProgram>, u32, &'a ParsedFunction, RankedEdit)> {
+    fn mutated(&self) -> Vec<(Rc<ChapterProgram>, u32, &'a RustFn, RankedEdit)> {
         let mut all = Vec::new();
         for function in self.functions {
             let mutations = mutation::mutations(function);
@@ -169,7 +153,7 @@ impl<'a> PictureSearch<'a> {
         }
         // What stands in the chapter itself was typed last.
         let files = self.right.chapter.files();
-        let is_own = |it: &ParsedFunction| files.iter().any(|file| file.text.contains(&it.text));
+        let is_own = |it: &RustFn| files.iter().any(|file| file.text.contains(&it.text));
         all.sort_by_cached_key(|(_, _, function, edit)| {
             let elsewhere = if is_own(function) { 0 } else { ELSEWHERE };
             edit.rank + edit.brackets(&function.text) + elsewhere
@@ -224,7 +208,7 @@ impl DrawingMutants {
 
 impl Mutant {
     /// Makes the mutant of an edit of a function, with nothing known of its effects.
-    fn new(function: &ParsedFunction, edit: &RankedEdit) -> Self {
+    fn new(function: &RustFn, edit: &RankedEdit) -> Self {
         let wrong = edit.applied_to(&function.text);
         let after = function.text.len() - edit.at.end;
         Self {
@@ -269,17 +253,13 @@ fn lines(text: &str, before: usize, after: usize) -> String {
 
 /// Chooses the pixels to compare: in turn one that the right program draws otherwise and one that
 /// it draws, then some of all.
-fn places(right: &ChapterProgram, reading: &Reading) -> Vec<u32> {
+pub(super) fn places(right: &ChapterProgram, reading: &Reading) -> Vec<u32> {
     let total = reading.pixels.len() as u32;
     let output = right.run(reading.width);
     let is_whole = output.size() == (reading.width, reading.height);
     let is_fine = |n: u32| is_whole && is_drawn(&output, reading, n);
     let (fine, wrong): (Vec<u32>, Vec<u32>) = spread(LOOKED, total).partition(|n| is_fine(*n));
-    let some = |all: &[u32]| -> Vec<u32> {
-        let places = spread(FIRST, all.len() as u32);
-        places.map(|n| all[n as usize]).collect()
-    };
-    let (first, next) = (some(&wrong), some(&fine));
+    let [first, next] = [wrong, fine].map(|it| some_of(&it, FIRST));
     let pairs = (0..FIRST as usize).flat_map(|n| [first.get(n), next.get(n)]);
     let pairs = pairs.flatten().copied();
     pairs.chain(spread(LOOKED, total)).collect()

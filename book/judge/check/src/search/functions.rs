@@ -7,7 +7,7 @@ use super::tree::RustTree;
 
 /// A function of a program in Rust, with its syntax tree.
 #[derive(Clone, Debug)]
-pub(super) struct ParsedFunction {
+pub(super) struct RustFn {
     /// The name, for a method with its type: `Sphere::hit`.
     pub(super) name: String,
     /// The text, from `fn` to the last brace.
@@ -18,7 +18,7 @@ pub(super) struct ParsedFunction {
     pub(super) body: RustTree,
 }
 
-impl ParsedFunction {
+impl RustFn {
     /// Parses a function from its text, from `fn` to the last brace; `None` if it is not Rust.
     pub(super) fn read(name: &str, text: &str) -> Option<Self> {
         let item: syn::ImplItemFn = syn::parse_str(text).ok()?;
@@ -51,15 +51,15 @@ impl ParsedFunction {
 }
 
 /// Parses all functions of a program.
-pub(super) fn functions(program: &Program) -> Vec<ParsedFunction> {
+pub(super) fn functions(program: &Program) -> Vec<RustFn> {
     let all = program.functions();
-    all.filter_map(|(name, text)| ParsedFunction::read(name, text))
+    all.filter_map(|(name, text)| RustFn::read(name, text))
         .collect()
 }
 
 /// Returns the files with other texts for these functions. Functions that are in no file are left
 /// out.
-pub(super) fn with(files: &[SourceFile], changes: &[(&ParsedFunction, &str)]) -> Vec<SourceFile> {
+pub(super) fn with(files: &[SourceFile], changes: &[(&RustFn, &str)]) -> Vec<SourceFile> {
     let mut changed = files.to_vec();
     for (function, text) in changes {
         if let Some((file, _)) = function.place(files) {

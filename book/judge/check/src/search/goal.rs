@@ -5,7 +5,7 @@
 //! find what the picture hides.
 
 use common::rtweekend::*;
-use interpreter::{ExpectedPixel, Program, SourceFile};
+use interpreter::{ExpectedPixel, Program};
 use laws::answers::Answers;
 use slips::{Chapter, lawful};
 
@@ -41,11 +41,6 @@ pub(super) struct Goal {
     small: Option<Picture>,
 }
 
-/// Reads a program from its files, `lib.rs` first; `None` if the interpreter refuses it.
-pub(super) fn program(files: &[SourceFile]) -> Option<Program> {
-    interpreter::read(files).ok()
-}
-
 /// Returns true if a program draws a picture, judged by `count` of its pixels.
 pub(super) fn draws(program: &Program, reading: &Reading, count: u32) -> bool {
     let pixel = |index: u32| ExpectedPixel {
@@ -53,8 +48,22 @@ pub(super) fn draws(program: &Program, reading: &Reading, count: u32) -> bool {
         levels: reading.pixels[index as usize].map(|it| it.clamp(0, 255) as u8),
     };
     let sample = spread(count, reading.pixels.len() as u32);
-    let sample: Vec<ExpectedPixel> = sample.map(pixel).collect();
-    program.count_matching(reading.width, &sample).ok() == Some(sample.len())
+    has_pixels(
+        program,
+        reading.width,
+        &sample.map(pixel).collect::<Vec<_>>(),
+    )
+}
+
+/// Returns true if a program draws these pixels of a picture `width` pixels wide.
+fn has_pixels(program: &Program, width: u32, pixels: &[ExpectedPixel]) -> bool {
+    program.count_matching(width, pixels).ok() == Some(pixels.len())
+}
+
+/// Chooses `count` of these pixels, evenly spread.
+pub(super) fn some_of(pixels: &[u32], count: u32) -> Vec<u32> {
+    let places = spread(count, pixels.len() as u32);
+    places.map(|n| pixels[n as usize]).collect()
 }
 
 impl Goal {
@@ -73,15 +82,10 @@ impl Goal {
             !has_same_shape || reading.pixels[*n as usize] != right
         };
         let (wrong, fine): (Vec<u32>, Vec<u32>) = (0..total).partition(is_wrong);
-        let some = |all: &[u32]| -> Vec<u32> {
-            spread(LOOKED, all.len() as u32)
-                .map(|n| all[n as usize])
-                .collect()
-        };
-        let sample = [some(&wrong), some(&fine)].concat().into_iter();
+        let sample = [wrong, fine].map(|it| some_of(&it, LOOKED)).concat();
         Self {
             width,
-            sample: sample.map(pixel).collect(),
+            sample: sample.into_iter().map(pixel).collect(),
             all: spread(DRAWN, total).map(pixel).collect(),
             chapter,
             answers: Answers::default(),
@@ -91,11 +95,8 @@ impl Goal {
 
     /// Adds that the reader's own loop over all pixels has to draw a small picture of the task.
     pub(super) fn looping(self, task: &Task) -> Self {
-        let small = task.right_picture(SMALL, task.height(SMALL));
-        Self {
-            small: Some(small),
-            ..self
-        }
+        let small = Some(task.right_picture(SMALL, task.height(SMALL)));
+        Self { small, ..self }
     }
 
     /// Adds that questions have to be answered as by this right program.
@@ -114,9 +115,7 @@ impl Goal {
 
     /// Returns true if a program reaches the goal: it draws the pixels and gives the answers.
     pub(super) fn is_met_by(&self, program: &Program) -> bool {
-        let has = |sample: &[ExpectedPixel]| {
-            program.count_matching(self.width, sample).ok() == Some(sample.len())
-        };
+        let has = |pixels: &[ExpectedPixel]| has_pixels(program, self.width, pixels);
         let loops = |small: &Picture| program.draw(SMALL).is_ok_and(|it| it == *small);
         has(&self.sample)
             && self.small.as_ref().is_none_or(loops)

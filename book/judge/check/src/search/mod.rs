@@ -63,5 +63,11 @@ fn searched<T>(
         .map(|it| LineComparison::new(it.functions(), sources.typed()));
     let all = programs.iter().zip(&functions).zip(lines);
     let ((right, functions), lines) = all.min_by_key(|(_, lines)| Reverse(lines.count()))?;
-    search(&PictureSearch::new(right, functions, reading, &lines))
+    search(&PictureSearch {
+        right,
+        reading,
+        functions,
+        lines: &lines,
+        places: forwards::places(right, reading),
+    })
 }

@@ -5,7 +5,7 @@ use std::cmp::Reverse;
 use std::collections::HashSet;
 
 use super::edit::RankedEdit;
-use super::functions::ParsedFunction;
+use super::functions::RustFn;
 use super::renaming::locals;
 use super::roots::roots;
 use super::tree::{RustOp, RustTree};
@@ -49,7 +49,7 @@ pub(super) struct Mutation<'t> {
 }
 
 /// Lists all mutations of a function. Those of one node follow one another.
-pub(super) fn mutations(function: &ParsedFunction) -> Vec<Mutation<'_>> {
+pub(super) fn mutations(function: &RustFn) -> Vec<Mutation<'_>> {
     let mut names: Vec<String> = function.parameters.clone();
     names.extend(locals(&function.body).iter().map(|it| it.name.to_owned()));
     names.retain(|it| it != "self");
@@ -82,7 +82,7 @@ impl Mutation<'_> {
 
 /// Writes a function that has all of its mutations, numbered from `first`. It is read once, and
 /// each mutation is run by its number (mutant schemata: Untch, Offutt and Harrold, 1993).
-pub(super) fn schemata(function: &ParsedFunction, mutations: &[Mutation], first: u32) -> String {
+pub(super) fn schemata(function: &RustFn, mutations: &[Mutation], first: u32) -> String {
     let head = &function.text[..function.body.at.start];
     format!("{head}{}", written(&function.body, 0, mutations, first))
 }

@@ -4,7 +4,7 @@
 use std::ops::Range;
 
 use super::edit::{RankedEdit, words};
-use super::functions::ParsedFunction;
+use super::functions::RustFn;
 use super::renaming::{LocalName, in_common_names, locals};
 use super::roots::{RootRole, roots};
 use super::tree::{RustOp, RustTree};
@@ -26,7 +26,7 @@ const DEEPEST: u8 = 12;
 
 /// Lists the edits that bring a reader's function nearer to the chapter's: expressions, and
 /// statements that are missing or too many.
-pub(super) fn edits(yours: &ParsedFunction, right: &ParsedFunction) -> Vec<RankedEdit> {
+pub(super) fn edits(yours: &RustFn, right: &RustFn) -> Vec<RankedEdit> {
     let (own, theirs) = in_common_names(yours, right);
     let name = |at: &Range<usize>, new: &str| with_names_of(yours, &own, at, new);
     let mut edits = expressions(&yours.text, &own, &roots(&theirs), false, &name);
@@ -36,15 +36,11 @@ pub(super) fn edits(yours: &ParsedFunction, right: &ParsedFunction) -> Vec<Ranke
 
 /// Lists the edits that bring a helper nearer to what the chapter's function has where the reader's
 /// calls the helper: the expressions there, in the names of the helper's parameters.
-pub(super) fn edits_of_helper(
-    helper: &ParsedFunction,
-    caller: &ParsedFunction,
-    right: &ParsedFunction,
-) -> Vec<RankedEdit> {
+pub(super) fn edits_of_helper(helper: &RustFn, caller: &RustFn, right: &RustFn) -> Vec<RankedEdit> {
     let (own, theirs) = in_common_names(caller, right);
     let calls = own.nodes().into_iter().filter_map(|it| given(it, helper));
     let edits = calls.flat_map(|given| {
-        let right = ParsedFunction {
+        let right = RustFn {
             parameters: helper.parameters.clone(),
             body: replaced(&theirs, &given),
             ..right.clone()
@@ -61,10 +57,7 @@ pub(super) fn edits_of_helper(
 
 /// Pairs the arguments in a call with the names of the helper's parameters; `None` if the tree is
 /// no call of the helper.
-fn given<'a>(
-    call: &'a RustTree,
-    helper: &'a ParsedFunction,
-) -> Option<Vec<(&'a RustTree, &'a str)>> {
+fn given<'a>(call: &'a RustTree, helper: &'a RustFn) -> Option<Vec<(&'a RustTree, &'a str)>> {
     let arguments = match &call.op {
         RustOp::Call if call.parts[0].name()?.rsplit(':').next()? == helper.short_name() => {
             &call.parts[1..]
@@ -94,7 +87,7 @@ fn replaced(tree: &RustTree, names: &[(&RustTree, &str)]) -> RustTree {
 
 /// Returns new code for a place of the reader's function, with a variable of the reader for its
 /// value if the code there has the variable, too.
-fn with_names_of(yours: &ParsedFunction, own: &RustTree, at: &Range<usize>, new: &str) -> String {
+fn with_names_of(yours: &RustFn, own: &RustTree, at: &Range<usize>, new: &str) -> String {
     let old = yours.text.get(at.clone()).unwrap_or_default();
     let kept = locals(own);
     let is_used = |local: &LocalName| {

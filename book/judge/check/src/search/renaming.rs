@@ -5,7 +5,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::functions::ParsedFunction;
+use super::functions::RustFn;
 use super::tree::{RustOp, RustTree};
 use crate::sources::likeness;
 
@@ -53,10 +53,7 @@ const SAME: f64 = 4.0;
 
 /// Returns the bodies of a reader's function and of the chapter's with one set of names: those of
 /// the reader. Variables that only one of them has are replaced by their values.
-pub(super) fn in_common_names(
-    yours: &ParsedFunction,
-    right: &ParsedFunction,
-) -> (RustTree, RustTree) {
+pub(super) fn in_common_names(yours: &RustFn, right: &RustFn) -> (RustTree, RustTree) {
     let mut renaming = Renaming::default();
     for (theirs, own) in right.parameters.iter().zip(&yours.parameters) {
         renaming.insert(theirs, RustTree::leaf(own));

@@ -9,8 +9,8 @@ use common::rtweekend::Picture;
 use interpreter::{Program, SourceFile};
 
 use super::backwards::{Fix, RepairSearch};
-use super::functions::{ParsedFunction, functions, with};
-use super::goal::{self, Goal, program};
+use super::functions::{RustFn, functions, with};
+use super::goal::{self, Goal};
 use super::searched;
 use super::tree::squeezed;
 use crate::reading::Reading;
@@ -139,7 +139,7 @@ struct ReaderProgram {
     /// The program as the interpreter runs it.
     program: Program,
     /// The functions of the program.
-    functions: Vec<ParsedFunction>,
+    functions: Vec<RustFn>,
     /// True if the files have a loop over all pixels, and the interpreter can run it.
     has_own_loop: bool,
 }
@@ -147,7 +147,7 @@ struct ReaderProgram {
 impl ReaderProgram {
     /// Reads the program of these files, if it draws this picture.
     fn read(files: &[SourceFile], reading: &Reading) -> Option<Self> {
-        let program = program(files)?;
+        let program = interpreter::read(files).ok()?;
         let has_a_loop = files.iter().any(|it| it.text.contains("struct Ray"));
         let draws = || {
             let picture = program.draw(reading.width);
@@ -177,7 +177,7 @@ impl ReaderProgram {
         &self,
         task: &Task,
         reading: &Reading,
-        chapter: &[ParsedFunction],
+        chapter: &[RustFn],
         steps: usize,
     ) -> Option<(Task, Goal)> {
         (0..steps).find_map(|step| {
@@ -191,7 +191,7 @@ impl ReaderProgram {
 
     /// Returns the program with one of its functions replaced by the chapter's of the same name, for
     /// each function that both have.
-    fn with_one_of(&self, chapter: &[ParsedFunction]) -> impl Iterator<Item = Program> {
+    fn with_one_of(&self, chapter: &[RustFn]) -> impl Iterator<Item = Program> {
         let own = self.functions.iter();
         let pairs = own.flat_map(|own| chapter.iter().map(move |it| (own, it)));
         let same = pairs.filter(|(own, it)| own.name == it.name);
@@ -203,7 +203,7 @@ impl Fix<'_> {
     /// Compares a function with its repaired text, line by line. If their numbers of lines differ,
     /// all lines from the first to the last difference make one change.
     fn changes(&self, files: &[SourceFile]) -> Vec<LineChange> {
-        let line = |files: &[SourceFile], function: &ParsedFunction, n: usize| {
+        let line = |files: &[SourceFile], function: &RustFn, n: usize| {
             let (file, start) = function.place(files).unwrap_or_default();
             let SourceFile { name, text } = &files[file];
             let before = text[..start].matches('\n').count();

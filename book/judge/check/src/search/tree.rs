@@ -22,9 +22,9 @@ pub(super) enum RustOp {
     Call,
     /// A call of this method of the first part, with the others as arguments.
     Method(String),
-    /// This field of its part.
+    /// The field of this name of its part.
     Field(String),
-    /// This field of a new struct, with its part as the value.
+    /// A field of this name in a new struct, with its part as the value.
     Member(String),
     /// A declaration of a variable with its part as the value; true for a statement, false for a
     /// condition.
@@ -37,7 +37,7 @@ pub(super) enum RustOp {
     While,
     /// A `return` of its part.
     Return,
-    /// Its part with a semicolon behind it.
+    /// A statement: its part with a semicolon behind it.
     Statement,
     /// Other code: the texts before, between and behind its parts.
     Other(Vec<String>),

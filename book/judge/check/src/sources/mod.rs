@@ -53,23 +53,24 @@ pub struct SourceLine {
 }
 
 /// The line of a slip in a reader's files.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct SlipLine {
-    /// Whether the line has the slip.
+    /// The state of the line: with the slip, right, or not found.
     pub(crate) status: LineStatus,
     /// The line with the slip and its correction, if the status is [`LineStatus::Wrong`] and the
     /// line is known.
     pub(crate) corrected: Option<CorrectedLine>,
 }
 
-/// Whether a reader's files have the line of a slip, right or wrong.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// The state of a slip's line in a reader's files.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum LineStatus {
     /// The files have the line with the slip in it.
     Wrong,
     /// The files have the line as it should be.
     Right,
     /// The files are unknown, or have neither line in a form that is recognized.
+    #[default]
     NotFound,
 }
 
@@ -125,12 +126,8 @@ impl Sources {
 
     /// Finds the line of a slip, without looking whether it was found before.
     fn find(&self, slip: &Slip, task: &Task) -> SlipLine {
-        let none = |status| SlipLine {
-            status,
-            corrected: None,
-        };
         if self.typed.is_empty() {
-            return none(LineStatus::NotFound);
+            return SlipLine::default();
         }
         let (right, wrong) = (task.program(&[]), task.program(&[slip]));
         let pairs = right.functions().zip(wrong.functions());
@@ -144,12 +141,13 @@ impl Sources {
             change.is_made_in(older.functions()) && self.in_rust().is_empty()
         };
         match lines.status(&change) {
-            LineStatus::Wrong if is_older() => none(LineStatus::NotFound),
-            LineStatus::Wrong => SlipLine {
-                status: LineStatus::Wrong,
-                corrected: lines.corrected(&change),
+            LineStatus::Wrong if is_older() => SlipLine::default(),
+            status => SlipLine {
+                corrected: (status == LineStatus::Wrong)
+                    .then(|| lines.corrected(&change))
+                    .flatten(),
+                status,
             },
-            status => none(status),
         }
     }
 

@@ -3,13 +3,13 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use language::{Language, Rename, Role, Tree, canonical, plain};
+use language::{Language, Rename, Role, Tree, canonical, simplified};
 
 use super::TypedStatement;
 use super::chapter_statement::{ChapterStatement, names_in};
 use super::lines::CorrectedLine;
 
-/// How many of a reader's statements are tried in one place.
+/// The most statements of a reader that are tried in one place.
 const TRIED: usize = 3;
 /// A statement is tried if it is more like the one in the place, from 0 to 1.
 const ALIKE: f64 = 0.4;
@@ -86,7 +86,7 @@ impl ChapterStatement {
                 spelled.get(renamed.map_or(name, |it| &it.from))?,
             ))
         };
-        Language::Rust.to_source(&plain(&typed.value).map_nodes(&name))
+        Language::Rust.to_source(&simplified(&typed.value).map_nodes(&name))
     }
 
     /// Prints this statement in the language and the names of a reader's statement.

@@ -15,10 +15,10 @@ use vocabulary::{is_identity, is_infinity, rounds_down};
 pub use vocabulary::canonical;
 pub(crate) use vocabulary::{REAL, WHOLE, function, is_in};
 
-/// How far an expression is rewritten.
+/// The extent to which an expression is rewritten.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Rewriting {
-    /// Only spelling, as [`plain`] does.
+    /// Only spelling, as [`simplified`] does.
     Plain,
     /// Also arithmetic and logic, as [`normal()`] does.
     Normal,
@@ -34,7 +34,7 @@ pub fn normal(tree: &Tree) -> Tree {
 /// Rewrites an expression with one spelling for all languages: operators for functions like `add`,
 /// fields for functions like `x()`, [`canonical`] names, no casts. The arithmetic stays as it is,
 /// unlike in [`normal()`].
-pub fn plain(tree: &Tree) -> Tree {
+pub fn simplified(tree: &Tree) -> Tree {
     rewritten(tree, Rewriting::Plain)
 }
 

@@ -54,7 +54,7 @@ const FUNCTIONS: [(&str, &str); 23] = [
     ("frontface", "frontface front isfrontface"),
 ];
 
-/// Those of [`FUNCTIONS`] that are fields: functions of one argument.
+/// The functions in [`FUNCTIONS`] that are fields elsewhere, and so have one argument.
 const FIELDS: &str = "origin direction x y z point normal frontface";
 
 /// Functions of one argument that return it unchanged, as far as these chapters care.

@@ -26,9 +26,9 @@ pub(crate) struct Parser<'a> {
     pub(crate) is_in_condition: bool,
     /// The fields and named arguments that were read, each with its value.
     pub(crate) fields: Vec<(String, Tree)>,
-    /// How many brackets are open.
+    /// The number of brackets that are open.
     brackets: usize,
-    /// How many operators and values enclose the one that is read.
+    /// The number of operators and values that enclose the one that is read.
     depth: usize,
 }
 

@@ -22,11 +22,11 @@ pub(crate) enum Look {
     Misplaced,
     /// There is sky where something should be hit.
     Incomplete,
-    /// The same pixels show a hit, and only these have other colors.
+    /// Hits are where they should be, and only they have other colors.
     OtherHits,
-    /// The same pixels show a hit, and only the sky has other colors.
+    /// Hits are where they should be, and only the sky has other colors.
     OtherSky,
-    /// The same pixels show a hit, and both hits and sky have other colors.
+    /// Hits are where they should be, and both they and the sky have other colors.
     OtherColors,
 }
 
