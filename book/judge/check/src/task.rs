@@ -146,7 +146,9 @@ impl Task {
             .into_iter()
             .filter(move |edition| !self.insists || edition.name() == self.edition.name())
             .map(move |edition| Self { edition, ..self }.fitting(width, height))
-            .filter(move |it| it.edition.is_first() || !it.is_in_a_later_shape(width, height))
+            .filter(move |it| {
+                it.edition.is_version_1_or_2() || !it.is_in_a_later_shape(width, height)
+            })
     }
 
     /// Returns true if the picture has the shape of version 4 and the edition of this task has

@@ -1,4 +1,4 @@
-//! Spellings: what means the same is the same, and what does not is not.
+//! Equivalence: expressions of one meaning in ten languages have one normal form, others have not.
 
 use language::{FunctionSize, Language, Pattern, Role, normal, statements};
 

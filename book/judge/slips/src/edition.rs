@@ -254,7 +254,7 @@ impl Edition {
     /// Returns the edits that only versions 1 and 2 need.
     fn edits_of_the_first(self) -> Vec<Edit> {
         let mut edits = Vec::new();
-        if self.is_first() {
+        if self.is_version_1_or_2() {
             edits.push(Edit::new("255.999", "255.99"));
             // Front and back are of version 3.
             let face = "if self.front_face { outward_normal } else { -outward_normal }";
@@ -268,7 +268,7 @@ impl Edition {
     }
 
     /// Returns true for the edition of versions 1 and 2, in single or double precision.
-    pub fn is_first(self) -> bool {
+    pub fn is_version_1_or_2(self) -> bool {
         matches!(self, Self::V1 | Self::V1InDouble)
     }
 }

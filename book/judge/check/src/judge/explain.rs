@@ -95,7 +95,7 @@ pub(crate) fn explain(evidence: &Evidence) -> Explanation {
         return almost_right(unexplained);
     }
     let beside = described_beside(evidence, right.clone());
-    if !evidence.drawing_mutants(&beside.task).is_told()
+    if !evidence.drawing_mutants(&beside.task).is_informative()
         && let Some(pair) = two_mistakes(evidence, &right, &unexplained)
     {
         return Explanation::Mistakes(pair);

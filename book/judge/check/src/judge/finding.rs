@@ -59,7 +59,7 @@ impl Finding {
         let step = evidence.repair().and_then(|it| it.step);
         if self.task.step() != step
             && (sources.is_written() || !is_exact(&self))
-            && evidence.repair().is_some_and(Repair::is_of_lines)
+            && evidence.repair().is_some_and(Repair::replaces_lines_only)
         {
             // A line is wrong in what is written: in all of the chapter, or as far as a step.
             let rights = candidates::right_programs(evidence);

@@ -139,7 +139,7 @@ impl<'a> RepairSearch<'a> {
     /// helper.
     fn keeping_calls(&self, yours: &RustFn, mut edits: Vec<RankedEdit>) -> Vec<RankedEdit> {
         for helper in self.helpers(yours) {
-            edits.retain(|it| !it.writes_out(helper.short_name(), &yours.text));
+            edits.retain(|it| !it.removes_call(helper.short_name(), &yours.text));
         }
         edits
     }

@@ -52,7 +52,7 @@ impl RankedEdit {
     }
 
     /// Returns true if the edit of a text removes a call of the function `name`.
-    pub(super) fn writes_out(&self, name: &str, text: &str) -> bool {
+    pub(super) fn removes_call(&self, name: &str, text: &str) -> bool {
         let count = |text: &str| words(text).iter().filter(|it| **it == name).count();
         count(&text[self.at.clone()]) > count(&self.new)
     }

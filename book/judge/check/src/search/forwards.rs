@@ -174,7 +174,7 @@ impl<'a> PictureSearch<'a> {
 
 impl DrawingMutants {
     /// Returns true if there are edits, and so few that the picture tells something of the mistake.
-    pub(crate) fn is_told(&self) -> bool {
+    pub(crate) fn is_informative(&self) -> bool {
         (1..=MOST).contains(&self.count)
     }
 
@@ -182,7 +182,7 @@ impl DrawingMutants {
     /// replaces it.
     fn add(&mut self, mutant: Mutant) {
         let mut known = self.likeliest.iter_mut();
-        match known.find(|it| it.does_as(&mutant)) {
+        match known.find(|it| it.behaves_like(&mutant)) {
             Some(known) if mutant.yours.is_some() && known.yours.is_none() => *known = mutant,
             Some(_) => {}
             None => self.likeliest.push(mutant),
@@ -196,7 +196,7 @@ impl DrawingMutants {
             self.likeliest.retain(|it| it.yours.is_some());
         }
         self.count = self.likeliest.len();
-        if self.is_told() {
+        if self.is_informative() {
             let is_it = |it: &Mutant| it.does.as_ref().is_some_and(|it| draws(&it.program));
             self.likeliest.retain(is_it);
             self.count = self.likeliest.len();
@@ -220,7 +220,7 @@ impl Mutant {
     }
 
     /// Returns true if two mutants draw the same small pictures and give the same answers.
-    fn does_as(&self, other: &Self) -> bool {
+    fn behaves_like(&self, other: &Self) -> bool {
         let both = self.does.as_ref().zip(other.does.as_ref());
         both.is_some_and(|(one, other)| {
             one.small == other.small && one.answers.mismatch_with(&other.program, 1).differing == 0

@@ -59,7 +59,7 @@ pub enum Correction {
 
 impl Repair {
     /// Returns true if each change replaces a line by another.
-    pub(crate) fn is_of_lines(&self) -> bool {
+    pub(crate) fn replaces_lines_only(&self) -> bool {
         let mut changes = self.changes.iter();
         changes.all(|it| matches!(it.correction, Correction::Instead(_)))
     }

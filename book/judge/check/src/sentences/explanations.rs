@@ -52,7 +52,7 @@ impl Finding {
                 return rows.chain(row(RowKind::More, many)).collect();
             }
             Some(it) => return it.rows(context, self.total()),
-            None if self.drawn.is_told() => return self.drawn.rows(context, &self.task),
+            None if self.drawn.is_informative() => return self.drawn.rows(context, &self.task),
             None => {}
         }
         let seen = self
@@ -179,7 +179,7 @@ impl DrawingMutants {
             },
             all => alternatives(all.iter().map(said)).collect(),
         };
-        let tried = match (self.count, self.is_told()) {
+        let tried = match (self.count, self.is_informative()) {
             (1, _) => "the chapter with this one edit draws exactly your picture",
             (_, true) => {
                 "the chapter with any of these edits draws exactly your picture, and so may others"
