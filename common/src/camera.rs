@@ -20,7 +20,7 @@ pub struct Camera {
     pub pixel00: Point3,
     /// The vector from the center of a pixel to that of its neighbor on the right.
     pub pixel_delta_u: Vec3,
-    /// The vector from the center of a pixel to that of its neighbor below.
+    /// The vector from the center of a pixel to that of its neighbor below; y is negative.
     pub pixel_delta_v: Vec3,
 }
 

@@ -23,7 +23,7 @@ impl Precision {
         }
     }
 
-    /// Returns the spacing of the numbers from 1 to 2.
+    /// Returns the spacing of the numbers from 1 to 2: 2⁻⁵² for `f64`, 2⁻²³ for `f32`.
     pub fn epsilon(self) -> f64 {
         match self {
             Self::Double => f64::EPSILON,

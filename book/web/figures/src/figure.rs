@@ -16,7 +16,7 @@ pub struct Figure {
     pub caption: String,
     /// A question to the reader about the figure, and then what to do with it.
     pub question: String,
-    /// The answer to the question: the page shows it when the reader asks for it.
+    /// The answer to `question`, which the page shows when the reader asks for it.
     pub solution: String,
 }
 

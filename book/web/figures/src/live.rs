@@ -73,9 +73,9 @@ pub(crate) type Says = BTreeMap<&'static str, String>;
 /// A figure as drawn for certain parameters, and all that the page says of it.
 #[derive(Clone, Debug)]
 pub struct DrawnFigure {
-    /// The drawing itself.
+    /// The drawing, as SVG to be written.
     pub drawing: Svg,
-    /// A sentence that says what this drawing shows; `*t*` marks a number, `**P**` a vector.
+    /// A sentence that says what the drawing shows; `*t*` marks a number, `**P**` a vector.
     pub sentence: String,
     /// The place of each handle (a spot that a reader can drag), in the order of
     /// [`Movable::handles`]: x to the right, y down, in units of the SVG's viewBox.
@@ -135,7 +135,7 @@ pub trait Movable: Sync {
         self.figure().name
     }
 
-    /// Returns the numbers with which the figure is first shown on its page.
+    /// Returns the default of each parameter, with which the page first shows the figure.
     fn defaults(&self) -> Vec<f64> {
         self.parameters().iter().map(|it| it.default).collect()
     }

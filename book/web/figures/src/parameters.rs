@@ -8,13 +8,14 @@ use crate::plane::xy;
 /// A number of a figure that a reader can change, with its name, range, step and default.
 #[derive(Clone, Copy, Debug)]
 pub struct Parameter {
-    /// The name of the struct field that holds the number; both numbers of a point have the same.
+    /// The name of the struct field that holds the number; the two numbers of a point share one
+    /// field.
     pub field: &'static str,
     /// The label of the slider, such as "d, to the right".
     pub name: &'static str,
-    /// The least value.
+    /// The least value that a reader can set.
     pub least: f64,
-    /// The greatest value.
+    /// The greatest value that a reader can set, if `most_beside` leaves it.
     pub most: f64,
     /// The number of steps of the slider in an interval of length 1; 1 for a whole number.
     pub steps: f64,

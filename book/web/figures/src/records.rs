@@ -76,7 +76,7 @@ pub struct Tightness {
 pub struct Level {
     /// The name of the regime: always `far`.
     pub regime: String,
-    /// The power of ten of the distance, in radii.
+    /// The exponent k: the rays start 10ᵏ radii away from the sphere.
     pub level: i32,
     /// The numbers that the method computes with: `f64` or `f32`.
     #[serde(with = "PrecisionName")]

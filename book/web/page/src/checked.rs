@@ -56,9 +56,9 @@ struct Traced {
 }
 
 impl CheckRequest {
-    /// Reads a request from four fields with zero bytes between them: the name of a file, and
-    /// places in the lists of [`choices`] (chapter, probe, edition), counted from 1. A field that
-    /// is 0, missing or no number says nothing.
+    /// Reads a request from four fields with zero bytes between them: the name of the file, and the
+    /// indices of chapter, probe and edition in the lists of [`choices`], counted from 1. A field
+    /// that is 0, missing or no number stands for no choice.
     pub fn read(text: &str) -> Self {
         let mut fields = text.split('\0');
         let name = fields.next().unwrap_or_default().to_owned();

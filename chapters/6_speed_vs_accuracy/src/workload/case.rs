@@ -92,18 +92,19 @@ impl Case {
         self.ray.direction.length_squared()
     }
 
-    /// Computes M = oc·oc + r², rounded: the square of the length that rounding errors are compared
-    /// with. Nothing in the quadratic is much longer than √M.
+    /// Computes M = oc·oc + r², rounded, with oc = center − origin: the square of the length that
+    /// rounding errors are compared with. Nothing in the quadratic is much longer than √M.
     pub fn m(&self) -> f64 {
         (self.center - self.ray.origin).length_squared() + self.radius * self.radius
     }
 
-    /// Computes h = d·oc, rounded.
+    /// Computes h = d·oc, rounded, with oc = center − origin: half of −b in the quadratic equation.
     pub fn h(&self) -> f64 {
         self.ray.direction.dot(self.center - self.ray.origin)
     }
 
-    /// Computes c = oc·oc − r², rounded.
+    /// Computes c = oc·oc − r², rounded, with oc = center − origin: negative if the ray starts
+    /// inside.
     pub fn c(&self) -> f64 {
         (self.center - self.ray.origin).length_squared() - self.radius * self.radius
     }
