@@ -6,7 +6,7 @@ use proptest::prelude::*;
 
 use crate::nearer_root::U;
 use crate::question::{Functions, code, of_ray, vector};
-use crate::strategies::{ahead_if_zero, integer_vector, samples};
+use crate::strategies::{ahead_if_zero, samples, whole_vector};
 use crate::verdict::{BrokenLaw, LawResult};
 
 /// The operators and functions of a program's own vectors and rays, as closures that laws ask one
@@ -94,7 +94,7 @@ impl PreludeFunction {
     pub(crate) fn questions(&'static self) -> impl Strategy<Value = PreludeQuestion> {
         let tenths = (1..=9).prop_map(|k| f64::from(k) / 10.0);
         let number = prop_oneof![(-8..=8).prop_map(|k| 0.5 * f64::from(k)), tenths];
-        (integer_vector(9), integer_vector(9), number).prop_map(move |(u, v, t)| PreludeQuestion {
+        (whole_vector(9), whole_vector(9), number).prop_map(move |(u, v, t)| PreludeQuestion {
             function: self,
             u,
             v: ahead_if_zero(v),

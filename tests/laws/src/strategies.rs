@@ -116,31 +116,25 @@ pub fn book_rays() -> impl Strategy<Value = Case> {
 
 /// Makes rays and spheres of small whole numbers, so that answers can be checked by hand.
 pub fn integers() -> impl Strategy<Value = Case> {
-    (
-        integer_vector(9),
-        1..=9,
-        integer_vector(9),
-        integer_vector(9),
-    )
-        .prop_map(|(oc, radius, origin, direction)| {
+    (whole_vector(9), 1..=9, whole_vector(9), whole_vector(9)).prop_map(
+        |(oc, radius, origin, direction)| {
             let ray = Ray::new(origin, ahead_if_zero(direction));
             // So made, proptest may shrink the origin alone, and the answer stays.
             Case::new(origin + oc, f64::from(radius), ray)
-        })
+        },
+    )
 }
 
 /// Makes rays that start inside of a sphere, in its center or at a right angle to the vector to it:
 /// h = d·oc is 0 exactly, because all numbers are whole.
 pub fn with_h_zero() -> impl Strategy<Value = Case> {
-    let turn = prop_oneof![Just(Vec3::ZERO), integer_vector(3)];
-    (integer_vector(9), integer_vector(3), turn, 1..=9).prop_map(
-        |(origin, direction, turn, depth)| {
-            let direction = ahead_if_zero(direction);
-            let oc = direction.cross(turn);
-            let radius = oc.length().ceil() + f64::from(depth);
-            Case::new(origin + oc, radius, Ray::new(origin, direction))
-        },
-    )
+    let turn = prop_oneof![Just(Vec3::ZERO), whole_vector(3)];
+    (whole_vector(9), whole_vector(3), turn, 1..=9).prop_map(|(origin, direction, turn, depth)| {
+        let direction = ahead_if_zero(direction);
+        let oc = direction.cross(turn);
+        let radius = oc.length().ceil() + f64::from(depth);
+        Case::new(origin + oc, radius, Ray::new(origin, direction))
+    })
 }
 
 /// Makes rays whose line passes the center of a sphere at a distance of r·(1 ± 10⁻ᵏ), just inside
@@ -230,7 +224,7 @@ pub fn tangents() -> impl Strategy<Value = Case> {
         select(planes),
         1..=9,
         1..=9,
-        integer_vector(99),
+        whole_vector(99),
     )
         .prop_map(|([p, q, hypotenuse], plane, t, k, origin)| {
             // As long as the direction and at a right angle to it: the line
@@ -251,7 +245,7 @@ pub fn on_the_surface() -> impl Strategy<Value = Case> {
         Vec3::new(1.0, 2.0, 2.0),
         Vec3::new(2.0, 3.0, 6.0),
     ];
-    (integer_vector(9), select(boxes), 1..=9, integer_vector(9)).prop_map(
+    (whole_vector(9), select(boxes), 1..=9, whole_vector(9)).prop_map(
         |(origin, sides, size, direction)| {
             let oc = f64::from(size) * sides;
             let inside = match direction.dot(oc) {
@@ -311,13 +305,11 @@ pub fn with_interval(cases: impl Strategy<Value = Case>) -> impl Strategy<Value 
 /// checked by hand.
 pub fn whole_worlds() -> impl Strategy<Value = World> {
     let radius = (1..=3).prop_map(f64::from);
-    (vec((integer_vector(4), radius), 1..4), integer_vector(3)).prop_map(|(spheres, direction)| {
-        World {
-            spheres,
-            ray: Ray::new(Point3::ZERO, ahead_if_zero(direction)),
-            t_min: 0.0,
-            t_max: f64::INFINITY,
-        }
+    (vec((whole_vector(4), radius), 1..4), whole_vector(3)).prop_map(|(spheres, direction)| World {
+        spheres,
+        ray: Ray::new(Point3::ZERO, ahead_if_zero(direction)),
+        t_min: 0.0,
+        t_max: f64::INFINITY,
     })
 }
 
@@ -382,7 +374,7 @@ pub fn ahead_if_zero(direction: Vec3) -> Vec3 {
 }
 
 /// Makes vectors whose components are integers from −`max` to `max`.
-pub fn integer_vector(max: i32) -> impl Strategy<Value = Vec3> {
+pub fn whole_vector(max: i32) -> impl Strategy<Value = Vec3> {
     let number = move || -max..=max;
     (number(), number(), number())
         .prop_map(|(x, y, z)| Vec3::new(f64::from(x), f64::from(y), f64::from(z)))

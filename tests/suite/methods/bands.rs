@@ -5,7 +5,7 @@
 //! band: up to the last digit that makes a difference, and then up to three more.
 
 use common::rtweekend::*;
-use laws::strategies::{any_case, far, integer_vector, integers, near_the_surface, number};
+use laws::strategies::{any_case, far, integers, near_the_surface, number, whole_vector};
 use laws::{Case, IntervalCase};
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -120,7 +120,7 @@ fn asked() -> impl Strategy<Value = IntervalCase> {
 fn along_axes() -> impl Strategy<Value = Case> {
     let axis = || select(vec![Vec3::X, Vec3::NEG_Y, Vec3::Z]);
     (
-        integer_vector(1),
+        whole_vector(1),
         number(0.5..=2.0),
         axis(),
         number(-3.0..=3.0),

@@ -4,7 +4,7 @@
 use common::rtweekend::*;
 use laws::oracle::ExactCase;
 use laws::strategies::{
-    ahead_if_zero, any_case, far, integer_vector, number, ordinary_sphere, tangents, unit,
+    ahead_if_zero, any_case, far, number, ordinary_sphere, tangents, unit, whole_vector,
 };
 use laws::{Case, IntervalCase};
 use proptest::prelude::*;
@@ -52,13 +52,8 @@ pub(crate) fn leaving_the_surface(k: RangeInclusive<f64>) -> impl Strategy<Value
 /// Whole numbers, and a radius within three ulps of the line's distance from the
 /// center.
 fn almost_tangents() -> impl Strategy<Value = Case> {
-    (
-        integer_vector(50),
-        integer_vector(50),
-        integer_vector(50),
-        -3..=3,
-    )
-        .prop_map(|(center, origin, direction, ulps)| {
+    (whole_vector(50), whole_vector(50), whole_vector(50), -3..=3).prop_map(
+        |(center, origin, direction, ulps)| {
             let d = ahead_if_zero(direction);
             let across = d.cross(center - origin);
             let distance = (across.length_squared() / d.length_squared()).sqrt();
@@ -67,7 +62,8 @@ fn almost_tangents() -> impl Strategy<Value = Case> {
                 radius: ulps_away(distance, ulps),
                 ray: Ray::new(origin, d),
             }
-        })
+        },
+    )
 }
 
 /// [`tangents`] whose radius is one ulp too small, right, or one too large.

@@ -3,7 +3,7 @@
 use common::rtweekend::*;
 use laws::list::World;
 use laws::oracle::ExactCase;
-use laws::strategies::{ahead_if_zero, integer_vector, unit};
+use laws::strategies::{ahead_if_zero, unit, whole_vector};
 use laws::{Case, IntervalCase};
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -110,7 +110,7 @@ fn through_one_point() -> impl Strategy<Value = World> {
     );
     // One end in two lies at that root, or an ulp from it.
     let end = || prop_oneof![Just(None), ulps().prop_map(Some)];
-    let ray = (integer_vector(99), integer_vector(9), 1..=9);
+    let ray = (whole_vector(99), whole_vector(9), 1..=9);
     (vec(sphere, 2..=6), ray, end(), end()).prop_map(
         |(mut spheres, (origin, direction, t), low, high)| {
             let (direction, t) = (ahead_if_zero(direction), f64::from(t));
@@ -131,7 +131,7 @@ fn through_one_point() -> impl Strategy<Value = World> {
 /// most of them are irrational.
 fn mirrored() -> impl Strategy<Value = World> {
     let image = (any::<[bool; 3]>(), ulps());
-    (integer_vector(9), 1..=9, 1..=9, vec(image, 2..=6)).prop_map(
+    (whole_vector(9), 1..=9, 1..=9, vec(image, 2..=6)).prop_map(
         |(center, radius, speed, images)| {
             let image = |([swapped, left, down], ulps): ([bool; 3], i32)| {
                 let [x, y, z] = center.to_array();
