@@ -1,5 +1,6 @@
 //! `laws`: property-based testing of a function in any language, by lines of text.
 
+mod advice;
 mod dialogue;
 
 use std::cell::RefCell;
@@ -12,7 +13,7 @@ use std::time::Duration;
 use ::laws::record::RecordedHit;
 use ::laws::verdict::{ReportRow, rows_as_text};
 use ::laws::{Case, Complaint, IntervalCase, Question, Report, Trial};
-use check::any_language::{self, FunctionKind, FunctionVerdict, NoAnswer};
+use check::any_language::{self, FunctionKind, FunctionVerdict};
 use check::names;
 use clap::Args;
 use common::engine::output;
@@ -74,10 +75,6 @@ fn not_started(program: &[OsString], cause: &str) -> String {
         names::escaped_name(&program[0])
     )
 }
-
-/// How a program prints a line at once, in several languages.
-const AT_ONCE: &str = "print(…, flush=True) in Python, std::endl in C++, the event 'line' of \
-    node:readline in JavaScript, fflush() in awk, with -W interactive in mawk";
 
 /// The time to wait after the first answers for lines that nobody has asked for.
 const GREETING: Duration = Duration::from_millis(300);
@@ -301,7 +298,8 @@ impl<'a> Interview<'a> {
     }
 
     fn failed(&self, failure: &DialogueFailure, line: &str) -> String {
-        let (problem, to_do) = self.explained(failure);
+        let answers = self.answers.borrow().len();
+        let (problem, to_do) = advice::explain(failure, self.arguments, answers);
         let by_hand = match failure {
             DialogueFailure::Ended(_)
             | DialogueFailure::TooMuch(_)
@@ -316,69 +314,6 @@ impl<'a> Interview<'a> {
             "{} {problem}.\nto do:    {to_do}\n{by_hand}",
             self.program()
         )
-    }
-
-    /// Describes an answer as the program should print it.
-    fn wanted(&self) -> &'static str {
-        match self.arguments.chapter {
-            Chapter::RedSphere => "hit or miss",
-            Chapter::HittableList => "t, and perhaps the normal and front or back; or miss",
-            _ => "t, as a number, or miss",
-        }
-    }
-
-    /// Returns the end of a sentence about the program, which tells the failure, and advice against
-    /// it.
-    fn explained(&self, failure: &DialogueFailure) -> (String, String) {
-        let (limit, wanted) = (self.arguments.timeout, self.wanted());
-        let shown = |said: &str| format!("`{}`", names::escape_for_terminal(said));
-        match failure {
-            DialogueFailure::Tardy => (
-                format!("did not answer within {limit:?}, but later"),
-                "give the program more time, if it is slow to start: --timeout SECONDS".to_owned(),
-            ),
-            DialogueFailure::Late => (
-                format!("did not answer within {limit:?}, but when its input ended"),
-                format!("answer before the next line comes: {AT_ONCE}"),
-            ),
-            DialogueFailure::Silent => (
-                format!("did not answer within {limit:?}"),
-                format!("print {wanted}. Does every loop end? --timeout SECONDS gives more time"),
-            ),
-            DialogueFailure::Slow(limit) => (
-                format!(
-                    "gave only {} of some two thousand answers within {limit:?}",
-                    self.answers.borrow().len()
-                ),
-                "make it faster, or give it more time: --timeout SECONDS".to_owned(),
-            ),
-            DialogueFailure::Ended(status) => (
-                match status {
-                    Some(status) => format!("ended with {status}, without an answer"),
-                    None => "closed its output".to_owned(),
-                },
-                "answer line by line, until the input ends".to_owned(),
-            ),
-            DialogueFailure::TooMuch(said) => (
-                format!(
-                    "prints more than one line for one question: {}",
-                    shown(said)
-                ),
-                format!("print nothing but {wanted}; the rest can go to standard error"),
-            ),
-            DialogueFailure::NoAnswer(said, NoAnswer::DecimalComma) => (
-                format!("answers {}", shown(said)),
-                "print numbers with a decimal point: 0.5, not 0,5".to_owned(),
-            ),
-            DialogueFailure::NoAnswer(said, _) if said.is_empty() => (
-                "answers with an empty line".to_owned(),
-                format!("print {wanted}"),
-            ),
-            DialogueFailure::NoAnswer(said, _) => (
-                format!("answers {}", shown(said)),
-                format!("print nothing but {wanted}"),
-            ),
-        }
     }
 
     /// Writes the command by which the reader asks this question in a shell.

@@ -4,6 +4,7 @@ mod background;
 mod build;
 mod changes;
 mod laws;
+mod no_picture;
 mod screen;
 
 use std::cell::Cell;
@@ -19,8 +20,8 @@ use check::attempt::{Attempt, Commands, LawsStatus};
 use check::context::Context;
 use check::judge_file;
 use check::names::{companion_command, name_from_here};
-use check::reading::{Cause, read};
-use check::sentences::{self, printed_rows, step_done_line};
+use check::reading::read;
+use check::sentences::step_done_line;
 use check::sources::Sources;
 use check::task::Task;
 use clap::Args;
@@ -37,7 +38,7 @@ use crate::reader_crates::{ReaderCrates, TYPED, shell_word};
 use crate::sources;
 use crate::subprocess::{self, ProgramEnd};
 use background::BackgroundBuild;
-use build::{BuildFailure, BuiltCrate, NoVerdict};
+use build::{BuiltCrate, NoVerdict};
 use changes::FolderChanges;
 use laws::LawsResult;
 
@@ -90,7 +91,7 @@ pub(crate) fn watch(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
         let mut is_old = || !arguments.once && (changes.has_a_save() || screen::is_output_closed());
         let answer = match subject.judge(waits, &mut is_old) {
             Ok(answer) => Some(answer),
-            Err(NoVerdict::NotBuilt(problem)) => Some(not_built(&problem)),
+            Err(NoVerdict::NotBuilt(problem)) => Some(no_picture::not_built(&problem)),
             Err(NoVerdict::NewerSave) => None,
         };
         if let Some(answer) = &answer {
@@ -203,15 +204,15 @@ impl WatchedProgram {
             Ok((end, errors)) => (Ok(end), errors),
             Err(cause) => (Err(cause), String::new()),
         };
-        let place = not_written_yet(&errors).next();
+        let place = no_picture::unwritten_places(&errors).next();
         match (subprocess::printed_or_cause(&words, end, self.limit), place) {
             (Ok(bytes), _) => self.of_picture(&bytes, built, &mut ask),
             (Err(_), Some(place)) => {
                 let asks = is_crate && self.task.chapter != Chapter::RedSphere;
                 let asked = if asks { ask()? } else { None };
-                Ok(not_written(self.task.chapter, place, asked))
+                Ok(no_picture::not_written(self.task.chapter, place, asked))
             }
-            (Err(cause), None) => Ok(stopped(&cause, &errors)),
+            (Err(cause), None) => Ok(no_picture::stopped(&cause, &errors)),
         }
     }
 
@@ -350,56 +351,4 @@ fn laws_hint(chapter: Chapter) -> Row {
         "{companion} laws {name} asks your function what no picture shows; lines on the page Check your picture"
     );
     Row::new(RowKind::Laws, hint)
-}
-
-/// Makes the answer to a crate that can't be built: the compiler's first error, and advice.
-fn not_built(problem: &BuildFailure) -> Answer {
-    let number = problem.first.split_once("[E").and_then(|it| it.1.get(..4));
-    let more = number.map(|number| format!("; rustc --explain E{number} tells more"));
-    let lines = problem
-        .first
-        .lines()
-        .map(|line| Row::new(RowKind::Printed, line));
-    let next = format!("{}{}", problem.advice, more.unwrap_or_default());
-    sentences::not_compiled(problem.more + 1, lines.collect()).then(next)
-}
-
-/// Makes the answer to a program that printed no picture, with its last words on standard error.
-fn stopped(cause: &Cause, errors: &str) -> Answer {
-    let next = if errors.contains("has overflowed its stack") {
-        "a function calls itself without an end: look for one whose own name is in its body"
-    } else if errors.contains("panicked at ") {
-        "the panic names its place above: put that line right"
-    } else {
-        &cause.fix
-    };
-    let refused = sentences::refused("", "not a picture", cause);
-    refused.with(printed_rows(errors)).then(next)
-}
-
-/// Makes the answer to a program that stopped at `place`, a `todo!()`. The laws judge what is
-/// written already; the first file in the order of typing with a `todo!()` is the next to type.
-fn not_written(chapter: Chapter, place: &str, asked: Option<LawsResult>) -> Answer {
-    let Some(asked) = asked else {
-        return sentences::not_written(chapter, place, &[]);
-    };
-    let files = skeletons::files(chapter, false);
-    let is_there = |place: &&str, name: &str| place.starts_with(&format!("{name}:"));
-    let places = || asked.unwritten.iter().map(String::as_str).chain([place]);
-    let mut first = files
-        .iter()
-        .filter_map(|file| places().find(|place| is_there(place, &file.name)));
-    let place = first.next().unwrap_or(place);
-    match &asked.outcome {
-        LawsStatus::Broken(report) | LawsStatus::BrokenPrelude(report) => {
-            sentences::broken_so_far(report, place)
-        }
-        _ => sentences::not_written(chapter, place, &asked.obeyed),
-    }
-}
-
-/// Lists the places of panics of a `todo!()`, as `file:line:column`.
-fn not_written_yet(errors: &str) -> impl Iterator<Item = &str> {
-    let panics = errors.split(":\nnot yet implemented");
-    panics.filter_map(|before| Some(before.lines().next_back()?.split_once("panicked at ")?.1))
 }
