@@ -73,8 +73,8 @@ pub fn explain(report: &mut Report, chapter: Chapter, language: ReaderLanguage) 
     report.same_as = mistakes.iter().map(in_a_line).collect();
     report.same_as.extend(match mistakes.len() {
         0 => None,
-        1 => Some("it gives the same answer to every question".to_owned()),
-        _ => Some("each of these gives the same answer to every question".to_owned()),
+        1 => Some("this mistake gives your answer to every question".to_owned()),
+        _ => Some("each of these mistakes gives your answer to every question".to_owned()),
     });
 }
 
