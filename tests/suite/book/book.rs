@@ -169,7 +169,7 @@ fn each_letter_of_the_lesson_is_on_the_page_of_symbols() {
     }
 }
 
-/// The formulas inside the lines of a page.
+/// Lists the formulas in the lines of a page.
 fn formulas(text: &str) -> impl Iterator<Item = &str> {
     let lines = text.split("$$").step_by(2);
     lines.flat_map(|text| text.split('$').skip(1).step_by(2))
@@ -184,7 +184,7 @@ fn no_page_names_a_folder_of_this_machine() {
     }
 }
 
-/// The folder of the book, woven once for all tests.
+/// Returns the folder of the book, which is woven once for all tests.
 pub(crate) fn woven() -> &'static Path {
     static WOVEN: LazyLock<&Path> = LazyLock::new(|| {
         let folder = Path::new(concat!(env!("CARGO_TARGET_TMPDIR"), "/book"));
@@ -197,7 +197,7 @@ pub(crate) fn woven() -> &'static Path {
     &WOVEN
 }
 
-/// The page of a chapter.
+/// Returns the file name of a chapter's woven page, such as `normals.html`.
 pub(crate) fn page_of(chapter: Chapter) -> String {
     match chapter {
         Chapter::BuildTest => "setup.html".to_owned(),
@@ -205,25 +205,25 @@ pub(crate) fn page_of(chapter: Chapter) -> String {
     }
 }
 
-/// The folder of the chapter, as seen from the workspace.
+/// Returns the folder of a chapter, as seen from the workspace.
 pub(crate) fn folder_of(chapter: Chapter) -> PathBuf {
     PathBuf::from(format!("chapters/{}_{}", chapter as usize, chapter.name()))
 }
 
-/// The names of all pages, those of mdBook's own included.
+/// Returns the names of all pages, those of mdBook's own included.
 pub(crate) fn page_names() -> Vec<String> {
     let names = names_in(woven()).into_iter();
     names.filter(|name| name.ends_with(".html")).collect()
 }
 
-/// A page as it was woven.
+/// A page of the book as it was woven.
 pub(crate) struct Page {
     /// The name of its file.
     pub(crate) name: String,
     html: Html,
 }
 
-/// All pages, read once for all tests; one test at a time looks at them.
+/// Returns all pages, read once for all tests; one test at a time may look at them.
 pub(crate) fn pages() -> MutexGuard<'static, Vec<Page>> {
     static PAGES: LazyLock<Mutex<Vec<Page>>> =
         LazyLock::new(|| Mutex::new(page_names().into_iter().map(Page::read).collect()));
@@ -231,7 +231,7 @@ pub(crate) fn pages() -> MutexGuard<'static, Vec<Page>> {
     PAGES.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// The pages that were written, without those that mdBook makes of them.
+/// Lists the pages that were written, without those that mdBook makes of them.
 fn chapters(pages: &[Page]) -> impl Iterator<Item = &Page> {
     let made = ["index.html", "print.html", "toc.html", "404.html"];
     pages

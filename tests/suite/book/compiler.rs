@@ -38,7 +38,7 @@ fn the_pages_show_what_the_compiler_says() {
     }
 }
 
-/// Types the chapter with the mistake in it.
+/// Types the chapter into a reader's crate, with the mistake in it.
 fn make(reader: &TestReader, chapter: Chapter, mistake: &Typing) {
     let folder = reader.path().join(chapter.name());
     if !folder.exists() {
@@ -60,8 +60,8 @@ fn first_error(reader: &TestReader, chapter: &str) -> String {
     error.map_or_else(|| panic!("{chapter} compiles:\n{said}"), str::to_owned)
 }
 
-/// The error as Markdown. A list of the types that would have done is left out: it is long,
-/// and what is in it depends on the libraries.
+/// Writes the error as Markdown, without lists of types that would have done: they are long, and
+/// depend on the libraries.
 fn page_of(error: &str) -> String {
     let others = "   = help: the following other types";
     let error = error.split(others).next().unwrap_or(error);

@@ -9,7 +9,7 @@ use slips::{Chapter, ChapterProgram};
 
 use suite::slip;
 
-/// Half of b as version 3 of the book has it.
+/// Finds the nearer root with half of b as version 3 of the book does.
 fn hit_sphere_of_version_3(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
     let oc = ray.origin - center;
     let a = ray.direction.length_squared();
@@ -76,7 +76,8 @@ fn rows_from_below_and_an_edge_that_points_up_belong_together() {
     cancel_each_other("rows-from-below", "viewport-upside-down", 400);
 }
 
-/// Each of them draws the same wrong picture of chapter 5, and both the right one.
+/// Panics unless each of the two slips draws the same wrong picture of chapter 5, and both the
+/// right one.
 fn cancel_each_other(one: &str, other: &str, width: u32) {
     let draw = |names: &[&str]| {
         with_slips(Chapter::HittableList, names)
@@ -95,19 +96,19 @@ const SIGNS: [(Chapter, &[&str]); 2] = [
     (Chapter::HalfBSphere, &["oc-reversed", "minus-h"]),
 ];
 
-/// Rays and spheres of which no number overflows on the way.
+/// Returns rays and spheres whose numbers overflow nowhere on the way.
 fn cases() -> impl Iterator<Item = Case> {
     let all = samples(&strategies::any_case(), 300);
     all.into_iter().filter(Case::is_well_scaled)
 }
 
-/// The right program of the chapter, with these slips made in it.
+/// Makes these slips in the right program of the chapter.
 fn with_slips(chapter: Chapter, names: &[&str]) -> ChapterProgram {
     let make = |program, name: &&str| slip(name).applied_to(&program);
     names.iter().fold(ChapterProgram::right(chapter), make)
 }
 
-/// Every choice of some of the names, none and all of them included.
+/// Lists every choice of some of the names, none and all of them included.
 fn subsets<'a>(names: &[&'a str]) -> Vec<Vec<&'a str>> {
     names.iter().fold(vec![Vec::new()], |chosen, name| {
         let with_name = chosen.iter().map(|names| {

@@ -37,17 +37,17 @@ fn a_slip_that_breaks_a_law_has_other_answers_than_a_right_program() {
     }
 }
 
-/// A slip in a chapter, and how it is caught.
+/// A slip in a chapter, and what catches it: a picture, or a law.
 pub(crate) struct Outcome {
     pub(crate) slip: &'static Slip,
     pub(crate) chapter: Chapter,
     /// True if the book's picture or a probe's shows it.
     is_seen: bool,
-    /// The first law that the slip breaks, and what is said about it.
+    /// The report on the first law that the slip breaks; `None` if it breaks none.
     pub(crate) report: Option<Box<Report>>,
 }
 
-/// Each slip in each of its chapters, in the order of the chapters.
+/// The outcomes of each slip in each of its chapters, in the order of the chapters.
 pub(crate) static OUTCOMES: LazyLock<Vec<Outcome>> = LazyLock::new(|| {
     let made = Chapter::OF_THE_BOOK.into_iter().flat_map(|chapter| {
         let slips = slips::all().filter(move |slip| slip.is_possible_in(chapter));
@@ -83,8 +83,8 @@ impl Outcome {
     }
 }
 
-/// Reports the first law that the program breaks: on a few cases, enough to see a
-/// mistake, not to prove anything.
+/// Reports the first law that the program breaks, on a few cases: enough to see a mistake, not to
+/// prove anything. Returns `None` if it breaks none of them.
 pub(crate) fn first_report(program: &ChapterProgram) -> Option<Box<Report>> {
     if program.chapter == Chapter::BuildTest {
         return None;

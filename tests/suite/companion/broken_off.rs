@@ -14,14 +14,14 @@ use suite::command::{run, text};
 use suite::desk::Desk;
 use suite::left_out::left_out;
 
-/// Files by their paths, with their bytes, and all else without.
+/// All that is in a folder by its path: files with their bytes, and `None` for folders and links.
 type There = BTreeMap<PathBuf, Option<Vec<u8>>>;
 
-/// A command that writes.
+/// A command that writes, and what it writes to.
 #[derive(Clone, Copy)]
 struct Writer {
     line: &'static str,
-    /// The file or folder that it writes.
+    /// The file or folder that the command writes.
     target: &'static str,
     /// Returns true if all that is there now was there before, or is there after a whole run.
     is_whole: fn(&There, &There, &There) -> bool,
@@ -74,12 +74,12 @@ fn each_is_whole(before: &There, now: &There, after: &There) -> bool {
     paths.all(|path| is_known(path) || is_other && (is_page(path) || !now.contains_key(path)))
 }
 
-/// How a run is broken off.
+/// The way in which a run is broken off.
 #[derive(Clone, Debug)]
 enum Break {
-    /// An injection, as strace has it.
+    /// By a fault that strace injects, in its words.
     Injected(String),
-    /// It is killed after that time.
+    /// By a kill after that time.
     Killed(Duration),
 }
 
@@ -98,7 +98,7 @@ fn what_is_broken_off_leaves_old_or_new_and_nothing_half() {
 }
 
 impl Writer {
-    /// Lists the breaks that leave something wrong, a line each.
+    /// Lists the breaks that leave something wrong, one per line.
     fn wrong(self) -> String {
         let desk = Desk::default();
         desk.write("precious", "mine");
@@ -122,7 +122,7 @@ impl Writer {
         }
     }
 
-    /// How often each system call is made in a whole run.
+    /// Counts how often each system call is made in a whole run.
     fn calls(self, desk: &Desk) -> BTreeMap<String, usize> {
         run(&mut self.traced(desk, &[]));
         let mut calls = BTreeMap::new();
@@ -150,7 +150,8 @@ impl Writer {
         strace
     }
 
-    /// Each call is the last one, or fails if it can; and fifty kills at any time.
+    /// Lists the breaks to try: each call is the last one, or fails if it can; and fifty kills at
+    /// any time.
     fn breaks(self, calls: &BTreeMap<String, usize>, took: Duration) -> Vec<Break> {
         const MAY_FAIL: [&str; 18] = [
             "openat",
@@ -223,8 +224,8 @@ impl Writer {
         Some(format!("{}, {how:?}: {problem}\n", self.line))
     }
 
-    /// Reads what is in the target, and what is outside of it; the list of our files and what is
-    /// half done are neither.
+    /// Reads all that is in the target, and all outside of it, but for our manifest and
+    /// half-written files.
     fn there(self, desk: &Desk) -> [There; 2] {
         let target = desk.path(self.target);
         let is_seen = |path: &PathBuf| {

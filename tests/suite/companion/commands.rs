@@ -76,7 +76,7 @@ fn every_command_that_an_answer_names_is_understood() {
     }
 }
 
-/// The README and the notes, each by its name.
+/// Returns the README and the notes, each with its name.
 fn pages() -> Vec<(String, String)> {
     let notes = files(&workspace().join("book/notes")).into_iter();
     let is_page = |file: &Path| file.extension().is_some_and(|it| it == "md");
@@ -90,7 +90,7 @@ fn pages() -> Vec<(String, String)> {
         .collect()
 }
 
-/// The commands of ours, as in a folder where `rtrace` is installed.
+/// Lists our commands on a page, as in a folder where `rtrace` is installed.
 fn named(page: &str) -> Vec<String> {
     let [alias, installed] = ["cargo rtrace", "rtrace"].map(|it| commands(page, it));
     let installed = installed.into_iter().filter(|line| !line.contains(" = "));
@@ -98,7 +98,7 @@ fn named(page: &str) -> Vec<String> {
     aliased.chain(installed).map(filled).collect()
 }
 
-/// The lines of blocks and the pieces of code in a sentence that begin so.
+/// Lists the lines of code blocks, and the pieces of code in a sentence, that begin with `begin`.
 fn commands(page: &str, begin: &str) -> Vec<String> {
     let in_sentences = page
         .split('`')
@@ -124,7 +124,7 @@ fn without_comment(line: &str) -> &str {
     line.split(" #").next().unwrap_or_default().trim()
 }
 
-/// With something in the place of what a reader chooses.
+/// Puts something in place of what a reader chooses.
 fn filled(line: String) -> String {
     let choices = [
         ("--probe NAME", "--probe inside"),
@@ -144,7 +144,7 @@ fn with_help(line: &str) -> String {
     }
 }
 
-/// Returns true if it is neither tested elsewhere, nor opens a window, nor takes minutes.
+/// Returns true if the command is not tested elsewhere, opens no window, and does not take minutes.
 fn is_quick(line: &str) -> bool {
     let slow = [
         "rtrace book",

@@ -29,7 +29,7 @@ a source that is nested       | check normals wrong.ppm
 a scene of many spheres       | needs scene.toml --width 8
 ";
 
-/// Saves an input, beside a wrong picture.
+/// Saves an input beside a wrong picture.
 fn save(input: &str, desk: &Desk) {
     desk.write_picture("wrong.ppm", &gradient::picture(64));
     match input {
@@ -122,8 +122,8 @@ fn whatever_is_accepted_takes_less_than_a_gibibyte() {
     assert!(large.is_empty(), "{large}");
 }
 
-/// Runs the command to its end. Returns how much memory it had at most, in mebibytes, and what it
-/// said.
+/// Runs the command to its end. Returns the most memory that it had, in mebibytes, and all that it
+/// printed.
 fn peak(command: &mut Command) -> (u64, String) {
     let child = command.stdout(Stdio::piped()).stderr(Stdio::piped());
     let child = child.spawn().expect("it starts");
@@ -142,7 +142,7 @@ fn peak(command: &mut Command) -> (u64, String) {
     (most >> 10, text(&output.stdout) + &text(&output.stderr))
 }
 
-/// The first line of errors of a command that is then killed.
+/// Returns the first line of errors of a command, and then kills that.
 fn first_complaint(command: &mut Command) -> String {
     let mut child = command.stderr(Stdio::piped()).spawn().expect("it starts");
     let mut first = String::new();

@@ -16,16 +16,16 @@ use suite::workspace;
 
 /// A language in which a reader has a program.
 struct Language {
-    /// How its blocks on the page are fenced.
+    /// The word that marks its blocks on the page.
     fence: &'static str,
     file: &'static str,
-    /// Compiles the file, or shows that it can be run.
+    /// The command that compiles the file, or shows that it can be run.
     prepare: &'static str,
     run: &'static str,
     vec3: &'static str,
     normals: &'static str,
     list: &'static str,
-    /// Prints the picture.
+    /// The program that prints the picture.
     main: &'static str,
     /// Right programs in other words.
     spellings: &'static str,
@@ -60,7 +60,7 @@ const CPP: Language = Language {
 };
 
 impl Language {
-    /// The functions of the chapter, and what calls them.
+    /// Returns the functions of the chapter, with the program that calls them.
     fn program(&self, chapter: &str, main: &str) -> String {
         let functions = match chapter {
             "normals" => self.normals,
@@ -85,7 +85,8 @@ impl Language {
         true
     }
 
-    /// The program of the page. For chapter 5 its second part, `answer`, gives way to the second block.
+    /// Returns the program of the page. For chapter 5, the second block replaces its second part,
+    /// `answer`.
     fn of_the_page(&self, chapter: &str) -> String {
         let page = self.on_the_page(1);
         let mut parts: Vec<&str> = page.split("\n\n").collect();
@@ -96,7 +97,7 @@ impl Language {
         self.program(chapter, &parts.join("\n\n"))
     }
 
-    /// The block of this language on the page, the first or the second one.
+    /// Returns the block of this language on the page, the first or the second one.
     fn on_the_page(&self, which: usize) -> String {
         let page = workspace().join("book/notes/check.md");
         let page = fs::read_to_string(page).expect("the page");
@@ -131,7 +132,7 @@ fn right_programs_in_python_and_cpp_get_no_remark() {
     }
 }
 
-/// It is right, and beside that no more is said than what to draw to test more.
+/// Panics unless the program is right, and nothing more is said than which probe to draw next.
 fn assert_right(desk: &Desk, spelling: &Typing, command: &str) {
     let output = desk.run(&format!("rtrace check {} -- {command}", spelling.title));
     let said = text(&output.stdout) + &text(&output.stderr);

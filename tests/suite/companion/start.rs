@@ -12,7 +12,7 @@ use suite::typing::typings;
 use suite::workspace;
 use tempfile::TempDir;
 
-/// The chapters that are typed.
+/// The chapters that a reader types in crates.
 const TYPED: &[Chapter] = {
     let [_, typed @ ..] = &Chapter::OF_THE_BOOK;
     typed
@@ -46,8 +46,7 @@ fn every_chapter_can_be_typed_and_begins_with_the_one_before() {
     }
 }
 
-/// Each step but the last, as its page says it: what is typed for it in the place of what is
-/// there in the end.
+/// Types each step of the chapter but the last, as its page shows it, and looks at the answer.
 fn go_through_the_steps(reader: &TestReader, chapter: &str) {
     for step in typings(include_str!("programs/steps.txt")) {
         let Some(number) = step.title.strip_prefix(&format!("{chapter} ")) else {
@@ -63,7 +62,7 @@ fn go_through_the_steps(reader: &TestReader, chapter: &str) {
     }
 }
 
-/// Each file is judged as soon as it is full, and the next one is named.
+/// Types one file after the other: each is judged as soon as it is full, and the next one is named.
 fn type_the_files_in_order(reader: &TestReader) {
     let chapter = Chapter::HittableList;
     let order = ["hittable", "sphere", "hittable_list", "lib"].map(|it| format!("src/{it}.rs"));

@@ -55,7 +55,7 @@ fn nothing_runs_on_and_nothing_is_left() {
     assert!(left.is_empty(), "{left}");
 }
 
-/// Says what one stop leaves behind.
+/// Describes what one stop leaves behind; empty if nothing.
 fn left_behind(row: &str) -> String {
     let cells: Vec<&str> = row.split('|').map(str::trim).collect();
     let [name, how, line] = cells[..] else {
@@ -148,7 +148,7 @@ fn wait_for(is_there: impl Fn() -> bool) {
     }
 }
 
-/// All processes that this desk has brought about.
+/// Lists all processes that this desk has started, directly or not.
 fn marked(desk: &Desk) -> Vec<Pid> {
     let mark = format!("STOPPED_BY={}\0", desk.path("").display());
     let entries = fs::read_dir("/proc").into_iter().flatten().flatten();

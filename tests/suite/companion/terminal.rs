@@ -15,8 +15,8 @@ use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
 use rustix::termios::{Winsize, tcsetwinsize};
 use suite::command::{assert_success, path_of, program, text};
 
-/// A terminal of 80 columns and 24 lines: what it shows can be read from the first end,
-/// and a program writes to the second.
+/// Opens a terminal of 80 columns and 24 lines. The first end shows what a program writes to the
+/// second.
 pub(crate) fn open() -> (File, OwnedFd) {
     let controller = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY).expect("a terminal");
     // What is started may not hold it, too: it is closed when we close it.
@@ -63,7 +63,7 @@ pub(crate) fn start(command: &mut Command) -> (Child, Screen) {
     (child, Screen { shown, reader })
 }
 
-/// Forgets which colors the terminal has in which the tests run.
+/// Removes the variables that tell which colors the terminal has in which the tests run.
 fn forget_ours(command: &mut Command) {
     let said: Vec<OsString> = command.get_envs().map(|(name, _)| name.into()).collect();
     for name in ["COLORTERM", "NO_COLOR", "FORCE_COLOR", "CI"] {
@@ -76,8 +76,8 @@ fn forget_ours(command: &mut Command) {
     }
 }
 
-/// `program` as someone starts it at a terminal. What a shell starts in the
-/// background, as these tests may be, ignores the signal of Ctrl-C.
+/// Makes a command that starts `program` as at a terminal: it hears Ctrl-C, which a shell has
+/// programs in the background ignore, and perhaps these tests.
 pub(crate) fn hears_signals(program: PathBuf) -> Command {
     const RESET: &str = "--default-signal=INT,TERM,HUP";
     static CAN_RESET: LazyLock<bool> = LazyLock::new(|| {
@@ -160,7 +160,7 @@ fn show(chapter: &str) -> Command {
     program("rtrace", &["show", chapter])
 }
 
-/// Runs `command` to its end. Returns what it did, and what appeared on its terminal.
+/// Runs `command` to its end. Returns its output, and what appeared on its terminal.
 fn run_in_terminal(command: &mut Command) -> (Output, String) {
     let (child, screen) = start(command.stderr(Stdio::piped()));
     let output = child.wait_with_output().expect("the program ends");

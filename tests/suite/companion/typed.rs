@@ -51,7 +51,7 @@ const TYPED: [(Chapter, &str, &str); 7] = [
     (Chapter::HittableList, "0.0, f64::INF", "0.001, f64::INF"),
 ];
 
-/// The headline and the rows, but for what to do next, which names commands.
+/// Returns the headline and the rows of the answer, without the advice, which names commands.
 fn said(draft: &Draft) -> Vec<String> {
     let program = draft.read().expect("it is a program");
     let picture = draft
@@ -103,7 +103,7 @@ fn what_is_taken_home_from_a_page_is_the_crate_that_start_makes() {
     }
 }
 
-/// Without the steps, which a page has beside the text, and without what was typed before.
+/// Returns the lines of code, without the steps, which a page has beside the text, and empty lines.
 fn code(text: &str) -> Vec<&str> {
     let is_code = |line: &&str| !line.trim_start().starts_with("//") && !line.is_empty();
     text.lines().filter(is_code).collect()

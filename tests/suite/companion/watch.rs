@@ -136,7 +136,7 @@ fn what_cannot_be_watched_is_said() {
 struct Watched {
     child: Child,
     screen: Screen,
-    /// How many screens have been seen.
+    /// The number of screens that were looked at.
     seen: usize,
 }
 
@@ -166,7 +166,7 @@ impl Watched {
         text(&self.screen.shown.lock().expect("it is only read")).replace("\r\n", "\n")
     }
 
-    /// All screens so far, each as it was before the next one replaced it.
+    /// Returns all screens so far, each as it was before the next one replaced it.
     fn screens(&self) -> Vec<String> {
         let shown = self.shown();
         let screens = shown.split(CLEAR).skip(1);
@@ -175,7 +175,7 @@ impl Watched {
         whole.map(str::to_owned).collect()
     }
 
-    /// Waits for a new screen that says this.
+    /// Waits for a new screen that has this text, and returns it.
     fn see(&mut self, what: &str) -> String {
         // The first one may have to build all that a crate stands on.
         let patience = Duration::from_secs(if self.seen == 0 { 300 } else { 30 });
@@ -219,7 +219,7 @@ impl Watched {
         }
     }
 
-    /// Presses Ctrl-C. Whatever was switched on in the terminal is off again.
+    /// Presses Ctrl-C. All that was switched on in the terminal has to be off again.
     fn leave(mut self) {
         kill_process(Pid::from_child(&self.child), Signal::INT).expect("it is running");
         assert!(!self.ended().success());
@@ -264,7 +264,7 @@ fn unwoven(line: &str) -> String {
     label.to_owned() + &slip.expect("a page of a mistake").page_in_words()
 }
 
-/// The line without what differs from run to run.
+/// Returns the line without what differs from run to run.
 fn undated(line: &str) -> String {
     match (
         line.split_once("  \x1b[2mjudged "),
@@ -276,7 +276,7 @@ fn undated(line: &str) -> String {
     }
 }
 
-/// The text without colors.
+/// Returns the text without colors.
 fn plain(screen: &str) -> String {
     let mut pieces = screen.split("\x1b[");
     let first = pieces.next().unwrap_or_default().to_owned();

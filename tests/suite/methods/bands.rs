@@ -22,15 +22,15 @@ enum Compared {
     C,
     /// D, with u·a·M.
     D,
-    /// How far a root is above `t_min`, times √D: with u·M.
+    /// The distance of a root above `t_min`, times √D: with u·M.
     Above { is_nearer: bool },
-    /// How far it is below `t_max`.
+    /// The distance of a root below `t_max`, times √D: with u·M.
     Below { is_nearer: bool },
 }
 
 use Compared::{Above, Below, C, D};
 
-/// A question at the edge of a band. One in eight is asked in units so small or so large that
+/// Makes questions at the edge of a band. One in eight is asked in units so small or so large that
 /// it is at the edge of what is ordinary, too.
 pub(crate) fn at_a_band() -> impl Strategy<Value = IntervalCase> {
     let is_nearer = any::<bool>();
@@ -87,8 +87,8 @@ fn across_from_below() -> impl Strategy<Value = IntervalCase> {
     )
 }
 
-/// The question with one of its numbers moved towards another, until what is compared is equal
-/// to the band, and then so many ulps; as it is if that cannot be.
+/// Moves one number of the question towards another, until what is compared is equal to the band,
+/// and then by so many ulps. Returns the question as it is if that cannot be.
 fn moved(
     asked: IntervalCase,
     place: usize,
@@ -139,7 +139,7 @@ fn few_digits_or_many() -> impl Strategy<Value = f64> {
     ]
 }
 
-/// Powers of two for lengths and for directions.
+/// Makes powers of two for lengths and for directions.
 fn units() -> impl Strategy<Value = [f64; 2]> {
     let exponent = || {
         select(vec![
@@ -149,8 +149,8 @@ fn units() -> impl Strategy<Value = [f64; 2]> {
     prop_oneof![7 => Just([0.0; 2]), 1 => [exponent(), exponent()]]
 }
 
-/// The last number before the answer changes on the way from one number to the other; `None` if
-/// it is the same at both.
+/// Returns the last number before the answer changes on the way from one number to the other;
+/// `None` if the answer is the same at both.
 fn edge([mut from, mut to]: [f64; 2], answer: impl Fn(f64) -> bool) -> Option<f64> {
     let first = answer(from);
     if !from.is_finite() || answer(to) == first {
@@ -188,7 +188,7 @@ fn compared(asked: &IntervalCase, what: Compared) -> f64 {
     }
 }
 
-/// The number at that place: ten of the case, and the ends of the range.
+/// Returns the number at that place: ten of the case, and the ends of the range.
 fn get(asked: &IntervalCase, place: usize) -> f64 {
     match place {
         10 => asked.t_min,

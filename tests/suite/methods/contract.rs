@@ -106,12 +106,12 @@ fn cells(line: &str) -> impl Iterator<Item = &str> {
     line.trim_matches('|').split('|').map(str::trim)
 }
 
-/// The functions in the head of a column, which all answer alike.
+/// Lists the functions in the head of a column, which all answer alike.
 fn names(head: &str) -> Vec<&str> {
     head.split('`').skip(1).step_by(2).collect()
 }
 
-/// `t`, or what else is answered.
+/// Returns `t` as the function answers it, or its other answer.
 fn answer(function: &str, asked: &IntervalCase) -> String {
     let IntervalCase { case, t_min, t_max } = *asked;
     let Case {

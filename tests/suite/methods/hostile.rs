@@ -11,8 +11,8 @@ use proptest::prelude::*;
 use proptest::sample::select;
 use std::ops::RangeInclusive;
 
-/// Numbers that programs forget: zeros of either sign, the least and the
-/// largest, and one.
+/// Makes cases of numbers that programs forget: zeros of either sign, the least, the largest, and
+/// one.
 fn specks() -> impl Strategy<Value = Case> {
     let least = f64::from_bits(1);
     let sizes = [0.0, 1.0, least, f64::MIN_POSITIVE, 1e154, f64::MAX];
@@ -20,7 +20,7 @@ fn specks() -> impl Strategy<Value = Case> {
     proptest::array::uniform10(number).prop_map(Case::from_numbers)
 }
 
-/// All of what follows.
+/// Makes cases that are hard for any method: one of all kinds in this file.
 pub(crate) fn hostile() -> impl Strategy<Value = Case> {
     prop_oneof![
         4 => any_case(),
@@ -35,9 +35,8 @@ pub(crate) fn hostile() -> impl Strategy<Value = Case> {
     ]
 }
 
-/// A ray that starts on the surface, up to one rounding of each coordinate, as
-/// the book scatters it: in the direction of the normal plus any unit vector.
-/// The sphere has a radius of 10ᵏ.
+/// Makes rays that start on the surface up to one rounding of each coordinate, as the book scatters
+/// them: in the direction of the normal plus any unit vector. The radius is 10ᵏ.
 pub(crate) fn leaving_the_surface(k: RangeInclusive<f64>) -> impl Strategy<Value = Case> {
     (number(k), ordinary_sphere(), unit(), unit()).prop_map(|(k, (center, _), normal, scatter)| {
         let radius = 10f64.powf(k);
@@ -49,7 +48,7 @@ pub(crate) fn leaving_the_surface(k: RangeInclusive<f64>) -> impl Strategy<Value
     })
 }
 
-/// Whole numbers, and a radius within three ulps of the line's distance from the
+/// Makes cases of whole numbers, with a radius within three ulps of the line's distance from the
 /// center.
 fn almost_tangents() -> impl Strategy<Value = Case> {
     (whole_vector(50), whole_vector(50), whole_vector(50), -3..=3).prop_map(
@@ -66,7 +65,7 @@ fn almost_tangents() -> impl Strategy<Value = Case> {
     )
 }
 
-/// [`tangents`] whose radius is one ulp too small, right, or one too large.
+/// Makes [`tangents`] whose radius is one ulp too small, right, or one too large.
 fn whole_number_tangents_an_ulp_off() -> impl Strategy<Value = Case> {
     (tangents(), -1..=1).prop_map(|(case, ulps)| Case {
         radius: ulps_away(case.radius, ulps),
@@ -74,8 +73,8 @@ fn whole_number_tangents_an_ulp_off() -> impl Strategy<Value = Case> {
     })
 }
 
-/// Lengths, and apart from them the direction, times a power of two from 2⁻⁵⁰⁰
-/// to 2⁵⁰⁰: the digits stay what they are.
+/// Scales the lengths of cases, and separately their directions, by powers of two from 2⁻⁵⁰⁰ to
+/// 2⁵⁰⁰, which changes no digit.
 fn in_another_unit(cases: impl Strategy<Value = Case>) -> impl Strategy<Value = Case> {
     (cases, -500..=500, -500..=500).prop_map(|(case, length, direction)| {
         let [length, direction] = [length, direction].map(|k| f64::exp2(f64::from(k)));
@@ -83,7 +82,7 @@ fn in_another_unit(cases: impl Strategy<Value = Case>) -> impl Strategy<Value = 
     })
 }
 
-/// The case with lengths times the first, and the direction times the second.
+/// Multiplies the lengths of the case by `length`, and its direction by `direction`.
 pub(crate) fn in_units(case: &Case, length: f64, direction: f64) -> Case {
     Case {
         center: length * case.center,
@@ -92,8 +91,8 @@ pub(crate) fn in_units(case: &Case, length: f64, direction: f64) -> Case {
     }
 }
 
-/// Sphere and ray together up to 2⁶⁰ away: C and Q have fewer digits in common
-/// with C − Q, which is then rounded.
+/// Moves sphere and ray together by up to 2⁶⁰: C and Q have fewer digits in common with C − Q,
+/// which is then rounded.
 fn moved_away(cases: impl Strategy<Value = Case>) -> impl Strategy<Value = Case> {
     (cases, unit(), number(0.0..=60.0)).prop_map(|(case, way, exponent)| {
         let by = f64::exp2(exponent) * way;
@@ -104,14 +103,14 @@ fn moved_away(cases: impl Strategy<Value = Case>) -> impl Strategy<Value = Case>
     })
 }
 
-/// Any ten finite numbers: all bits at random.
+/// Makes cases of any ten finite numbers: all bits at random.
 fn any_numbers() -> impl Strategy<Value = Case> {
     use proptest::num::f64::{NEGATIVE, NORMAL, POSITIVE, SUBNORMAL, ZERO};
     proptest::array::uniform10(POSITIVE | NEGATIVE | NORMAL | SUBNORMAL | ZERO)
         .prop_map(Case::from_numbers)
 }
 
-/// A ray towards the center of a sphere, with a direction of that length.
+/// Makes rays towards the center of a sphere, with a direction of that length.
 pub(crate) fn directions_of(length: f64) -> BoxedStrategy<Case> {
     let towards = move |way: Vec3| Case {
         center: Point3::ZERO,
@@ -121,8 +120,8 @@ pub(crate) fn directions_of(length: f64) -> BoxedStrategy<Case> {
     unit().prop_map(towards).boxed()
 }
 
-/// A case, and an interval whose ends lie at a root, within two ulps of one, at
-/// 0 or 1, or at an end of all numbers; one in a hundred is NaN.
+/// Adds intervals to cases, whose ends lie at a root, within two ulps of one, at 0 or 1, or at the
+/// largest number; one in a hundred is NaN.
 pub(crate) fn with_hostile_interval(
     cases: impl Strategy<Value = Case>,
 ) -> impl Strategy<Value = IntervalCase> {
@@ -169,7 +168,7 @@ fn end_of(end: End, case: &Case) -> Option<f64> {
     Some(ulps_away(root?.rounded(), ulps))
 }
 
-/// `x`, and then so many steps up or down to the next number.
+/// Returns the number that is `ulps` steps above `x`, or below it if `ulps` is negative.
 pub(crate) fn ulps_away(x: f64, ulps: i32) -> f64 {
     let step = if ulps > 0 {
         f64::next_up

@@ -28,7 +28,7 @@ fn the_certified_methods_answer_in_lanes_as_they_do_alone() {
     }
 }
 
-/// One question in each of the lanes.
+/// Fails unless the certified methods answer the question in each lane as they do alone.
 pub(crate) fn answers_as_alone(asked: &IntervalCase) -> TestCaseResult {
     let IntervalCase { case, t_min, t_max } = *asked;
     certified(&[case; BLOCK], t_min, t_max)

@@ -16,13 +16,13 @@ use suite::drawn::shown_in;
 
 use crate::rejected::REJECTED;
 
-/// The book shows these files, so they stand where the book finds them.
+/// The folder of the files that the book shows.
 const MEASURED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/notes/measured");
 
-/// Pixels in a row: enough to see a difference in every scene that has one.
+/// The width of the pictures: enough to see a difference in every scene that has one.
 const WIDTH: u32 = 128;
 
-/// Any seed would do; this one was the first.
+/// The seed of the questions. Any would do; this one was the first.
 const SEED: u64 = 1;
 
 mod the_snapshot_holds {
@@ -42,7 +42,7 @@ mod the_snapshot_holds {
 mod a_part_of_the_questions_asked_again {
     use super::*;
 
-    /// How many of a million, or of the pixels of a picture.
+    /// The number of questions, of a million or of the pixels of a picture.
     const CASES: usize = 2000;
 
     #[test]
@@ -101,7 +101,7 @@ mod a_part_of_the_questions_asked_again {
         );
     }
 
-    /// Medians of a part and of all are within that factor.
+    /// Panics unless the medians of a part and of all questions are within that factor.
     fn assert_near(row: &str, factor: f64, medians: [Option<f64>; 2]) {
         let [Some(all), Some(part)] = medians else {
             panic!("{row} has no median: {medians:?}");

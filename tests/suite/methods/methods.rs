@@ -230,8 +230,8 @@ pub(crate) fn is_certified(asked: &IntervalCase) -> TestCaseResult {
     is_within_ulps(asked, 1.0)
 }
 
-/// `t` is within so many ulps of the nearest root in the interval; a root that no `f64`
-/// reaches becomes the largest one.
+/// Fails unless `t` is within so many ulps of the nearest root in the interval; a root that no
+/// `f64` reaches becomes the largest one.
 fn is_within_ulps(asked: &IntervalCase, ulps: f64) -> TestCaseResult {
     let exact = ExactCase::of(&asked.case);
     let root = exact.nearest_root_in(asked.t_min, asked.t_max);

@@ -11,7 +11,7 @@ use proptest::sample::select;
 
 use crate::hostile::{self, ulps_away, with_hostile_interval};
 
-/// Any of the worlds below.
+/// Makes worlds of several spheres that are hard to tell apart: one of all kinds in this file.
 pub(crate) fn hostile() -> impl Strategy<Value = World> {
     prop_oneof![
         2 => beside_one(),
@@ -20,8 +20,7 @@ pub(crate) fn hostile() -> impl Strategy<Value = World> {
     ]
 }
 
-/// A hostile case with its interval, and one to five neighbors of its sphere, in
-/// any order.
+/// Makes a hostile case with its interval, and one to five neighbors of its sphere, in any order.
 fn beside_one() -> impl Strategy<Value = World> {
     let asked = with_hostile_interval(hostile::hostile());
     (asked, vec(neighbor(), 1..=5), 0..=5_usize).prop_map(|(asked, neighbors, place)| {
@@ -40,18 +39,21 @@ fn beside_one() -> impl Strategy<Value = World> {
     })
 }
 
-/// A sphere beside another. Sizes count in the radius of that.
+/// A sphere beside another one, whose radius is the unit of its sizes.
 #[derive(Clone, Copy, Debug)]
 enum Neighbor {
-    /// Equal, or almost: so many ulps off in center and radius.
+    /// An equal sphere, or almost: so many ulps off in each coordinate of the center and in the
+    /// radius.
     Twin([i32; 4]),
-    /// With the same center.
+    /// A sphere with the same center, and with so many times the radius.
     Nested(f64),
-    /// With one point in common up to rounding: outside, or inside if negative.
+    /// A sphere in this direction, with so many times the radius, that touches the other up to
+    /// rounding: from outside, or from inside if negative.
     Touching(Vec3, f64),
-    /// Through the point that the ray hits, up to rounding.
+    /// A sphere in this direction, with so many times the radius, through the point that the ray
+    /// hits, up to rounding.
     ThroughTheHit(Vec3, f64),
-    /// Anywhere.
+    /// A sphere anywhere: its center and its radius.
     Stranger(Point3, f64),
 }
 
@@ -149,7 +151,7 @@ fn mirrored() -> impl Strategy<Value = World> {
     )
 }
 
-/// Most often none, or one or two up or down.
+/// Makes a number of ulps: most often none, or one or two up or down.
 fn ulps() -> impl Strategy<Value = i32> {
     prop_oneof![3 => Just(0), 1 => -2..=2]
 }

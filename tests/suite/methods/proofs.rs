@@ -8,7 +8,7 @@ use std::process::{Command, Stdio};
 
 use suite::left_out::left_out;
 
-/// Each script, a bound in it, and one that is too narrow.
+/// The scripts of the proofs, each with a bound in it, and with one that is too narrow.
 const SCRIPTS: [(&str, &str, &str); 5] = [
     ("coefficients.g", "[-15b-54, 15b-54]", "[-6b-54, 6b-54]"),
     ("discriminant.g", "[-47b-54, 47b-54]", "[-1b-53, 1b-53]"),

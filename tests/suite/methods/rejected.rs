@@ -3,7 +3,7 @@
 use common::rtweekend::*;
 use speed_vs_accuracy::{Method, Solve};
 
-/// All of them.
+/// The methods that chapter 6 names and does not use.
 pub(crate) const REJECTED: &[Method] = &[
     method("nearest_point_q", nearest_point_q),
     method("factored_distance_q", factored_distance_q),
@@ -25,7 +25,7 @@ const fn method(name: &'static str, solve: Double) -> Method {
     }
 }
 
-/// oc, a, h and c, as in chapter 5.
+/// Returns o − c, and a, h and c of the equation, as in chapter 5.
 fn coefficients(center: Point3, radius: f64, ray: &Ray) -> (Vec3, [f64; 3]) {
     let oc = center - ray.origin;
     let a = ray.direction.length_squared();
@@ -33,7 +33,7 @@ fn coefficients(center: Point3, radius: f64, ray: &Ray) -> (Vec3, [f64; 3]) {
     (oc, [a, h, oc.length_squared() - radius * radius])
 }
 
-/// The nearest root in the range, neither of which cancels.
+/// Returns the nearest root in the range, neither of which cancels.
 fn by_q([a, h, c]: [f64; 3], discriminant: f64, t_min: f64, t_max: f64) -> Option<f64> {
     let q = h + discriminant.sqrt().copysign(h);
     let roots = if q > 0.0 {
@@ -45,7 +45,7 @@ fn by_q([a, h, c]: [f64; 3], discriminant: f64, t_min: f64, t_max: f64) -> Optio
     roots.find(|&t| discriminant >= 0.0 && t_min < t && t < t_max)
 }
 
-/// From the center to the point of the line that is nearest to it.
+/// Returns the vector from the center to the point of the line that is nearest to it.
 fn to_nearest_point(oc: Vec3, [a, h, _]: [f64; 3], ray: &Ray) -> Vec3 {
     oc - h / a * ray.direction
 }

@@ -20,7 +20,7 @@ use crate::methods::in_front;
 
 const CASES: u32 = 4000;
 
-/// A kind of ray, at its level k.
+/// Makes rays of one kind, at its level k.
 type Rays = fn(f64) -> BoxedStrategy<Case>;
 
 const BOOK: Rays = |_| strategies::book_rays().boxed();
@@ -29,7 +29,7 @@ const GRAZING: Rays = |k| strategies::grazing(k..=k).boxed();
 const LEAVING: Rays = |k| hostile::leaving_the_surface(k..=k).boxed();
 const NEAR: Rays = |k| strategies::near_the_surface(k..=k).boxed();
 
-/// Whole-number tangents whose radius is an ulp too small: all are misses.
+/// Tangents of whole numbers whose radius is an ulp too small: all are misses.
 const BESIDE_TANGENTS: Rays = |_| {
     let smaller = |case: Case| Case {
         radius: case.radius.next_down(),
@@ -158,7 +158,7 @@ fn a_length_of_two_to_minus_515_tells_the_two_formulas_apart() {
     assert!(differ > 0.1, "{differ}");
 }
 
-/// The share of the cases that count.
+/// Returns the share of the cases that count.
 fn share(cases: &[Case], is_counted: impl Fn(&Case) -> bool) -> f64 {
     cases.iter().filter(|case| is_counted(case)).count() as f64 / cases.len() as f64
 }

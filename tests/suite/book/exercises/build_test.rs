@@ -21,7 +21,7 @@ fn four_pixels_are_four_lines_below_the_header() {
     assert_eq!(String::from_utf8(text).as_deref(), Ok(TWO_BY_TWO));
 }
 
-/// How many of the components 0, 1/n, 2/n … 1 a scale sends to `level`.
+/// Counts those of the components 0, 1/n, 2/n … 1 that a scale turns into `level`.
 fn share(scale: f64, level: f64, n: u32) -> usize {
     (0..=n)
         .map(|k| f64::from(k) / f64::from(n))

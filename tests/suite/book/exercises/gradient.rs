@@ -2,18 +2,18 @@
 
 use common::rtweekend::*;
 
-/// How far away the point at t = 1 is: for the nearest and the farthest pixel
-/// of the picture.
+/// Returns the distance of the point at t = 1, for the nearest and for the farthest pixel of the
+/// picture.
 fn distances_at_1(width: u32) -> (f64, f64) {
     range_of(width, |ray| (ray.at(1.0) - ray.origin).length())
 }
 
-/// The least and the greatest weight of blue in the picture.
+/// Returns the least and the greatest weight of blue in the picture.
 fn weights(width: u32) -> (f64, f64) {
     range_of(width, |ray| 0.5 * (ray.direction.normalize().y + 1.0))
 }
 
-/// The least and the greatest `number` of all rays of the picture.
+/// Returns the least and the greatest `number` of all rays of the picture.
 fn range_of(width: u32, number: impl Fn(&Ray) -> f64) -> (f64, f64) {
     let camera = Camera::new(width);
     let (mut least, mut greatest) = (f64::INFINITY, f64::NEG_INFINITY);

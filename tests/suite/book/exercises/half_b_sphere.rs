@@ -17,7 +17,7 @@ fn with_minus_h(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
     Some((-h - discriminant.sqrt()) / a)
 }
 
-/// The picture of this chapter, drawn with another `hit_sphere`.
+/// Draws the picture of this chapter with another `hit_sphere`.
 fn picture_by(hit_sphere: fn(Point3, f64, &Ray) -> Option<f64>) -> Picture {
     render(400, move |ray| match hit_sphere(CENTER, 0.5, ray) {
         Some(t) if t > 0.0 => 0.5 * ((ray.at(t) - CENTER).normalize() + Vec3::ONE),

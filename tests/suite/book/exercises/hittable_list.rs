@@ -3,7 +3,7 @@
 use common::rtweekend::*;
 use hittable_list::{HitRecord, Hittable, HittableList, Sphere, ray_color, world};
 
-/// The two spheres of the chapter, in its order.
+/// Returns the two spheres of the chapter, in its order.
 fn ball_and_ground() -> [Sphere; 2] {
     [
         Sphere::new(Point3::new(0.0, 0.0, -1.0), 0.5),
@@ -38,7 +38,7 @@ fn that_the_first_hit_wins_is_seen_only_in_the_other_order() {
     assert_eq!(differ, 5226);
 }
 
-/// The highest row in which the ground is seen, without the ball in front.
+/// Returns the highest row in which the ground is seen in a column, without the ball in front.
 fn horizon(i: u32) -> Option<u32> {
     let camera = Camera::new(400);
     let [_, ground] = ball_and_ground();
@@ -90,8 +90,8 @@ fn a_ray_goes_in_and_out_of_a_ball_and_of_balls_in_balls() {
     assert_eq!(crossings(&world(), &ahead), [(0.5, true), (1.5, false)]);
 }
 
-/// The side of a ray when it is asked for at coloring time, of a normal that
-/// points out.
+/// Returns true if the ray comes from inside, as a program finds it that asks at coloring time, of
+/// a normal that points out.
 fn comes_from_inside(ray: &Ray, outward_normal: Vec3) -> bool {
     ray.direction.dot(outward_normal) > 0.0
 }
@@ -133,7 +133,7 @@ impl Hittable for Plane {
     }
 }
 
-/// The ball of the chapter on a flat floor.
+/// Makes the ball of the chapter on a flat floor.
 fn on_a_plane() -> HittableList {
     let mut world = HittableList::default();
     world.add(Sphere::new(Point3::new(0.0, 0.0, -1.0), 0.5));
@@ -173,7 +173,7 @@ fn a_ray_along_a_plane_misses_it_and_one_from_below_comes_from_inside() {
     assert_eq!(record.normal, -Vec3::Y);
 }
 
-/// The picture of the chapter, each pixel the mean of 4 × 4 rays.
+/// Draws the picture of the chapter, each pixel the mean of 4 × 4 rays.
 fn smooth(width: u32) -> Picture {
     let (camera, world) = (Camera::new(width), world());
     let (columns, rows) = (camera.image_width, camera.image_height);

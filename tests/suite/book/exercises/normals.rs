@@ -17,8 +17,8 @@ fn t_is_a_half_in_the_middle_of_the_ball_and_three_quarters_at_its_rim() {
     assert!((t - 0.75).abs() < 1e-5, "{t}");
 }
 
-/// The share of a sphere's surface that an eye sees from `distance` to the
-/// center: the part where the normal points towards the eye.
+/// Returns the share of a sphere's surface that an eye sees at `distance` from the center: the part
+/// where the normal points towards the eye.
 fn visible_share(radius: f64, distance: f64) -> f64 {
     0.5 * (1.0 - radius / distance)
 }

@@ -3,8 +3,8 @@
 use common::rtweekend::*;
 use red_sphere::hit_sphere;
 
-/// How large a sphere looks: the radius of its disc on a viewport one unit
-/// away, if its center is straight ahead.
+/// Returns the radius of a sphere's disc on a viewport one unit away, if its center is straight
+/// ahead.
 fn radius_on_viewport(radius: f64, distance: f64) -> f64 {
     radius / (distance * distance - radius * radius).sqrt()
 }
@@ -24,7 +24,7 @@ fn the_disc_is_as_large_as_its_tangents_make_it() {
     assert_eq!(middle_row.iter().rposition(red), Some(264));
 }
 
-/// The picture of this chapter with its sphere somewhere else.
+/// Draws the picture of this chapter with its sphere somewhere else.
 fn picture_with(center: Point3, radius: f64) -> Picture {
     render(400, move |ray| {
         if hit_sphere(center, radius, ray) {

@@ -3,7 +3,7 @@
 use common::rtweekend::*;
 use hittable_list::HitRecord;
 
-/// The nearest hit with `t_min` < `t` < `t_max`, if there is one.
+/// Finds the nearest hit with `t_min` < `t` < `t_max`, if there is one.
 fn hit_sphere(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<HitRecord> {
     let oc = center - ray.origin;
     let a = ray.direction.length_squared();
@@ -27,7 +27,7 @@ fn hit_sphere(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) ->
     Some(record)
 }
 
-/// The normal of the hit as a color, or the sky.
+/// Returns the normal of the hit as a color, or the sky.
 fn color_of(hit: Option<HitRecord>, ray: &Ray) -> Color {
     match hit {
         Some(record) => 0.5 * (record.normal + Vec3::ONE),
@@ -35,7 +35,7 @@ fn color_of(hit: Option<HitRecord>, ray: &Ray) -> Color {
     }
 }
 
-/// The ball of chapter 4.
+/// Draws the ball of chapter 4.
 fn one_ball(width: u32) -> Picture {
     let center = Point3::new(0.0, 0.0, -1.0);
     render(width, move |ray| {
@@ -54,7 +54,7 @@ struct Ball {
     radius: f64,
 }
 
-/// The nearest hit in front of the ray.
+/// Finds the nearest hit in front of the ray.
 fn nearest_hit(balls: &[Ball], ray: &Ray) -> Option<HitRecord> {
     let mut nearest = None;
     let mut closest_so_far = f64::INFINITY;
@@ -67,7 +67,7 @@ fn nearest_hit(balls: &[Ball], ray: &Ray) -> Option<HitRecord> {
     nearest
 }
 
-/// A ball on the ground, which is another ball.
+/// Draws a ball on the ground, which is another ball.
 fn two_balls(width: u32) -> Picture {
     let ball = |y: f64, radius: f64| Ball {
         center: Point3::new(0.0, y, -1.0),
