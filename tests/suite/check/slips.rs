@@ -39,7 +39,7 @@ fn the_text_around_a_chapter_does_what_is_done_without_it() {
             Edit::new("255.999", "255.9990"),
             Edit::new("[i, j]", "[i + 0, j]"),
         ];
-        let same = right.with(&edits).expect("they stand there");
+        let same = right.with_edits(&edits).expect("they stand there");
         assert!(
             right.run(33).pixels().eq(same.run(33).pixels()),
             "{chapter:?}"
@@ -97,7 +97,7 @@ fn the_names_are_distinct_and_easy_to_type() {
 fn every_slip_leads_to_a_file_that_has_it_right() {
     let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     for slip in slips::all() {
-        let source = slip.source().expect("its line stands somewhere");
+        let source = slip.source_path().expect("its line stands somewhere");
         assert!(workspace.join(&source).is_file(), "{}: {source}", slip.name);
     }
 }

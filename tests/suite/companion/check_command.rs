@@ -140,7 +140,7 @@ fn every_probe_is_listed_with_what_to_change() {
     let desk = Desk::default();
     let probes = text(&desk.run("rtrace probes").stdout);
     for probe in PROBES {
-        let lines = probe.lines(Chapter::HittableList, None);
+        let lines = probe.instructions(Chapter::HittableList, None);
         let mut parts = lines.lines().chain([probe.name]);
         assert!(parts.all(|part| probes.contains(part)), "{probes}");
     }

@@ -260,7 +260,7 @@ fn unwoven(line: &str) -> String {
         return line.to_owned();
     };
     let mut all = slips::all();
-    let slip = all.find(|slip| slip.address() == page);
+    let slip = all.find(|slip| slip.page_link() == page);
     label.to_owned() + &slip.expect("a page of a mistake").page_in_words()
 }
 

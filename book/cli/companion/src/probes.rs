@@ -34,7 +34,7 @@ pub(crate) fn list(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     );
     for probe in PROBES {
         if Task::new(chapter, Some(probe)).is_some() {
-            let lines = probe.lines(chapter, None).replace('\n', "\n    ");
+            let lines = probe.instructions(chapter, None).replace('\n', "\n    ");
             write!(text, "\n{}\n  {}\n    {lines}\n", probe.name, probe.shows)?;
         }
     }

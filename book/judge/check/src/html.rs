@@ -47,7 +47,7 @@ pub fn details(answer: &Answer, page: HostPage) -> String {
     let pages = pages.map(|slip| {
         format!(
             "<p><a href=\"{}\">How the line is right</a></p>",
-            escaped(slip.address())
+            escaped(slip.page_link())
         )
     });
     printed.chain([list]).chain(pages).collect()

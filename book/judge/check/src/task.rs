@@ -118,7 +118,7 @@ impl Task {
     /// line each.
     pub fn change_lines(&self, width: u32, language: Option<ReaderLanguage>) -> String {
         match self.probe {
-            Some(probe) => probe.lines(self.chapter, language),
+            Some(probe) => probe.instructions(self.chapter, language),
             None => width_line(width, language),
         }
     }
@@ -228,7 +228,7 @@ impl Task {
 
     /// Makes the program that draws the task without a mistake.
     fn right_program(&self) -> ChapterProgram {
-        let mut program = self.edition.shaped(self.chapter, self.shape);
+        let mut program = self.edition.program_of_shape(self.chapter, self.shape);
         if let Some(step) = self.step {
             program = steps::of_chapter(self.chapter)[step].applied_to(&program);
         }

@@ -11,7 +11,7 @@ use crate::names;
 /// Returns the path of the page that explains a slip, with its heading as `#…`, as seen from the
 /// current folder; `None` if the book was not woven in this workspace.
 pub fn page(slip: &Slip) -> Option<String> {
-    let path = workspace()?.join("target/book").join(slip.address());
+    let path = workspace()?.join("target/book").join(slip.page_link());
     let (file, _) = path.to_str()?.rsplit_once('#')?;
     Path::new(file)
         .is_file()
@@ -21,6 +21,6 @@ pub fn page(slip: &Slip) -> Option<String> {
 /// Returns the path of the source that has the slip's line right, as seen from the current folder;
 /// `None` if there is no such file.
 pub fn source(slip: &Slip) -> Option<String> {
-    let path = workspace()?.join(slip.source()?);
+    let path = workspace()?.join(slip.source_path()?);
     path.is_file().then(|| names::name_from_here(&path))
 }

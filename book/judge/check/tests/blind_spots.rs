@@ -85,7 +85,7 @@ fn a_forgotten_change_is_recognized() {
             panic!("{} in {chapter:?}: {verdict:?}", probe.name);
         };
         assert_eq!(tasks[0].probe, None);
-        let lines = probe.lines(chapter, None).replace('\n', "; ");
+        let lines = probe.instructions(chapter, None).replace('\n', "; ");
         assert!(cause.fix.contains(&lines), "{cause}");
     }
 }

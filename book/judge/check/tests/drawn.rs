@@ -106,7 +106,7 @@ function hitSphere(center, radius, r) {
 }
 
 fn picture(chapter: Chapter, right: &'static str, wrong: &'static str) -> Reading {
-    let program = ChapterProgram::right(chapter).with(&[Edit::new(right, wrong)]);
+    let program = ChapterProgram::right(chapter).with_edits(&[Edit::new(right, wrong)]);
     Reading::of(&program.expect("it is one edit").run(100).picture())
 }
 

@@ -141,7 +141,7 @@ impl Edition {
         let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
         let program = known.entry((self, chapter));
         program
-            .or_insert_with(|| self.shaped(chapter, None))
+            .or_insert_with(|| self.program_of_shape(chapter, None))
             .clone()
     }
 
@@ -152,7 +152,7 @@ impl Edition {
     ///
     /// # Panics
     /// If the chapter is not one of [`Chapter::OF_THE_BOOK`].
-    pub fn shaped(self, chapter: Chapter, size: Option<(u32, u32)>) -> ChapterProgram {
+    pub fn program_of_shape(self, chapter: Chapter, size: Option<(u32, u32)>) -> ChapterProgram {
         let edits = match chapter {
             Chapter::BuildTest => self.edits_of_the_build_test(size.map(|it| it.1)),
             _ => self.edits_of_the_camera(size),

@@ -51,7 +51,7 @@ pub fn mistakes_with_answers(
         .filter(|slip| slip.is_possible_in(chapter) && slip.is_possible_in_language(language))
         .filter(|slip| gives_all(&slip.program(chapter)))
         .collect();
-    mistakes.sort_by_key(|slip| Reverse(slip.reports()));
+    mistakes.sort_by_key(|slip| Reverse(slip.report_count()));
     mistakes.truncate(NAMED);
     mistakes
 }

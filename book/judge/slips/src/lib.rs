@@ -54,5 +54,5 @@ pub use probes::{PROBES, Probe, find as find_probe, width_line};
 pub use program::ChapterProgram;
 pub use reader_language::ReaderLanguage;
 pub use slip::{Slip, SlipText, Unseen};
-pub use trace::{TraceRow, side_by_side};
+pub use trace::{TraceRow, trace_table};
 pub use wrong_picture::{WRONG_PICTURE_WIDTH, WrongPicture, wrong_pictures};

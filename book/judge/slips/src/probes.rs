@@ -167,7 +167,7 @@ impl Probe {
     /// Returns the instructions for a reader to make the change, one per line: the width, the focal
     /// length unless it is 1, and the spheres. `language` is that of the reader; `None` gives the
     /// names of the book.
-    pub fn lines(&self, chapter: Chapter, language: Option<ReaderLanguage>) -> String {
+    pub fn instructions(&self, chapter: Chapter, language: Option<ReaderLanguage>) -> String {
         let mut lines = vec![width_line(self.width, language)];
         if self.focal_length != 1.0 {
             lines.push(format!("focal_length = {}", self.focal_length));

@@ -36,7 +36,7 @@ impl ChapterProgram {
     }
 
     /// Makes the program of a chapter from the code that a reader typed for it.
-    pub fn typed(chapter: Chapter, code: interpreter::Program) -> Self {
+    pub fn from_reader(chapter: Chapter, code: interpreter::Program) -> Self {
         Self {
             chapter,
             code,
@@ -48,7 +48,7 @@ impl ChapterProgram {
     fn read(chapter: Chapter) -> Self {
         let code = interpreter::read(&program_files(chapter))
             .unwrap_or_else(|faults| panic!("the text of {chapter:?} is read: {}", faults[0]));
-        Self::typed(chapter, code)
+        Self::from_reader(chapter, code)
     }
 
     /// Returns the program with all of these edits made, one after the other, each in every place
@@ -56,7 +56,7 @@ impl ChapterProgram {
     ///
     /// Returns `None` if the right code of an edit stands nowhere, or if the interpreter can't read
     /// an edited function.
-    pub fn with(&self, edits: &[Edit]) -> Option<Self> {
+    pub fn with_edits(&self, edits: &[Edit]) -> Option<Self> {
         let mut changed = Vec::new();
         let mut program = self.clone();
         for edit in edits {
@@ -76,7 +76,7 @@ impl ChapterProgram {
     /// edits can't be read.
     pub(crate) fn with_any(&self, edits: &[Edit]) -> Option<Self> {
         let edits = edits.iter().filter(|edit| self.has(edit)).cloned();
-        self.with(&edits.collect::<Vec<_>>())
+        self.with_edits(&edits.collect::<Vec<_>>())
     }
 
     /// Makes an edit in the texts of functions that are in `changed`, by name and text, or else in

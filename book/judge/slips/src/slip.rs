@@ -164,7 +164,7 @@ impl Slip {
     }
 
     /// Returns the number of issues in which people report that they made the slip.
-    pub fn reports(&self) -> usize {
+    pub fn report_count(&self) -> usize {
         self.reported
             .split(", ")
             .filter(|it| !it.is_empty())
@@ -203,7 +203,7 @@ impl Slip {
 
     /// Returns the path of the file that has the right code, from the top folder of the workspace;
     /// `None` if no file has all of it.
-    pub fn source(&self) -> Option<String> {
+    pub fn source_path(&self) -> Option<String> {
         let chapter = self.chapters().next()?;
         let mut files = program_files(chapter).into_iter();
         let file = files.find(|it| self.stands_in(&it.text))?;
@@ -276,7 +276,7 @@ impl Slip {
 
     /// Returns [`page`](Self::page) as a link from another page of the book:
     /// `half_b_sphere.html#two-observations`.
-    pub fn address(&self) -> String {
+    pub fn page_link(&self) -> String {
         self.page.replace('#', ".html#")
     }
 

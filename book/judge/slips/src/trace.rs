@@ -72,7 +72,7 @@ fn labeled(values: Vec<TracedValue>) -> Vec<TraceRow> {
 /// Lays several traces out as a table: a line for each label, in the order of the first trace, with
 /// the label and the value of each trace between tabs. The value is `none` where a trace lacks the
 /// label. Empty without traces.
-pub fn side_by_side(traces: &[Vec<TraceRow>]) -> String {
+pub fn trace_table(traces: &[Vec<TraceRow>]) -> String {
     let mut labels: Vec<&str> = Vec::new();
     for row in traces.iter().flatten() {
         if !labels.contains(&&*row.label) {

@@ -257,7 +257,7 @@ impl CheckResponse {
                     .run(it.reading.width)
                     .trace(at as u32)
             });
-        let lines = slips::side_by_side(&traced.collect::<Vec<_>>());
+        let lines = slips::trace_table(&traced.collect::<Vec<_>>());
         format!("{lines}\nyours\t{r} {g} {b}")
     }
 }

@@ -168,7 +168,7 @@ impl Draft {
     /// the right one, tries the laws on its functions, and compares its lines with the chapter's.
     pub fn answer(&self, program: &interpreter::Program, picture: &Picture) -> Answer {
         let task = Task::of(self.chapter);
-        let asked = ChapterProgram::typed(self.chapter, program.clone());
+        let asked = ChapterProgram::from_reader(self.chapter, program.clone());
         let laws = laws_of(&asked);
         let answers = Answers::of(&asked, lawful::questions(self.chapter));
         let compare = |program: &ChapterProgram| {

@@ -307,7 +307,12 @@ fn likeliest(
     let group = group.into_iter().filter(may_be);
     let group = group.filter_map(|it| Some((it.compare_sample(reading, SAMPLE)?, it)));
     let mut likeliest: Vec<(SampleComparison, Candidate)> = group.collect();
-    let reports = |it: &Candidate| it.slips.iter().map(|slip| slip.reports()).sum::<usize>();
+    let reports = |it: &Candidate| {
+        it.slips
+            .iter()
+            .map(|slip| slip.report_count())
+            .sum::<usize>()
+    };
     likeliest.sort_by_key(|(sample, it)| (sample.off, Reverse(reports(it))));
     likeliest
 }

@@ -106,7 +106,7 @@ impl<'a> PictureSearch<'a> {
         let mut seen = HashSet::new();
         for (program, number, function, edit) in self.mutated() {
             let mutant = program.code().with_mutant(number);
-            if !self.may_draw(&ChapterProgram::typed(self.right.chapter, mutant)) {
+            if !self.may_draw(&ChapterProgram::from_reader(self.right.chapter, mutant)) {
                 continue;
             }
             let text = edit.applied_to(&function.text);

@@ -101,7 +101,7 @@ impl Goal {
 
     /// Adds that questions have to be answered as by this right program.
     pub(super) fn asking(self, right: &Program) -> Self {
-        let right = slips::ChapterProgram::typed(self.chapter, right.clone());
+        let right = slips::ChapterProgram::from_reader(self.chapter, right.clone());
         let answers = answers(&right);
         Self { answers, ..self }
     }
@@ -109,7 +109,7 @@ impl Goal {
     /// Returns true if a program answers all questions as the right program does, or none are
     /// asked.
     pub(super) fn is_answered_by(&self, program: &Program) -> bool {
-        let program = slips::ChapterProgram::typed(self.chapter, program.clone());
+        let program = slips::ChapterProgram::from_reader(self.chapter, program.clone());
         self.answers.mismatch_with(&program, 1).differing == 0
     }
 

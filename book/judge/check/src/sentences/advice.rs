@@ -64,7 +64,7 @@ impl Attempt<'_> {
     /// does.
     pub(super) fn to_tell_apart(&self, finding: &Finding) -> Option<Row> {
         let probe = finding.mistakes.as_ref()?.telling?;
-        let change = probe.lines(finding.task.chapter, self.context.language);
+        let change = probe.instructions(finding.task.chapter, self.context.language);
         let change = change.replace('\n', "; ");
         let (name, judge) = (probe.name, (self.commands.judge)(Some(probe)));
         let said = format!(

@@ -195,7 +195,9 @@ fn other_colors_are_described() {
 
 fn with(chapter: Chapter, edit: &Edit) -> ChapterProgram {
     let right = ChapterProgram::right(chapter);
-    right.with(slice::from_ref(edit)).expect("it stands there")
+    right
+        .with_edits(slice::from_ref(edit))
+        .expect("it stands there")
 }
 
 /// Pixels that are not square are no choice.
