@@ -52,9 +52,9 @@ impl ChapterProgram {
     }
 
     /// Returns the program with all of these edits made, one after the other, each in every place
-    /// where its right code stands.
+    /// where its right code occurs.
     ///
-    /// Returns `None` if the right code of an edit stands nowhere, or if the interpreter can't read
+    /// Returns `None` if the right code of an edit occurs nowhere, or if the interpreter can't read
     /// an edited function.
     pub fn with_edits(&self, edits: &[Edit]) -> Option<Self> {
         let mut changed = Vec::new();
@@ -72,7 +72,7 @@ impl ChapterProgram {
         })
     }
 
-    /// Returns the program with those edits whose left side stands in it; `None` if a function with
+    /// Returns the program with those edits whose right code occurs in it; `None` if a function with
     /// edits can't be read.
     pub(crate) fn with_any(&self, edits: &[Edit]) -> Option<Self> {
         let edits = edits.iter().filter(|edit| self.has(edit)).cloned();
@@ -80,7 +80,7 @@ impl ChapterProgram {
     }
 
     /// Makes an edit in the texts of functions that are in `changed`, by name and text, or else in
-    /// the program's; adds those that are new. Returns false if its left side stands in none.
+    /// the program's; adds those that are new. Returns false if its right code occurs in none.
     fn change(&self, edit: &Edit, changed: &mut Vec<(String, String)>) -> bool {
         let mut stands = false;
         for (name, text) in self.functions() {
@@ -98,8 +98,8 @@ impl ChapterProgram {
         stands
     }
 
-    /// Returns true if the left side of an edit stands in the program. Rays are needed for an edit
-    /// of the precision.
+    /// Returns true if the right code of an edit occurs in the program. An edit of the precision
+    /// can be made in every program with rays.
     pub(crate) fn has(&self, edit: &Edit) -> bool {
         match edit.is_precision() {
             true => self.chapter != Chapter::BuildTest,
@@ -107,8 +107,9 @@ impl ChapterProgram {
         }
     }
 
-    /// Finds the first statement that one of these edits changes, right and with all of them; of an
-    /// edit of the precision the edit itself. `None` if none of them stands in the program.
+    /// Finds the first statement that one of these edits changes, as it is and with all of them
+    /// made. For an edit of the precision, which changes no statement, returns that edit. `None` if
+    /// no edit can be made in the program.
     pub(crate) fn statement_with(&self, edits: &[Edit]) -> Option<Edit> {
         let mut standing = edits.iter().filter(|edit| self.has(edit));
         let first = standing.next()?;

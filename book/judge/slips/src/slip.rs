@@ -33,7 +33,7 @@ pub struct Slip {
     pub page: &'static str,
     /// A sentence about the effect of the slip on the picture, and its reason.
     pub why: &'static str,
-    /// The edits, right to wrong; one or more of them stand in each chapter that has the line.
+    /// The edits, right to wrong; one or more of them occur in each chapter that has the line.
     pub(super) edits: Vec<Edit>,
     /// The issues that report the slip, with `, ` between them.
     pub(super) reported: &'static str,
@@ -172,7 +172,7 @@ impl Slip {
     }
 
     /// Returns the edits that make the slip in all chapters. In one chapter only those can be made
-    /// whose right code stands in its text.
+    /// whose right code occurs in its text.
     pub fn edits(&self) -> &[Edit] {
         &self.edits
     }
@@ -210,7 +210,7 @@ impl Slip {
         Some(path_in_workspace(chapter, &file.name))
     }
 
-    /// Returns true if the left side of an edit stands in a text.
+    /// Returns true if the right code of an edit occurs in a text.
     fn stands_in(&self, text: &str) -> bool {
         self.edits.iter().any(|edit| edit.stands_in(text))
     }
@@ -287,7 +287,7 @@ impl Slip {
         format!("\"{}\", page {page} of the book", heading.replace('-', " "))
     }
 
-    /// Returns true if the right code of the slip stands in a file that a reader of a chapter
+    /// Returns true if the right code of the slip occurs in a file that a reader of a chapter
     /// types. False for a slip that changes the precision of all numbers.
     pub fn is_typed_in(&self, chapter: Chapter) -> bool {
         let mut files = chapter.files().iter();

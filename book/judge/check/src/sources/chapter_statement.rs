@@ -16,7 +16,7 @@ pub(super) struct ChapterStatement {
     pub(super) text: Rc<str>,
     /// The purpose of the expression.
     pub(super) role: Role,
-    /// The expression as it stands in the text.
+    /// The expression as it is written in the text.
     pub(super) value: Tree,
     /// The expression, to be found in others.
     pub(super) pattern: Pattern,
@@ -95,7 +95,7 @@ impl ChapterStatement {
     }
 }
 
-/// Lists the names in an expression, in the order in which they first stand there.
+/// Lists the names in an expression, in the order in which they first occur.
 pub(super) fn names_in(tree: &Tree) -> Vec<String> {
     let mut all: Vec<String> = Vec::new();
     for name in tree.nodes().into_iter().filter_map(Tree::name) {

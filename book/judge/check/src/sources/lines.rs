@@ -55,7 +55,7 @@ impl<'a> LineComparison<'a> {
     }
 
     /// Tells whether the reader has made an edit of the chapter. The edit is made if a statement
-    /// that it adds is typed more often than it stands in the chapter, and not made if one that it
+    /// that it adds is typed more often than it occurs in the chapter, and not made if one that it
     /// takes is typed as often as there.
     pub(crate) fn status(&self, edit: &StatementDiff) -> LineStatus {
         let stands = |it: &ChapterStatement| {

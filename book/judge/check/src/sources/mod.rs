@@ -82,7 +82,7 @@ pub(crate) struct TypedStatement {
     language: Language,
     /// The purpose of the expression.
     role: Role,
-    /// The expression as it stands in the file.
+    /// The expression as it is written in the file.
     value: Tree,
     /// The normal form of the expression.
     normal: Tree,

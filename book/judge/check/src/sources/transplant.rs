@@ -54,7 +54,7 @@ impl ChapterStatement {
         transplants.collect()
     }
 
-    /// Returns true if a statement can stand in this place: a condition for a condition, a value
+    /// Returns true if a statement can replace this one: a condition for a condition, a value
     /// for a value.
     fn can_be(&self, typed: &TypedStatement) -> bool {
         let kind = |role: &Role| match role {
@@ -67,7 +67,7 @@ impl ChapterStatement {
     }
 
     /// Pairs the names that only this statement has with those of a reader's statement that the
-    /// chapter's function does not have, in the order in which they stand.
+    /// chapter's function does not have, in the order in which they occur.
     fn renames(&self, typed: &TypedStatement) -> Vec<Rename> {
         let (theirs, own) = (names_in(self.pattern.tree()), names_in(&typed.normal));
         let free = theirs.iter().filter(|name| !own.contains(name));
