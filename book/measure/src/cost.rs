@@ -1,4 +1,4 @@
-//! Throughput: what a question takes by each method, here and now.
+//! Throughput: the time of a question by each method, on this computer.
 //!
 //! Each method is compiled into a loop of its own, as a renderer would have it: the loop
 //! makes a ray, asks, and has a t. The processor works at several questions at once, as

@@ -1,4 +1,4 @@
-//! SIMD lanes: what a question takes if a block of them is asked at once.
+//! SIMD lanes: the time of a question if a block of them is asked at once.
 //!
 //! The compiler turns a loop over a block into instructions for several questions at the
 //! same time: many rays against one sphere, as a camera asks. The numbers of a block lie

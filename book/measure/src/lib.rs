@@ -1,4 +1,4 @@
-//! What is measured: how exact each method of chapter 6 is, how many pixels it gets
+//! Measurements: how exact each method of chapter 6 is, how many pixels it gets
 //! wrong, and how long everything takes.
 
 pub mod accuracy;

@@ -1,4 +1,4 @@
-//! Order statistics: what came out when something was measured several times.
+//! Order statistics: the median and the spread of a repeated measurement.
 
 /// The median, the quartiles and the extremes of several numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -28,8 +28,8 @@ fn every_page_in_the_folder_is_in_the_summary() {
     assert_eq!(written.iter().collect::<Vec<_>>(), woven);
 }
 
-/// That program does what is done here: it loads the book, and asks the weaver that book.toml
-/// names. Only its index of the search is that of its own version.
+/// mdBook's own program loads the book and asks the weaver that book.toml names, as this test does.
+/// Only its index of the search is that of its own version.
 #[test]
 #[ignore = "builds the weaver"]
 fn mdbooks_own_program_makes_the_same_book() {
@@ -55,7 +55,7 @@ fn mdbooks_own_program_makes_the_same_book() {
     }
 }
 
-/// It has all pages, and is read as a whole by whoever searches for the first time.
+/// The index has all pages, and whoever searches for the first time loads it as a whole.
 #[test]
 fn the_index_of_the_search_has_at_most_1200_kilobytes() {
     let names = names_in(woven()).into_iter();
@@ -149,7 +149,7 @@ fn every_id_is_given_once_on_its_page() {
     }
 }
 
-/// So that a reader can look up what a letter means: each has one meaning.
+/// Each letter has one meaning, and a reader can look it up there.
 #[test]
 fn each_letter_of_the_lesson_is_on_the_page_of_symbols() {
     let page = |name: &str| fs::read_to_string(Path::new(NOTES).join(name)).expect("a page");

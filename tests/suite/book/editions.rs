@@ -31,7 +31,7 @@ fn both_versions_find_the_same_root() {
     }
 }
 
-/// Zeros are equal whatever their sign, so no comparison with t sees it.
+/// Zeros are equal whatever their sign, so no comparison with t sees the sign.
 #[test]
 fn only_the_sign_of_a_zero_tells_the_versions_apart() {
     let bits = |t: Option<f64>| t.map(f64::to_bits);

@@ -13,7 +13,7 @@ use page::breaking::Breakable;
 use slips::Chapter;
 use speed_vs_accuracy::Random;
 
-/// At the beginning, after each button, and for each choice.
+/// The texts of each figure at the beginning, after each button, and for each choice.
 #[test]
 fn the_snapshot_has_what_each_live_figure_says() {
     let mut said = String::new();
@@ -133,8 +133,8 @@ fn figure(name: &str) -> &'static dyn Movable {
     figures.find(|it| it.name() == name).expect("a figure")
 }
 
-/// `count` questions to a figure: first that of the page, then numbers over the whole of
-/// their ranges, on steps and between them, always the same.
+/// Makes `count` questions to a figure: first that of the page, then numbers over the whole of
+/// their ranges, on steps and between them; the same in each run.
 fn questions(live: &dyn Movable, count: usize) -> Vec<Vec<f64>> {
     let mut random = Random::new(1);
     let mut value = |number: &Parameter| {

@@ -6,7 +6,7 @@ use page::typed::{Draft, Feedback};
 use page::typing::Caret;
 use slips::Chapter;
 
-/// As many times as it takes.
+/// Types the line that the page proposes next, again and again, until nothing is missing.
 #[test]
 fn the_next_lines_lead_from_empty_functions_to_the_chapter() {
     for chapter in Chapter::OF_THE_BOOK {
@@ -29,7 +29,7 @@ fn the_next_lines_lead_from_empty_functions_to_the_chapter() {
     }
 }
 
-/// Letter by letter, in the place of each `todo!()`.
+/// Types the chapter letter by letter in place of each `todo!()`.
 #[test]
 fn a_right_text_is_called_unfinished_and_never_wrong_while_it_is_typed() {
     for chapter in Chapter::OF_THE_BOOK {
@@ -62,7 +62,7 @@ fn a_right_text_is_called_unfinished_and_never_wrong_while_it_is_typed() {
     }
 }
 
-/// To read a text takes some ten milliseconds here: so many letters are typed at once.
+/// The number of letters that are typed at once: reading a text takes some ten milliseconds here.
 const LETTERS: usize = 3;
 
 #[test]
@@ -88,7 +88,7 @@ fn a_line_of_the_chapter_that_is_typed_in_part_is_unfinished_though_it_draws() {
     }
 }
 
-/// One line for each: what a chapter has, what is typed, and what Rust writes.
+/// Each row has a piece of a chapter, the habit that is typed instead, and the piece of the answer.
 #[test]
 fn a_habit_from_another_language_is_answered_by_what_rust_writes() {
     let rows = [

@@ -22,7 +22,7 @@ fn a_program_without_a_slip_breaks_no_law() {
     }
 }
 
-/// By them a judge tells one mistake from another. Of the camera it asks nothing.
+/// By its answers a judge tells one mistake from another. No answer is about the camera.
 #[test]
 fn a_slip_that_breaks_a_law_has_other_answers_than_a_right_program() {
     let of_functions = |it: &&Outcome| {

@@ -48,7 +48,7 @@ fn mistakes(report: &Report, chapter: Chapter) -> Vec<&'static Slip> {
     lawful::mistakes_with_answers(&report.answers, chapter, ReaderLanguage::Rust)
 }
 
-/// A step on the way, for example, which has another color on purpose.
+/// A step on the way, for example, has another color on purpose.
 #[test]
 fn a_color_that_the_picture_shows_is_left_to_it() {
     let outcome = Trial::default().ray_color(ChapterScene::Ball, &red_sphere::ray_color);

@@ -102,7 +102,7 @@ fn every_slip_leads_to_a_file_that_has_it_right() {
     }
 }
 
-/// Wherever its line stands, what is typed there instead is a program.
+/// In each chapter that has its line, the text with the slip is a program with another meaning.
 #[test]
 fn every_slip_makes_another_program() {
     for slip in slips::all().chain(slips::unnamed()) {
@@ -122,7 +122,7 @@ fn every_slip_makes_another_program() {
     }
 }
 
-/// Whoever follows version 3 has no such line as version 4's, in whatever language.
+/// A reader who follows version 3 has no line of version 4, in whatever language.
 #[test]
 fn a_slip_of_an_older_edition_is_said_in_its_words() {
     let task = Task::of(Chapter::Gradient).only_by_edition(Edition::V3);

@@ -9,7 +9,7 @@ use suite::command::{files, run, text};
 use suite::desk::Desk;
 use suite::workspace;
 
-/// Those of a block are run in a folder with the files that they name. None may be misused.
+/// Runs the commands of a block in a folder with the files that they name. None may be misused.
 #[test]
 fn every_command_that_a_page_names_works() {
     for (page, text) in pages() {
@@ -34,7 +34,7 @@ fn every_command_that_a_page_names_works() {
     }
 }
 
-/// Also those that the companion tells a reader to type next.
+/// Also the commands that the companion tells a reader to type next.
 #[test]
 fn every_command_that_an_answer_names_is_understood() {
     let desk = Desk::default();

@@ -106,7 +106,7 @@ fn a_file_of_the_readers_is_never_written_over() {
     assert_eq!(desk.contents(), before);
 }
 
-/// A line of a list, as a file that says `mine` would have it.
+/// Returns the line of a manifest for a file that has the content `mine`.
 fn listed(name: &str) -> String {
     const MINE: u32 = 0x69a8_d393;
     format!("{MINE:08x} {name:?}\n")

@@ -90,7 +90,7 @@ fn source(desk: &Desk, body: &str) {
     desk.write_picture("wrong.ppm", &gradient::picture(64));
 }
 
-/// As many as a scene has room for.
+/// Returns a scene with as many spheres as a scene's file has room for.
 fn spheres() -> String {
     let sphere = |n| {
         format!(
@@ -177,7 +177,7 @@ fn a_pipe_into_which_no_program_writes_is_waited_for_and_that_is_said() {
     );
 }
 
-/// Each is read up to its limit, and refused from the next byte on.
+/// A file up to its limit is read, and one that is a byte longer is refused.
 #[test]
 fn a_file_that_is_longer_than_its_limit_is_not_read() {
     let desk = Desk::default();

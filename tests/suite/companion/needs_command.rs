@@ -10,8 +10,8 @@ use speed_vs_accuracy::{METHODS, Method, Precision, Scene};
 use suite::command::text;
 use suite::desk::Desk;
 
-/// Of the book: in `f64` only methods draw it right that take several times as long as
-/// the others, and in `f32` none does.
+/// A scene of chapter 6: in `f64` only methods that take several times as long as the others draw
+/// it right, and in `f32` no method does.
 const GRAZING: &str = concat!(
     "width = 128\n",
     include_str!("../../../chapters/6_speed_vs_accuracy/scenes/grazing.toml")
@@ -96,7 +96,7 @@ fn a_scene_is_answered_with_a_ray_to_look_at() {
     assert!(has, "{wrong}: {microscope}");
 }
 
-/// Where all is sky, and directions are as short as 1e-300, which an `f32` has as 0.
+/// All is sky, and directions are as short as 1e-300, which an `f32` has as 0.
 #[test]
 fn a_scene_that_shows_nothing_is_answered() {
     let scene = "width = 1\n[camera]\norigin = [0, 0, 1e205]\ndirection = [0, 0, 1]\n\

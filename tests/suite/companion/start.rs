@@ -151,7 +151,8 @@ fn from_anywhere_below_the_same_crates_are_meant() {
     assert_eq!(names, ["done.md", "gradient", "red_sphere"]);
 }
 
-/// Also those that are new: what one may not read of the chapter before may go on there.
+/// New files are private, too: text that nobody else may read in the chapter before may go on
+/// there.
 #[cfg(unix)]
 #[test]
 fn what_was_private_stays_private_where_it_is_carried_over() {

@@ -45,7 +45,7 @@ mod every_method {
             each_obeys(|solve| intervals::no_t_outside_the_interval_is_returned(solve, &asked))?;
         }
 
-        /// On the whole line, the nearest root is the nearer one.
+        /// For an unbounded interval, the nearest root is the nearer one of the two.
         #[test]
         fn obeys_the_laws_of_a_nearer_root(case in strategies::any_case()) {
             each_obeys(|solve| {
@@ -68,7 +68,7 @@ mod every_method {
     }
 }
 
-/// By which all others are measured.
+/// All other methods are measured by `half_b`.
 #[test]
 fn half_b_is_chapter_5_to_the_bit() {
     let chapter_5 = |center, radius, ray: &Ray, t_min, t_max| {
@@ -147,8 +147,8 @@ mod the_certified_methods {
         }
     }
 
-    /// Where a bound is tight, and random cases never come. A filter was wrong here, one case
-    /// in a hundred, that had answered a hundred million others rightly.
+    /// A bound is tight there, and random cases never come there. A filter was wrong in one such
+    /// case of a hundred that had answered a hundred million others rightly.
     #[test]
     fn are_right_at_the_edges_of_the_filter_s_bands() {
         at_the_edges(100_000, 11);

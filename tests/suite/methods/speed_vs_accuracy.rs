@@ -26,7 +26,7 @@ mod cases {
         }
     }
 
-    /// The oracle of the laws has other code.
+    /// The oracle of the laws computes the discriminant by other code.
     #[test]
     fn have_an_exact_discriminant_that_is_the_oracle_s() {
         for case in of_all_regimes() {

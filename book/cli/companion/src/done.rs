@@ -1,4 +1,4 @@
-//! `done`: the list of done things, and what is still ahead.
+//! `done`: the list of things that a reader has done, and the steps that are ahead.
 
 use std::error::Error;
 use std::fs::{self, OpenOptions};

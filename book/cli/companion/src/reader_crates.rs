@@ -1,4 +1,4 @@
-//! The reader's own folder: where their crates are.
+//! Path discovery: finds the folder of a reader's own crates.
 
 use std::env;
 use std::ffi::OsStr;

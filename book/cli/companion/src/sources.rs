@@ -1,4 +1,4 @@
-//! Source discovery: what a reader wrote, where it can be found.
+//! Source discovery: finds the source files of a reader's program, by its name or its picture.
 
 use std::ffi::OsString;
 use std::fs;

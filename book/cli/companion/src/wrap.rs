@@ -1,4 +1,4 @@
-//! Line breaking: text as wide as the terminal, bold and colored if that can be.
+//! Line breaking: text as wide as the terminal, bold and colored if the terminal can show that.
 
 use check::answer::Answer;
 pub(crate) use check::text::filled;

@@ -1,5 +1,5 @@
-//! What the first command shares with all that judges: the list of chapters, the workspace
-//! that they are in, and names as a terminal may show them.
+//! The course: the list of its chapters, the workspace that they are in, and names as a terminal
+//! may show them. The first command shares these with all that judges.
 
 pub mod chapter;
 pub mod names;

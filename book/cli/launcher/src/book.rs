@@ -1,4 +1,4 @@
-//! `cargo rtrace book`: cargo builds the weaver, and it weaves.
+//! `book`: cargo builds the weaver, and the weaver makes the book.
 
 use std::error::Error;
 use std::path::PathBuf;

@@ -1,4 +1,4 @@
-//! No command at all: all pictures into one folder.
+//! No command at all: draws all pictures into one folder.
 
 use std::error::Error;
 use std::fs;

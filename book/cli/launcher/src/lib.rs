@@ -1,4 +1,4 @@
-//! The first command: what draws and shows pictures, and has cargo build the rest.
+//! The first command: draws and shows pictures, and has cargo build the rest.
 //!
 //! The program `launcher`, which `cargo rtrace` runs, is this and no more, so that the
 //! first picture waits for nothing else. The companion begins with the same.

@@ -1,4 +1,4 @@
-//! Complaints: what is said on standard error, and the exit code, which tells a wrong
+//! Complaints: messages on standard error, and the exit code, which tells a wrong
 //! command line from a failure.
 
 use std::error::Error;

@@ -1,4 +1,4 @@
-//! Provenance: under what conditions was measured.
+//! Provenance: the conditions under which the times were taken.
 
 use std::collections::BTreeMap;
 use std::process::Command;

@@ -1,4 +1,4 @@
-//! Input: a file, standard input, or what a reader's program prints.
+//! Input: a picture from a file, from standard input, or from a reader's program.
 
 use std::ffi::OsString;
 use std::fmt;

@@ -1,4 +1,4 @@
-//! `needs`: the least that a scene of one's own needs.
+//! `needs`: the cheapest method that a scene of the reader's own needs.
 //!
 //! The scene is drawn by every method, each is timed on its rays, and the cheapest
 //! one that draws every pixel right is named, in each precision.

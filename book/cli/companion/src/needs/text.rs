@@ -1,4 +1,4 @@
-//! Text: what a scene needs, for people, in the terminal.
+//! Text: writes for the terminal which method a scene needs, and why.
 
 use std::fmt::Write;
 

@@ -1,4 +1,4 @@
-//! Settings: the paths that a new crate has in it.
+//! Settings: the parts of a new crate that depend on its place or its chapter.
 
 use std::path::{MAIN_SEPARATOR, Path, PathBuf};
 

@@ -1,4 +1,4 @@
-//! A program that runs, and a promise: it ends when this is dropped.
+//! Resource ownership: a running program ends when its value is dropped.
 
 use std::io;
 use std::process::{ChildStderr, ChildStdin, ChildStdout, Command, ExitStatus};
