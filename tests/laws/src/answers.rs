@@ -1,9 +1,9 @@
 //! Answers as evidence: the answers of functions to telling questions, and the outcomes of their
 //! laws, kept in a file, so that a judge in another process can weigh them beside a picture.
 //!
-//! Each line of the file is a JSON object: an answer, or the verdict on one function behind its
-//! answers. Numbers are text, for which JSON has no NaN and no infinity. A function
-//! that never returns leaves what it answered before.
+//! Each line of the file is a JSON object: an answer, or the verdict on one function after its
+//! answers. Numbers are written as text, because JSON has no NaN and no infinity. A function
+//! that never returns leaves the answers that it gave before.
 
 use std::collections::HashMap;
 use std::fs::OpenOptions;
@@ -22,7 +22,7 @@ pub const ANSWERS_VARIABLE: &str = "LAWS_ANSWERS";
 /// A question that was put to a function, with the function's answer.
 #[derive(Clone, Debug)]
 pub struct Answered {
-    /// The question, with the ray, sphere or color that it is about.
+    /// The question, with all numbers that the function was given.
     pub question: Question,
     /// The answer as numbers, in the order of [`Question::put_to`]; empty for a miss.
     pub answer: Vec<f64>,
@@ -39,7 +39,7 @@ impl Answered {
 /// The count of recorded answers that another program does not give.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Mismatch {
-    /// How many questions were asked in all.
+    /// How many questions are recorded in all, also if the count stopped before the last.
     pub asked: usize,
     /// To how many of these questions the program gives another answer. A count that was stopped at
     /// a limit has the limit here.
@@ -75,8 +75,8 @@ impl Answers {
         last.is_none_or(|it| it.is_given_by(program))
     }
 
-    /// Puts all recorded questions to `program`, and counts the answers that differ by more than
-    /// rounding. Stops after `most` of them.
+    /// Puts the recorded questions to `program`, in their order, and counts the answers that differ
+    /// from the recorded ones by more than rounding. Stops when `most` of them differ.
     pub fn mismatch_with(&self, program: &dyn Functions, most: usize) -> Mismatch {
         let differing = self.given.iter().filter(|it| !it.is_given_by(program));
         Mismatch {
@@ -100,8 +100,8 @@ pub struct FunctionOutcome {
 pub struct AnswerFile {
     /// The answers of all tried functions, in the order in which they were written; may be empty.
     pub answers: Answers,
-    /// The outcome for each tried function, in the order in which they were tried. A function whose
-    /// trial did not end is missing.
+    /// The outcome for each tried function, in the order in which they were tried. Missing are a
+    /// function whose trial did not end, and a `ray_color` about which the laws make no claim.
     pub outcomes: Vec<FunctionOutcome>,
 }
 
@@ -126,8 +126,8 @@ impl AnswerFile {
     }
 }
 
-/// A line of the file. In a verdict of a broken law, the smallest case that breaks it is the last
-/// answer before.
+/// A line of the file. The last answer before the verdict of a broken law is that to the smallest
+/// case that breaks it; only `set_face_normal` has no answers.
 pub(crate) enum AnswerLine<'a> {
     /// A question, and the answer as numbers.
     Answer(&'a Question, &'a [f64]),

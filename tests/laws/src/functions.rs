@@ -4,9 +4,8 @@
 /// which laws ask them, for a crate `$chapter` with the types and functions of chapter 5:
 /// `Hittable`, `HitRecord`, `HittableList`, `Sphere`, `world` and `ray_color`.
 ///
-/// `$Ray` is the type or function that makes the crate's ray for `set_face_normal`. `$vector` and
-/// `$ray` turn vectors and rays of `common` into the crate's own, and `$back` turns a vector of the
-/// crate into one of `common`.
+/// `$vector` and `$ray` turn vectors and rays of `common` into the crate's own, and `$back` turns a
+/// vector of the crate into one of `common`. `$Ray` is the crate's type of rays.
 #[macro_export]
 macro_rules! functions_of_a_list {
     ($chapter:ident, $Ray:ty, $vector:path, $ray:path, $back:path) => {

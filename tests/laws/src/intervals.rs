@@ -40,7 +40,7 @@ pub fn no_t_outside_the_interval_is_returned(
 /// lies there.
 ///
 /// Makes no claim where rounding could move a root across an end of the interval, or decide between
-/// hit and miss.
+/// hit and miss, or where numbers are so large or small that the equation may overflow.
 ///
 /// # Errors
 /// The broken law, if `solve` returns another `t` or none.

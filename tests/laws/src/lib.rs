@@ -26,8 +26,8 @@
 //! ```
 //!
 //! A [`Trial`] puts a function of a reader's under all laws of its kind, by proptest's
-//! `TestRunner`. What shows its [`Report`] asks which known mistakes give the same answers:
-//! a reader's own crate builds this package, and nothing of what judges.
+//! `TestRunner`. Its [`Report`] names no known mistakes: a program that shows it looks them up,
+//! so that a reader's own crate builds this package and no judge.
 
 pub mod answers;
 pub mod camera;

@@ -97,8 +97,8 @@ pub(crate) fn decision_as_test(case: &Case) -> String {
 }
 
 /// Makes a solver of a function that only decides between hit and miss, as that of chapter 2. Where
-/// `decide` says hit, the solver returns the exact nearer root, or the `t` closest to the center if
-/// the line misses; else `None`.
+/// `decide` says hit, the solver returns the exact nearer root, rounded to an `f64`, or the `t`
+/// closest to the center if the line misses; else `None`. It panics on infinite numbers and NaN.
 pub fn solver_of_decision(
     decide: impl Fn(Point3, f64, &Ray) -> bool,
 ) -> impl Fn(Point3, f64, &Ray) -> Option<f64> {
@@ -110,8 +110,8 @@ pub fn solver_of_decision(
     }
 }
 
-/// Tests that `t` is not NaN where nothing overflows. No comparison with NaN holds, so it would
-/// pass tests that are written the other way round.
+/// Tests that `t` is not NaN where nothing overflows. No comparison with NaN holds, so a NaN passes
+/// every test that refuses a `t` for being too large or too small.
 fn t_is_a_number(solve: &Solver, case: &Case) -> LawResult {
     let is_nan = case.solve(solve).is_some_and(f64::is_nan);
     BrokenLaw::unless(!is_nan || !case.is_well_scaled(), || BrokenLaw {
@@ -149,10 +149,10 @@ pub(crate) fn said(root: Option<f64>) -> String {
     root.map_or("a miss".to_owned(), |t| format!("t = {t:?}"))
 }
 
-/// Tests that both roots count where h is 0: they are −√D/a and √D/a for a ray that starts in the
-/// center, or inside at a right angle to oc.
+/// Tests that a root is found where h is 0, for a ray that starts in the center, or inside at a
+/// right angle to oc: the roots are −√D/a and √D/a.
 ///
-/// Only a `t` that is no root at all breaks this law; other laws judge how exact it is.
+/// Only a miss and a `t` of 0, infinity or NaN break this law; other laws judge how exact `t` is.
 fn where_h_is_zero_no_root_is_lost(solve: &Solver, case: &Case) -> LawResult {
     let is_inside = ExactCase::of(case).origin_margin() < 0.0;
     let is_silent = !case.is_well_scaled() || case.h() != 0.0 || !is_inside;
@@ -171,7 +171,7 @@ fn where_h_is_zero_no_root_is_lost(solve: &Solver, case: &Case) -> LawResult {
 ///
 /// The root is the exact root of an equation with slightly other coefficients: the error of D is
 /// one of 24u·M in c, those of h and a are 16u·M and 12u·M since |t| ≤ 2√(M/a), the last roundings
-/// of t another 24u·M. The check itself rounds by 13u·M. Together 89, of which this law makes 96.
+/// of t another 24u·M. The check itself rounds by 13u·M. The sum is 89u·M; this law allows 96u·M.
 ///
 /// # Errors
 /// The broken law, if the point lies off the sphere. A miss breaks nothing here.
@@ -194,7 +194,7 @@ pub fn the_point_lies_on_the_sphere(solve: &Solver, case: &Case) -> LawResult {
 /// Tests that `t` is the nearer root, up to the error that its coefficients bring.
 ///
 /// See [`root_bound`] for the bound. Where D is within twice the band, no digit of √D is certain,
-/// and then √(72u)·√(M/a) bounds what it may be.
+/// and √(72u)·√(M/a) bounds its share of the error. Makes no claim about a miss.
 fn the_root_is_the_nearer_one_to_the_digits_that_remain(solve: &Solver, case: &Case) -> LawResult {
     let exact = ExactCase::of(case);
     let (Some(t), Some(root)) = (case.solve(solve), exact.nearer_root()) else {
@@ -217,7 +217,7 @@ fn the_root_is_the_nearer_one_to_the_digits_that_remain(solve: &Solver, case: &C
 /// The error of D̂ changes √D by at most 24u·a·M/√D, that of h is 4u·√(aM), and the rounding of √D
 /// at most u·√(aM). Divided by a, that is u·√(M/a)·(24/√margin + 5). The difference, the quotient,
 /// a and the rounding of the exact root for comparison have 1 + 1 + 3 + 1 roundings of t itself,
-/// and |t| ≤ 2√(M/a): 12 more. So u·√(M/a)·(24/√margin + 17).
+/// and |t| ≤ 2√(M/a): 12 more. So u·√(M/a)·(24/√margin + 17), of which 17 becomes 18 here.
 pub fn root_bound(case: &Case, margin: f64) -> f64 {
     let sqrt_part = if margin > 2.0 * BAND {
         24.0 * U / margin.sqrt()
@@ -254,7 +254,7 @@ fn exact_tangent(case: &Case) -> Option<f64> {
 
 /// Tests that lengths 8 times and directions 1/16 times as long make t 128 times as large, with
 /// equal digits, because a power of two never rounds; and that turning the sign of every x changes
-/// no bit of t, but for the sign of a zero, by which h tells two formulas apart.
+/// no bit of t. Makes no claim where h is 0: a formula may depend on the sign of that zero.
 fn a_scene_in_another_unit_and_a_mirror_has_the_same_digits(
     solve: &Solver,
     case: &Case,

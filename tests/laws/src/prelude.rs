@@ -60,9 +60,9 @@ pub struct PreludeQuestion {
 
 /// Tests that the asked function of `prelude` answers small numbers as one works them out by head.
 ///
-/// Sums and products of these numbers do not round, so the answer must be equal to the bit; only a
-/// unit vector and a product with tenths may round. Tenths tell a product that is rounded before
-/// the sum from a fused one: 10 · 0.1 is 1 to an `f64`, though `0.1` is a little more than a tenth.
+/// The answer must be equal to the bit, but for a unit vector and a number times a vector, which
+/// may differ by 4u. In `at`, tenths tell a product that is rounded before the sum from a fused
+/// one: 10 · 0.1 is 1 to an `f64`, though `0.1` is a little more than a tenth.
 ///
 /// A swapped letter (`u.z * u.z`) draws the right picture in four chapters of five, because there
 /// every z is −1.
@@ -139,8 +139,8 @@ impl PreludeQuestion {
         }
     }
 
-    /// Returns true if two answers to this question are equal, to the bit if the function does not
-    /// round.
+    /// Returns true if two answers to this question differ by no more than the relative error that
+    /// the function's rounding allows; NaN differs from every number.
     pub(crate) fn answers_agree(&self, one: &[f64], other: &[f64]) -> bool {
         let rounding = self.function.rounding;
         let is_near = |(one, other): (&f64, &f64)| (one - other).abs() <= rounding * other.abs();
@@ -166,7 +166,8 @@ impl Prelude<'_> {
     }
 
     /// Calls `act` with the vector functions of `program` as a [`Prelude`], and returns the result
-    /// of `act`. Operators and rays, which a program does not have, are those of `common`.
+    /// of `act`. The length is the root of the program's squared length. Operators and rays, for
+    /// which [`Functions`] has no methods, are those of `common`.
     pub fn of_program<T>(program: &dyn Functions, act: impl FnOnce(&Prelude) -> T) -> T {
         act(&Prelude {
             dot: &|u, v| program.dot(u, v),

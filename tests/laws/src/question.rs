@@ -18,7 +18,7 @@ use crate::strategies::{self, samples};
 /// A question to one function of a program, with all numbers that the function is given.
 #[derive(Clone, Debug)]
 pub enum Question {
-    /// A call of a function or operator on vectors, with small numbers.
+    /// A call of a function or operator on vectors or rays, with small numbers.
     Prelude(PreludeQuestion),
     /// A ray and a sphere for the `hit_sphere` of chapter 2, which only decides between hit and
     /// miss.
@@ -107,7 +107,9 @@ impl Question {
 
     /// Calls the function of `program` that the question is about, and returns the answer as
     /// numbers: empty for a miss, `t` for a root, 0 for a hit that is only decided, three
-    /// components for a color or vector, six for a ray. A panic in the program is passed on.
+    /// components for a color or vector, six for a ray. A record has `t`, 1 or 0 for the front
+    /// face, the point and the normal; that of a tangent only `t`. A panic in the program is passed
+    /// on.
     pub fn put_to(&self, program: &dyn Functions) -> Vec<f64> {
         match self {
             Self::Prelude(asked) => Prelude::of_program(program, |prelude| asked.put_to(prelude)),

@@ -31,8 +31,8 @@ pub enum ChapterScene {
 /// Tests that `color`, which a chapter's `ray_color` returned for `ray`, is the color of what the
 /// ray meets in the scene, wherever the ray starts.
 ///
-/// Makes no claim where rounding may decide about a hit, or where a number of the ray is infinite
-/// or NaN.
+/// Makes no claim where rounding may decide about a hit, or, in a scene with spheres, where a
+/// number of the ray is infinite or NaN.
 ///
 /// # Errors
 /// The broken law, if `color` differs by more than rounding.

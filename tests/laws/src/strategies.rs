@@ -125,8 +125,8 @@ pub fn integers() -> impl Strategy<Value = Case> {
     )
 }
 
-/// Makes rays that start inside of a sphere, in its center or at a right angle to the vector to it:
-/// h = d·oc is 0 exactly, because all numbers are whole.
+/// Makes rays that start inside of a sphere, in its center or with a direction at a right angle to
+/// the vector to the center: h = d·oc is 0 exactly, because all numbers are whole.
 pub fn with_h_zero() -> impl Strategy<Value = Case> {
     let turn = prop_oneof![Just(Vec3::ZERO), whole_vector(3)];
     (whole_vector(9), whole_vector(3), turn, 1..=9).prop_map(|(origin, direction, turn, depth)| {
@@ -137,20 +137,20 @@ pub fn with_h_zero() -> impl Strategy<Value = Case> {
     })
 }
 
-/// Makes rays whose line passes the center of a sphere at a distance of r·(1 ± 10⁻ᵏ), just inside
-/// or just outside, for k in the range.
+/// Makes rays whose line passes the center of a sphere at a distance of r·(1 ± 10⁻ᵏ), for k in the
+/// range: the larger k, the closer to a tangent.
 pub fn grazing(k: RangeInclusive<f64>) -> impl Strategy<Value = Case> {
     aimed(Just(3.0), about_one(k))
 }
 
-/// Makes spheres whose center is 10ᵏ radii away from the ray's origin, for k in the range; the line
-/// passes the center within 1.2 radii.
+/// Makes spheres whose center is about 10ᵏ radii away from the ray's origin, for k in the range;
+/// the line passes the center within 1.2 radii.
 pub fn far(k: RangeInclusive<f64>) -> impl Strategy<Value = Case> {
     aimed(number(k).prop_map(|k| 10f64.powf(k)), number(0.0..=1.2))
 }
 
-/// Makes rays that start about `away` radii before a sphere, and whose lines pass its center at
-/// `miss_by` radii. The directions are no unit vectors.
+/// Makes rays that start about `away` radii before the center of a sphere, and whose lines pass the
+/// center at `miss_by` radii. The directions have lengths from √⅛ to √8.
 fn aimed(
     away: impl Strategy<Value = f64>,
     miss_by: impl Strategy<Value = f64>,
@@ -278,8 +278,9 @@ pub fn extreme_directions() -> impl Strategy<Value = Case> {
     })
 }
 
-/// Adds to each ray and sphere an interval with ends near and between the roots, exactly at one,
-/// far from them, or infinite. Few intervals are empty.
+/// Adds to each ray and sphere an interval. Its ends lie up to three chords before or after the
+/// nearer root, some of them exactly at a root; or it begins at 0, or goes on to infinity. Few
+/// intervals are empty.
 pub fn with_interval(cases: impl Strategy<Value = Case>) -> impl Strategy<Value = IntervalCase> {
     let end = || {
         prop_oneof![
@@ -301,8 +302,8 @@ pub fn with_interval(cases: impl Strategy<Value = Case>) -> impl Strategy<Value 
     })
 }
 
-/// Makes lists of up to three spheres around the eye, with a ray, of whole numbers that can be
-/// checked by hand.
+/// Makes lists of one to three spheres around the eye, with a ray from the eye, of whole numbers
+/// that can be checked by hand. The interval is from 0 to infinity.
 pub fn whole_worlds() -> impl Strategy<Value = World> {
     let radius = (1..=3).prop_map(f64::from);
     (vec((whole_vector(4), radius), 1..4), whole_vector(3)).prop_map(|(spheres, direction)| World {
@@ -313,8 +314,9 @@ pub fn whole_worlds() -> impl Strategy<Value = World> {
     })
 }
 
-/// Makes lists of up to eleven spheres, with a ray that is aimed at one of them; the others lie in
-/// front of it, behind it, or overlap it.
+/// Makes lists of one to eleven spheres with a ray and an interval, which are made for one of them.
+/// The others have their centers on the line from the ray's origin through the center of that one:
+/// in front of it, behind it, overlapping it, or behind the ray's origin.
 pub fn worlds() -> impl Strategy<Value = World> {
     let asked = with_interval(prop_oneof![
         integers(),
@@ -340,8 +342,8 @@ pub fn worlds() -> impl Strategy<Value = World> {
     })
 }
 
-/// Returns the `t` at a share of the way from the nearer root, at 0, to the farther one, at 1; or
-/// to as far as roots may be, if the line misses.
+/// Returns the `t` at a share of the way from the nearer root, at 0, to the farther one, at 1; if
+/// the line misses, of the way from 0 to [`Case::t_scale`].
 fn on_the_way(case: &Case, share: f64) -> f64 {
     let exact = ExactCase::of(case);
     let roots = exact.nearer_root().zip(exact.farther_root());

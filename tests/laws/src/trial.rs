@@ -90,8 +90,8 @@ pub(crate) struct LawSuite<'a, Q> {
     pub(crate) answer: AnswerFn<'a, Q>,
     /// The laws, in the order in which they are tried.
     pub(crate) laws: Vec<Law<'a, Q>>,
-    /// Writes the body of a test that asks about a case again. The test stands where the function
-    /// has its name, so it need not guess from where to import it.
+    /// Writes the body of a test that asks about a case again. The test stands beside the reader's
+    /// other tests, so the body calls the function without importing it.
     pub(crate) test: &'a dyn Fn(&Q) -> String,
 }
 

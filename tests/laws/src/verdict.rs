@@ -42,11 +42,12 @@ pub enum Complaint {
 pub struct Report {
     /// The law that the answer to the smallest case breaks, with that answer.
     pub broken: BrokenLaw,
-    /// The answers of the tried function, in the order in which it was asked; the last is that to
-    /// the smallest case. Empty if they are not recorded.
+    /// The recorded answers, in the order of the questions; the last is that to the smallest case.
+    /// A list's own follow those of its spheres; in a report from a file, they follow those of all
+    /// functions that were tried before. Empty if none is recorded.
     pub answers: Answers,
-    /// The known mistakes that give equal answers, one line for each. Empty until a judge fills
-    /// them in: this package knows no mistakes.
+    /// Lines about the known mistakes that give equal answers, and one that says so. Empty until a
+    /// judge fills them in: this package knows no mistakes.
     pub same_as: Vec<String>,
     /// The body of a `#[test]` that asks about the smallest case again, as Rust code in several
     /// lines; empty if there is none.
@@ -94,8 +95,8 @@ impl BrokenLaw {
 }
 
 impl Report {
-    /// Lists the rows of the report, in the order in which they are read. At most five known
-    /// mistakes are among them.
+    /// Lists the rows of the report, in the order in which they are read. At most five lines of
+    /// [`same_as`](Self::same_as) are among them.
     pub fn rows(&self) -> Vec<ReportRow<'_>> {
         let labels = ["same as", "", "", "", ""];
         let same_as = labels.into_iter().zip(&self.same_as);
