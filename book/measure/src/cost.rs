@@ -20,8 +20,8 @@ pub struct MethodTimes {
     pub nanoseconds: Vec<f64>,
 }
 
-/// Lets all methods answer 4096 questions of `scene` in turns, and returns the times of each, those
-/// of the reference method first.
+/// Lets all methods answer the same questions of `scene`, 4096 or more, in turns. Returns the times
+/// of each, those of the reference method first.
 pub fn times(scene: &Scene, effort: &Effort) -> Vec<MethodTimes> {
     let asked = questions(scene);
     let mut contest = contest_of_methods(&scene.name, &questions_of_cases(&asked, &asked));
@@ -143,9 +143,9 @@ loops! {
     in f32 Single: single, half_b_f32 widened_half_b_q_f32 certified_f32;
 }
 
-/// Makes a loop that asks the questions from 0 to `count`, so that the processor may work at
-/// several at once. The compiler has to put each answer into memory before it goes on, and so can't
-/// join questions.
+/// Makes a loop that calls `answer` with the numbers from 0 to `count`, so that the processor may
+/// work at several questions at once. The compiler has to put each answer into memory before it
+/// goes on, and so can't merge questions into vector instructions.
 pub fn loop_over<T>(count: usize, answer: impl Fn(usize) -> T) -> impl FnMut() {
     move || {
         for n in 0..count {

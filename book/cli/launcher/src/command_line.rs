@@ -1,5 +1,5 @@
-//! The command line of both programs, stated once: it is generic over the types that read
-//! the words behind the companion's commands.
+//! The command line of both programs, stated once: it is generic over the types that hold
+//! the arguments of the companion's commands.
 
 use clap::{Args, Parser, Subcommand};
 use course::names::companion_command;

@@ -34,7 +34,7 @@ struct UnreadWords {
 }
 
 fn main() -> ExitCode {
-    // The companion knows the words behind each command, and so its help.
+    // The companion knows the arguments of each command, and so its help.
     let asks_for_help = env::args_os().nth(1).is_some_and(|word| word == "help");
     misuse::exit_code_of(if asks_for_help { hand_on() } else { run() })
 }
