@@ -72,7 +72,7 @@ fn advice(scene: &Scene, found: &[PrecisionNeeds], with_acne: usize) -> String {
             count => format!("{count} pixels are"),
         };
         return format!(
-            "Raise t_min: above {t_min:?}, {pixels} in shadow by the surface that they show, also by \
+            "Raise t_min: above {t_min:?}, {pixels} in the shadow of the surface seen there, also by \
              exact arithmetic. Rays to the sun start at rounded points there, and hit at once."
         );
     }
