@@ -18,18 +18,19 @@ pub struct Answer {
     pub headline: Headline,
     /// The explanation of the verdict, the most important row first.
     pub rows: Vec<Row>,
-    /// The reader's picture and the right one; `None` if there is no picture, or not of the same
-    /// size.
+    /// The reader's picture and the right one; `None` if there is nothing to compare, as for a file
+    /// that can't be read, or if the picture is right only within a tolerance.
     pub pictures: Option<Pictures>,
     /// The slips that were made, whose pages tell how their lines are right.
     pub read: Vec<&'static Slip>,
-    /// The advice on what to do next; empty if the rows say it.
+    /// Advice on what to do next, in plain text; empty if there is none, or if the rows give it.
     pub next: String,
     /// Lines to add to the reader's list of done things.
     pub done: Vec<String>,
 }
 
-/// A sentence with the verdict in it: `sign.png is wrong: 3 of 90 pixels …`.
+/// The first sentence of an answer, split around its verdict: `wrong` in `sign.png is wrong: 3 of
+/// 90 pixels …`.
 #[derive(Debug, Default)]
 pub struct Headline {
     /// The grade, which gives the verdict its color.
@@ -52,7 +53,7 @@ pub enum Grade {
     /// Something is wrong: red.
     #[default]
     Wrong,
-    /// There is no picture to judge: red in a terminal, gray in a page.
+    /// There is no picture to judge: red.
     NoPicture,
 }
 
@@ -74,58 +75,59 @@ pub struct Row {
     pub text: String,
 }
 
-/// The kind of a row, which gives its label; the label stands in parentheses.
+/// The kind of a row, which gives its [`label`](RowKind::label).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RowKind {
-    /// A line as a compiler or a program has printed it (no label).
+    /// A line as a compiler or a program has printed it, without a label.
     Printed,
-    /// A warning of the compiler (`warned`).
+    /// A warning of the compiler.
     Warned,
-    /// A wrong line of the reader's own text (`yours`).
+    /// A wrong line of the reader's own text.
     Yours,
-    /// A wrong line that the reader probably has, in other words (`probably`).
+    /// A wrong line that the reader probably has, in other words.
     Probably,
-    /// A wrong line that the reader may have: the first, if several draw the picture (`perhaps`).
+    /// A wrong line that the reader may have, since it would draw the reader's picture: the
+    /// likeliest, if several would.
     Perhaps,
-    /// A further wrong line that draws the same picture, after [`Perhaps`](Self::Perhaps) (`or`).
+    /// A further wrong line that would draw the same picture, after [`Perhaps`](Self::Perhaps).
     Or,
-    /// A continuation of the row before (no label).
+    /// A continuation of the row before, without a label.
     More,
-    /// The right line in the place of the wrong one before (`should be`).
+    /// The right line in the place of the wrong one before.
     ShouldBe,
-    /// A line that the reader's text lacks (`missing`).
+    /// A line that the reader's text lacks.
     Missing,
-    /// The reason why a line is wrong (`why`).
+    /// The reason why a line is wrong.
     Why,
     /// A clause on how the mistakes or repairs in the rows before were tried, and how well they
-    /// explain the picture (`tried`).
+    /// explain the picture.
     Tried,
-    /// An observation about the picture (`seen`).
+    /// An observation about the picture.
     Seen,
-    /// The first pixel that differs from the right one (`first`).
+    /// The first pixel that differs from the right one.
     First,
-    /// The numbers that a right program computes for that pixel (`numbers`).
+    /// The numbers that a right program computes for the pixel of [`First`](Self::First).
     Numbers,
-    /// A clause on the laws, such as the functions for which they hold (`the laws`).
+    /// A clause on the laws, such as the functions for which they hold.
     Laws,
-    /// The law that a function breaks (`the law`).
+    /// The law that a function breaks.
     Law,
-    /// The answer of the function that breaks the law (`found`).
+    /// The answer of the function that breaks the law.
     Found,
-    /// The answers that the law allows (`allowed`).
+    /// The answers that the law allows.
     Allowed,
-    /// A known mistake with which a function gives the same answers (`same as`).
+    /// A known mistake with which a function gives the same answers.
     SameAs,
-    /// The page or source that explains the law (`read`).
+    /// The chapter and the equation or function that explain the law.
     Read,
-    /// A command that asks the reader's program the same question again (`by hand`).
+    /// A command that asks the reader's program the same question again.
     ByHand,
-    /// The answer of the reader's program to the command in the row before (`it says`).
+    /// The answer of the reader's program to the command in the row before.
     Says,
-    /// A remark that does not change the verdict (`besides`).
+    /// A remark that does not change the verdict.
     Besides,
     /// A further picture to draw, with the name of its probe; the name is empty for the chapter's
-    /// own picture (`probe`).
+    /// own picture.
     Probe(&'static str),
 }
 

@@ -25,7 +25,7 @@ pub enum LawsStatus {
     NotWritten(String),
     /// A function of the reader's own prelude has a `todo!()` at this place.
     UnwrittenPrelude(String),
-    /// The laws were not tried to the end; the text is what was printed instead.
+    /// The laws were not tried to the end; the text is the reason, or what was printed instead.
     Unknown(String),
     /// The laws are still being built.
     Coming,
@@ -93,8 +93,8 @@ impl<'a> Attempt<'a> {
 
     /// Puts the verdict on the picture into an answer.
     ///
-    /// A picture that is not recognized, though its task was guessed, is called so. A law that the
-    /// reader's own prelude breaks comes before all that explains the picture.
+    /// A picture whose task was guessed may get the verdict `not recognized`. A law that the
+    /// reader's own prelude breaks replaces all rows that explain the picture.
     pub fn answer(&self, verdict: Verdict) -> Answer {
         let mut answer = match (self.unrecognized(&verdict), self.laws) {
             (Some(answer), _) => answer,

@@ -37,9 +37,10 @@ pub struct Unexplained {
     pub off: usize,
     /// Number of pixels that differ by more than one level in a component.
     pub far: usize,
-    /// The first and the last column with such a pixel, counted from 0.
+    /// The first and the last column with such a pixel, counted from 0; both 0 if there is none.
     pub columns: [u32; 2],
-    /// The first and the last row with such a pixel, counted from 0 at the top.
+    /// The first and the last row with such a pixel, counted from 0 at the top; both 0 if there is
+    /// none.
     pub rows: [u32; 2],
 }
 
@@ -56,7 +57,7 @@ pub(crate) struct SampleComparison {
 
 /// The size of the sample that is compared before all pixels are.
 const GLANCE: u32 = 100;
-/// How many more pixels of the sample may differ by chance than those of the whole picture do.
+/// How many pixels of the sample may differ by chance beyond twice the expected number.
 const CHANCE: usize = 4;
 
 /// A mistake explains most of a picture if it leaves at most one in so many wrong pixels.
@@ -181,7 +182,7 @@ impl Unexplained {
 
     /// Returns true if these pixels are few beside `all` that the right program leaves unexplained:
     /// one in [`NEARLY_ALL`], or one in [`MOST`] and as few of those that are off by more than a
-    /// level.
+    /// level, if there are any in `all`.
     pub(crate) fn is_little_of(&self, all: &Self) -> bool {
         let is_most = MOST * self.off <= all.off && MOST * self.far <= all.far;
         self.is_nearly_nothing_of(all) || is_most && all.far > 0

@@ -41,8 +41,8 @@ pub(crate) fn programs_of_other_tasks(evidence: &Evidence) -> Vec<Candidate> {
     all.map(|task| right(evidence, task)).collect()
 }
 
-/// Iterates over programs with one slip, in groups: one for each edition, step and conversion, the
-/// likeliest group first.
+/// Iterates over programs with one slip, in groups: one for each edition, shape, step, formula of
+/// chapters 3 and 4, and conversion; the likeliest group first.
 pub(crate) fn programs_with_one_slip(evidence: &Evidence) -> impl Iterator<Item = Vec<Candidate>> {
     let rights = with_slips_in(evidence);
     let wrapped = rights

@@ -124,7 +124,7 @@ pub(crate) fn invalid_levels(reading: &Reading) -> Option<Cause> {
 /// Names the other task whose right picture this is, of `others`, at least one of one chapter.
 pub(crate) fn another(wanted: &Task, others: &[Task], language: Option<ReaderLanguage>) -> Cause {
     match others[0].chapter == wanted.chapter {
-        true => another_scene(wanted, others, language),
+        true => another_probe(wanted, others, language),
         false => another_chapter(wanted, &others[0]),
     }
 }
@@ -148,7 +148,7 @@ fn another_chapter(wanted: &Task, other: &Task) -> Cause {
 }
 
 /// Names the probe whose picture this is, or the chapter itself, where a probe's was asked for.
-fn another_scene(wanted: &Task, others: &[Task], language: Option<ReaderLanguage>) -> Cause {
+fn another_probe(wanted: &Task, others: &[Task], language: Option<ReaderLanguage>) -> Cause {
     let own = wanted.chapter.name();
     let (problem, fix) = match (wanted.probe, others[0].probe) {
         (Some(probe), None) => (

@@ -161,8 +161,8 @@ impl<'a> Evidence<'a> {
         all.filter(|slip| self.has_passed(slip))
     }
 
-    /// Returns true if a program with that slip draws the chapter's own picture right. Who draws a
-    /// probe has drawn that before.
+    /// Returns false if a probe is drawn and a program with that slip spoils the chapter's own
+    /// picture, which the reader has drawn right before. True for a slip without a name.
     fn has_passed(&self, slip: &Slip) -> bool {
         if self.task.probe.is_none() || slip.name.is_empty() {
             return true;
@@ -172,9 +172,10 @@ impl<'a> Evidence<'a> {
         passed.iter().any(|it| it.name == slip.name)
     }
 
-    /// Returns true if the reader's files or functions speak against a program with slips: the
-    /// right line of one of its slips stands in the files, or more than one in [`REFUTING`] answers
-    /// differ.
+    /// Returns true if the reader's files or functions speak against a program: the right line of
+    /// one of its slips stands in the files, the program is a step's and the files have the whole
+    /// chapter, or more than one in [`REFUTING`] answers differ. The right program of the whole
+    /// chapter is never refuted.
     pub(crate) fn refutes(&self, it: &Candidate) -> bool {
         let context = self.context;
         let is_right =

@@ -34,9 +34,8 @@ pub fn guess_task(reading: &Reading) -> Task {
     nearest.1
 }
 
-/// Returns the task of a whole chapter without a probe.
 /// Returns the right programs of the chapter by each edition, and of its probes by version 4, each
-/// with the task of which it speaks.
+/// with the task that is guessed if it is the nearest.
 fn right_ones(evidence: &Evidence) -> Vec<(Task, Candidate)> {
     let (task, reading) = (evidence.task, evidence.reading);
     let probes = PROBES.iter().filter(|probe| probe.spheres.is_some());
@@ -56,8 +55,7 @@ fn right_ones(evidence: &Evidence) -> Vec<(Task, Candidate)> {
     all.chain(probed).collect()
 }
 
-/// Returns the programs of the chapter with one slip, each with the task of which it speaks.
-/// Returns the programs of the chapter with one slip, each with the task of which it speaks.
+/// Returns the programs of the chapter with one slip, each with the chapter's task.
 fn wrong_ones(evidence: &Evidence) -> Vec<(Task, Candidate)> {
     let all = programs_with_one_slip(evidence).flatten();
     all.map(|it| (evidence.task, it)).collect()

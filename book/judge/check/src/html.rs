@@ -80,7 +80,7 @@ fn item(label: &str, said: &str) -> String {
     format!("<dt>{label}</dt><dd>{said}</dd>")
 }
 
-/// Escapes a text, and makes code of what stands between backticks.
+/// Escapes a text for HTML, and puts each part between backticks into a `code` element.
 fn with_code(text: &str) -> String {
     let parts = text.split('`').enumerate();
     let part = |(n, part): (usize, &str)| match n % 2 {

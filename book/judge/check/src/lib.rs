@@ -1,7 +1,7 @@
 //! The judge of a picture, ours or a reader's.
 //!
-//! A file passes through these modules in turn: [`reading`] makes a picture of bytes that may be
-//! anything. [`judge()`] asks which program draws the picture, and `search` tries which change
+//! A file passes through these modules in turn: [`reading`] reads a picture from bytes that may
+//! be anything. [`judge()`] asks which program draws the picture, and `search` tries which change
 //! makes the reader's own program right. An [`attempt`] puts the [`verdict`] into an [`answer`], in
 //! the words of [`sentences`], and [`text`] or [`html`] lays it out.
 //!

@@ -83,7 +83,6 @@ pub fn difference_picture(expected: &Picture, actual: &Picture) -> Option<Pictur
 }
 
 /// The HTML of the two pictures on top of each other, with a slider that fades the upper one.
-/// The HTML of the two pictures on top of each other, with a slider that fades the upper one.
 const ONION: &str = "\
 <figure class=\"onion\">
 <div><img src=\"expected.png\" alt=\"expected\"><img id=\"top\" src=\"yours.png\" alt=\"yours\"></div>
@@ -97,7 +96,6 @@ show();
 </script>
 ";
 
-/// The HTML of the page, with its four parts in braces.
 /// The HTML of the page, with its four parts in braces.
 const TEMPLATE: &str = "\
 <!doctype html>

@@ -16,7 +16,8 @@ use slips::{Chapter, ChapterProgram, Edition, Probe, ReaderLanguage, Slip, steps
 pub struct Task {
     /// The chapter whose program draws the picture.
     pub chapter: Chapter,
-    /// The probe, a small change of scene; `None` for the book's own picture.
+    /// The probe, a small change of the chapter's width or spheres; `None` for the book's own
+    /// picture.
     pub probe: Option<Probe>,
     /// The edition of the book whose program draws the picture.
     pub edition: Edition,
@@ -114,8 +115,9 @@ impl Task {
             })
     }
 
-    /// Lists what a reader changes in the chapter's program to draw the task `width` pixels wide, a
-    /// line each.
+    /// Returns instructions for a reader to change the chapter's program so that it draws the task
+    /// `width` pixels wide, one per line; a probe has its own width instead. `language: None` gives
+    /// the names of the book.
     pub fn change_lines(&self, width: u32, language: Option<ReaderLanguage>) -> String {
         match self.probe {
             Some(probe) => probe.instructions(self.chapter, language),
@@ -140,7 +142,7 @@ impl Task {
 
     /// Returns this task by each edition whose picture counts as right, in a picture of that size,
     /// the latest edition first. In the shape of version 4, editions of another shape are left out,
-    /// but for the first: many readers keep the rays and the factor of that one.
+    /// but for versions 1 and 2: many readers keep the rays and the factor of these.
     pub(crate) fn by_editions(self, width: u32, height: u32) -> impl Iterator<Item = Self> {
         Edition::ALL
             .into_iter()

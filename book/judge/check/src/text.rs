@@ -18,7 +18,7 @@ pub const MOST_LINES: usize = 12;
 
 /// Lays out an answer in at most `most` lines of `width` characters: the headline, as many rows as
 /// there is room for, the pages to read, and what to do next. A `…` stands for rows that are left
-/// out.
+/// out. The headline, the pages and the advice are never cut, even if they need more lines.
 pub fn answer_lines(answer: &Answer, style: Style, width: usize, most: usize) -> Vec<String> {
     let mut lines = headline(&answer.headline, style, width);
     let read = answer.read.iter().map(|slip| {

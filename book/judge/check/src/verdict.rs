@@ -33,9 +33,10 @@ pub enum Verdict {
     },
     /// Width and height of the picture are not those of the task.
     WrongShape {
-        /// Names the size that is expected, and the slips that give this one.
+        /// Names the size or the width that is expected, and slips that give this size.
         cause: Cause,
-        /// The explanation of its pixels; `None` if there are more than 2²⁰ of them.
+        /// The explanation of the pixels; `None` for more than 2²⁰ pixels in a shape that is not
+        /// the chapter's.
         finding: Option<Box<Finding>>,
     },
     /// The file is no picture, or has numbers that are no levels from 0 to 255.
@@ -71,10 +72,11 @@ pub struct RightPicture {
 /// The explanation of a picture that is not right to the last bit.
 #[derive(Debug)]
 pub struct Finding {
-    /// The task beside which the picture is explained, by the edition and the step that explain
-    /// most of its pixels.
+    /// The task beside which the picture is explained, by the edition and the step that suit the
+    /// picture best.
     pub task: Task,
-    /// All editions that explain as many pixels, that of [`task`](Self::task) first.
+    /// All editions that explain as many pixels, that of [`task`](Self::task) first; version 4
+    /// alone if the task is by that.
     pub editions: Vec<Edition>,
     /// The right picture of the task, in the size of the reader's.
     pub right: Picture,
@@ -82,8 +84,8 @@ pub struct Finding {
     pub yours: Picture,
     /// The pixels in which the two pictures differ; `None` if no pixel does.
     pub difference: Option<Difference>,
-    /// The few pixels that are wrong, if all others are right; none of them in the picture of a
-    /// step. `None` if the picture is wrong.
+    /// The few pixels that are wrong, perhaps none, in a picture that otherwise shows the task or a
+    /// step of it. `None` if the picture is wrong.
     pub almost_right: Option<Unexplained>,
     /// The known mistakes that draw the picture; `None` if none does.
     pub mistakes: Option<Mistakes>,
@@ -92,8 +94,8 @@ pub struct Finding {
     pub drawn: DrawingMutants,
     /// Observations about the picture, a sentence each; empty if a known mistake draws it.
     pub observations: Vec<String>,
-    /// Two rows about the first pixel that differs: its color, and the numbers of its ray as they
-    /// should be. Empty if a known mistake draws the picture.
+    /// One or two rows about the first pixel that differs: its color, and the numbers of its ray as
+    /// they should be, if it has any. Empty if a known mistake draws the picture.
     pub first_pixel: Vec<Row>,
     /// The change of the reader's own lines that was tried and makes the program right; `None` if
     /// none was found.
@@ -108,8 +110,8 @@ pub struct Finding {
 pub struct Mistakes {
     /// The task in whose program the mistakes are made.
     pub task: Task,
-    /// The mistakes, at least one; each is one slip, or two that are made together. The first has
-    /// been reported most often.
+    /// The mistakes, at least one; each is one slip, or two that are made together. The likeliest
+    /// is the first.
     pub all: Vec<Vec<&'static Slip>>,
     /// The treatment of numbers that are no levels, with which the mistakes draw the picture.
     pub conversion: Conversion,
@@ -133,7 +135,8 @@ impl Verdict {
         }
     }
 
-    /// Returns the cause for which the picture was refused; `None` if its pixels were judged.
+    /// Returns the cause for which the picture was refused; `None` for a picture that is right,
+    /// almost right or wrong.
     pub fn cause(&self) -> Option<&Cause> {
         match self {
             Self::Another { cause, .. }
@@ -143,8 +146,8 @@ impl Verdict {
         }
     }
 
-    /// Returns the explanation of a wrong picture; `None` if the picture is right, is another
-    /// task's, or has no pixels to judge.
+    /// Returns the explanation of a picture that is wrong or almost right; `None` if the picture is
+    /// right, is another task's, or has no pixels or too many to explain.
     pub fn finding(&self) -> Option<&Finding> {
         match self {
             Self::Right(_) | Self::Another { .. } => None,

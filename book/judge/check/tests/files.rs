@@ -167,7 +167,7 @@ fn whole_numbers_are_divided_as_cpp_does() {
     assert!(is_it, "{rows:?}");
 }
 
-/// Three spellings of a right program in two languages, with what is clamped later.
+/// Three spellings of a right program: the height is clamped later, at once, or by a choice.
 #[test]
 fn a_right_program_gets_no_remark() {
     let later =

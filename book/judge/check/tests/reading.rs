@@ -294,7 +294,7 @@ fn text_in_the_body_is_shown_where_it_stands_and_harmless() {
     assert!(read(long.as_bytes()).expect_err("text").problem.len() < 200);
 }
 
-/// The sum at the end of each part of a PNG.
+/// Computes the checksum at the end of each chunk of a PNG.
 pub(crate) fn crc(bytes: &[u8]) -> u32 {
     !bytes.iter().fold(!0, |sum, &byte| {
         (0..8).fold(sum ^ u32::from(byte), |sum, _| {
@@ -321,7 +321,7 @@ pub(crate) fn p6(picture: &Picture) -> Vec<u8> {
     [header.as_bytes(), picture.rgb()].concat()
 }
 
-/// The text of a picture.
+/// Returns the P3 text of a picture.
 fn p3(picture: &Picture) -> Vec<u8> {
     let mut text = Vec::new();
     picture.write_p3(&mut text).expect("memory takes it");

@@ -13,7 +13,7 @@ use check::task::Task;
 use check::verdict::Verdict;
 use slips::{Chapter, ChapterProgram, ReaderLanguage, steps};
 
-/// Right programs, each with a line of it and the wrong text that takes its place.
+/// Right programs, each with a piece of its text and the wrong text that replaces it.
 const MISTAKES: [(Text, &str, &str); 56] = [
     (GRADIENT, "unit_direction.y + 1.0", "unit_direction.y - 1.0"),
     (GRADIENT, "unit_direction.y + 1.0", "unit_direction.z + 1.0"),

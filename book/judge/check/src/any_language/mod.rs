@@ -1,5 +1,5 @@
-//! An adapter that puts a program in any language under the laws of a Rust function: it reads
-//! questions and prints answers, a line of text each, about one ray and one sphere.
+//! An adapter that puts a program in any language under the laws of a Rust function: the
+//! program reads questions and prints answers, a line of text each, about one ray and one sphere.
 
 use std::cell::RefCell;
 
@@ -54,7 +54,8 @@ pub enum NoAnswer {
 
 impl FunctionKind {
     /// Writes a question as a line for the program: center, radius, origin, direction, and for a
-    /// record the range, as decimal numbers that read back to the same bits.
+    /// record the range, as decimal numbers that read back to the same bits. An infinite end of the
+    /// range is written as ±1e300.
     pub fn question_line(self, asked: &IntervalCase) -> String {
         let range = [asked.t_min, asked.t_max].map(|end| end.clamp(-FAR, FAR));
         let range = range.into_iter().filter(|_| self == Self::Record);

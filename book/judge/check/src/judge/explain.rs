@@ -165,7 +165,7 @@ fn nearest(evidence: &Evidence) -> (Candidate, Unexplained) {
         )
     };
     let best = measured.min_by_key(key);
-    let (unexplained, _, it) = best.expect("the scene was fitted to the picture");
+    let (unexplained, _, it) = best.expect("the task was fitted to the picture");
     (it, unexplained)
 }
 
@@ -255,8 +255,8 @@ fn first(
 }
 
 /// Returns the programs of a group that leave fewest pixels unexplained; `None` if each leaves more
-/// than one in [`FEW`]. Of programs that draw the same sample of pixels only the first is compared
-/// as a whole.
+/// than one in [`FEW`], or in [`ROUNDED`] if all are one level off. Of programs that draw the same
+/// sample of pixels only the first is compared as a whole.
 fn least(evidence: &Evidence, group: Vec<Candidate>) -> Option<Fit> {
     let reading = evidence.reading;
     let total = reading.pixels.len();

@@ -1,7 +1,7 @@
-//! The judge: makes a [`Verdict`] of a picture, in one order of questions.
+//! The judge: comes to a [`Verdict`] on a picture, in one order of questions.
 //!
-//! Its numbers come first, then its shape, then whether it is right to the last bit. Only of what
-//! is left [`explain`] asks which program draws it.
+//! First it looks at the picture's numbers, then at its shape, then whether the picture is right.
+//! Only of other pictures [`explain`] asks which program draws them.
 
 mod explain;
 mod finding;

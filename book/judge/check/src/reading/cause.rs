@@ -16,7 +16,7 @@ pub struct Cause {
 }
 
 impl Cause {
-    /// Makes a cause of its name, the problem and the fix.
+    /// Makes a cause from the texts of its three fields, which are taken as they are.
     pub fn new(name: &'static str, problem: impl Into<String>, fix: impl Into<String>) -> Self {
         Self {
             name,

@@ -28,11 +28,13 @@ pub use cause::Cause;
 pub use limits::{MOST_BYTES, MOST_PIXELS};
 pub use numbers::{InvalidLevels, Reading};
 
-/// Reads the picture in the bytes of a file: P3, P6 or PNG, also P3 in UTF-16 as a shell may make
-/// it.
+/// Reads the picture in the bytes of a file: P3, P6 or PNG; also P3 in UTF-16 or behind a
+/// byte-order mark, as a shell may write it. The highest level of a P3 or P6 must be 255.
 ///
 /// # Errors
-/// The [`Cause`] that keeps the bytes from being a picture, with its fix.
+/// The [`Cause`] why the bytes can't be read as a picture, and what to do: of the faults, the first
+/// that is found. A file of more than [`MOST_BYTES`] bytes, or a picture of more than
+/// [`MOST_PIXELS`] pixels or of none, is refused.
 pub fn read(bytes: &[u8]) -> Result<Reading, Cause> {
     if bytes.len() > MOST_BYTES {
         return Err(Cause::too_large());

@@ -88,7 +88,7 @@ impl PpmToken<'_> {
     }
 
     /// Parses the word as a whole number with an optional sign; `None` if it is none. A number
-    /// beyond 64 bits becomes the largest or the smallest one.
+    /// beyond 64 bits becomes ±(2⁶³ − 1).
     pub(super) fn number(&self) -> Option<i64> {
         let (sign, digits) = match self.word {
             [b'-', digits @ ..] => (-1, digits),
@@ -102,8 +102,8 @@ impl PpmToken<'_> {
         is_number.then(|| sign * digits.iter().fold(0, add))
     }
 
-    /// Returns the word as a message can show it: at most 24 characters, without control
-    /// characters.
+    /// Returns the word as a message can show it: its first 24 characters, with `·` for a control
+    /// character, and `…` behind them if the word has more bytes.
     pub(super) fn shown(&self) -> String {
         const LONGEST: usize = 24;
         let shown: String = String::from_utf8_lossy(&self.word[..self.word.len().min(4 * LONGEST)])

@@ -45,7 +45,7 @@ pub(super) struct RepairSearch<'a> {
     pub(super) chapter: &'a [RustFn],
     /// The test that a right program passes.
     pub(super) goal: &'a Goal,
-    /// The bytes of functions that have been read, at most [`READ`].
+    /// The bytes of functions that have been read; beyond [`READ`] no more edits are tried.
     pub(super) read: Cell<usize>,
 }
 

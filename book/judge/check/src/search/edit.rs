@@ -14,8 +14,8 @@ pub(super) struct RankedEdit {
     pub(super) rank: u32,
 }
 
-/// The most words that a whole expression or statement of the chapter counts for in a rank, but for
-/// an eighth of its length.
+/// The most words that a whole expression or statement of the chapter counts for in a rank, beside
+/// an eighth of the words that change.
 const MOST: u32 = 3;
 
 impl RankedEdit {

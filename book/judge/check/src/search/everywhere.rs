@@ -16,7 +16,7 @@ pub struct FileEdit {
     pub at: Range<usize>,
     /// The text that replaces these bytes; empty if they are left out.
     pub new: String,
-    /// A rank by how unlikely the mistake is, from 0 for the likeliest: 2 for each word that
+    /// A rank by how unlikely the mistake is, less for a likelier one: 2 for each word that
     /// changes, plus a penalty for the kind of edit.
     pub rank: u32,
 }

@@ -12,7 +12,7 @@ pub(super) struct RustFn {
     pub(super) name: String,
     /// The text, from `fn` to the last brace.
     pub(super) text: String,
-    /// The names of the parameters; empty for a pattern.
+    /// The names of the parameters, in their order; an empty name for a pattern.
     pub(super) parameters: Vec<String>,
     /// The block of the function; places in it are bytes of the text.
     pub(super) body: RustTree,
@@ -57,8 +57,8 @@ pub(super) fn functions(program: &Program) -> Vec<RustFn> {
         .collect()
 }
 
-/// Returns the files with other texts for these functions. Functions that are in no file are left
-/// out.
+/// Returns the files with other texts for these functions. Functions that are in no file are
+/// skipped.
 pub(super) fn with(files: &[SourceFile], changes: &[(&RustFn, &str)]) -> Vec<SourceFile> {
     let mut changed = files.to_vec();
     for (function, text) in changes {

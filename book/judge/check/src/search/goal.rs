@@ -113,7 +113,8 @@ impl Goal {
         self.answers.mismatch_with(&program, 1).differing == 0
     }
 
-    /// Returns true if a program reaches the goal: it draws the pixels and gives the answers.
+    /// Returns true if a program reaches the goal: it draws the pixels, gives the answers, and
+    /// draws the small picture by its own loop if there is one.
     pub(super) fn is_met_by(&self, program: &Program) -> bool {
         let has = |pixels: &[ExpectedPixel]| has_pixels(program, self.width, pixels);
         let loops = |small: &Picture| program.draw(SMALL).is_ok_and(|it| it == *small);

@@ -1,8 +1,9 @@
 //! One search for edits, both ways: forwards from the chapter, for those that draw the reader's
 //! picture; backwards from the reader's text, for those that make it right.
 //!
-//! Both try the likeliest edits first: those that bring one text nearer to the other, and those that
-//! people make when they type. An edit is found only if its program was run and drew the picture.
+//! Both try the likeliest edits first: those that bring one text nearer to the other, and those
+//! that people make when they type. An edit is found only if its program was run and drew the
+//! picture.
 
 mod backwards;
 mod edit;

@@ -32,8 +32,8 @@ const LEVELS: [f64; 4] = [255.0, 255.5, 255.99, 256.0];
 /// The most names in an expression that are swapped with each other.
 const SWAPPED: usize = 8;
 
-/// A tree that may replace another, and the penalty for it. Penalties here are greater than those
-/// of edits that bring one text nearer to another.
+/// A tree that may replace another, and the penalty for it. Most penalties here are greater than
+/// those of edits that bring one text nearer to another.
 type Alternative = (RustTree, u32);
 
 /// A mutation of a function: a node of its tree, and the tree that replaces it.
@@ -258,7 +258,8 @@ fn mistaken(tree: &RustTree) -> Vec<Alternative> {
     others.collect()
 }
 
-/// Mutates an operator: leaves a side out, swaps the sides, moves brackets or loses them.
+/// Mutates an operator: leaves a side out, swaps the sides, moves brackets or loses them, or
+/// negates the whole.
 fn of_sign(tree: &RustTree, sign: &str) -> Vec<Alternative> {
     let (one, other) = (&tree.parts[0], &tree.parts[1]);
     let mut all = vec![(one.clone(), 8), (other.clone(), 8)];

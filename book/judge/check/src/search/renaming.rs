@@ -16,7 +16,8 @@ pub(super) struct LocalName<'a> {
     pub(super) name: &'a str,
     /// The value in its declaration; of a loop's variable, the list.
     pub(super) value: &'a RustTree,
-    /// True if the variable is never assigned to, so that its value can be written in its place.
+    /// True if a `let` without `mut` declares the variable, so that its value can be written in its
+    /// place.
     is_fixed: bool,
 }
 

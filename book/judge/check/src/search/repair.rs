@@ -17,13 +17,13 @@ use crate::reading::Reading;
 use crate::sources::{SourceLine, Sources};
 use crate::task::Task;
 
-/// A set of changes that makes a reader's wrong program right. It was tried: the changed program
-/// draws the right picture and its functions answer as the chapter's do.
+/// A set of changes that makes a reader's wrong program right. In Rust it was tried: the changed
+/// program draws the right picture and, but for a probe, its functions answer as the chapter's do.
 #[derive(Clone, Debug)]
 pub struct Repair {
-    /// The lines to change, in the order of each file; never empty.
+    /// The lines to change, function by function and in each from the top; never empty.
     pub changes: Vec<LineChange>,
-    /// The reader's files with all changes; empty if the program is not in Rust.
+    /// The reader's files with all changes, without `main.rs`; empty if the program is not in Rust.
     pub(crate) files: Vec<SourceFile>,
     /// True if the picture was right before, and hid the mistake.
     pub(crate) is_hidden: bool,
@@ -79,11 +79,12 @@ impl Repair {
         })
     }
 
-    /// Finds the smallest change of the reader's files that makes the program right, which now draws
-    /// this picture, for the task or for one of the first `steps` steps on the way to it.
+    /// Finds the smallest change of the reader's files that makes the program right, which now
+    /// draws this picture, for the task or for one of the first `steps` steps on the way to it.
     ///
-    /// Of files in other languages than Rust a line is tried in the chapter's program. Returns `None`
-    /// if the program can't be read, draws another picture, is right, or if no edit is found.
+    /// Of files in other languages than Rust a line is tried in the chapter's program. Returns
+    /// `None` if no file is known, or if the program can't be read, draws another picture, is
+    /// right, or becomes right by no edit that was tried.
     pub(crate) fn find(
         task: &Task,
         reading: &Reading,
@@ -189,8 +190,8 @@ impl ReaderProgram {
         })
     }
 
-    /// Returns the program with one of its functions replaced by the chapter's of the same name, for
-    /// each function that both have.
+    /// Returns the program with one of its functions replaced by the chapter's of the same name,
+    /// for each function that both have.
     fn with_one_of(&self, chapter: &[RustFn]) -> impl Iterator<Item = Program> {
         let own = self.functions.iter();
         let pairs = own.flat_map(|own| chapter.iter().map(move |it| (own, it)));

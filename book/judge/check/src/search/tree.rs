@@ -160,7 +160,7 @@ impl RustTree {
             && parts.all(|(one, other)| one.is_same(other))
     }
 
-    /// Returns how many nodes two trees share, from 0 to 1.
+    /// Returns the share of nodes that two trees have in common, from 0 to 1.
     pub(super) fn likeness(&self, other: &Self) -> f64 {
         let ops =
             |tree: &Self| -> Vec<RustOp> { tree.nodes().iter().map(|it| it.op.clone()).collect() };

@@ -47,7 +47,8 @@ impl SideBySide<'_> {
     }
 
     /// Says how a component, 0 to 2 for red to blue, differs in all of these pixels: by a sum, by a
-    /// factor, or as a constant. `None` if it is right, or differs in no such way.
+    /// factor, as a constant, or as 255 minus the right level. `None` if it is right, or differs in
+    /// no such way.
     fn tint(&self, places: &[u32], channel: usize) -> Option<String> {
         let pair = |&n: &u32| [self.expected(n), self.found(n)].map(|it| f64::from(it[channel]));
         let pairs: Vec<[f64; 2]> = places.iter().map(pair).collect();

@@ -24,9 +24,9 @@ const WARNINGS: usize = 2;
 pub(crate) const ONLY_SKY: &str = "There is only sky: no sphere is to be seen.";
 
 impl Finding {
-    /// Lists what explains the picture, the most important row first: the lines of a repair, a
-    /// mistake, or edits that draw the picture, or else what is to be seen. Empty if the picture is
-    /// right but for a few pixels.
+    /// Lists what explains the picture, the most important row first: the lines of a repair; or
+    /// else, after up to two warnings of the compiler, mistakes or edits that draw the picture, or
+    /// what is to be seen. Empty if the picture is right but for a few pixels.
     pub fn rows(&self, context: &Context) -> Vec<Row> {
         if let Some(repair) = &self.repair {
             let slip = self.only_mistake().first();

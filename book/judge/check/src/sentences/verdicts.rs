@@ -140,8 +140,9 @@ impl Attempt<'_> {
         .with(finding.rows(self.context))
     }
 
-    /// Answers that the picture is not recognized; `None` if its chapter was named, or its pixels
-    /// are explained or like that chapter's.
+    /// Answers that a picture whose chapter was guessed is not recognized: it has one color, no
+    /// chapter's shape, or pixels that are unexplained and unlike the guessed chapter's. `None` for
+    /// any other picture.
     pub(crate) fn unrecognized(&self, verdict: &Verdict) -> Option<Answer> {
         let seen = match (verdict, verdict.finding()) {
             // Numbers that are no levels come first.

@@ -79,7 +79,8 @@ impl ChapterStatement {
         self.pattern.find(value).is_some()
     }
 
-    /// Returns how many nodes the statement shares with an expression in normal form, from 0 to 1.
+    /// Returns the share of nodes that the statement and an expression in normal form have in
+    /// common, from 0 to 1.
     pub(super) fn likeness(&self, other: &Tree) -> f64 {
         let ops =
             |tree: &Tree| -> Vec<Op> { tree.nodes().iter().map(|it| it.op.clone()).collect() };

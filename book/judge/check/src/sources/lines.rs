@@ -6,7 +6,7 @@ use super::chapter_statement::{ChapterStatement, chapter_statements};
 use super::transplant::Transplant;
 use super::{LineStatus, SourceLine, TypedStatement};
 
-/// From this [likeness](super::likeness()) on a line is one of the chapter's with a mistake in it.
+/// Above this [likeness](super::likeness()) a line is one of the chapter's with a mistake in it.
 const MISTAKEN: f64 = 0.75;
 
 /// A chapter's statements beside those that a reader typed.
@@ -56,7 +56,7 @@ impl<'a> LineComparison<'a> {
 
     /// Tells whether the reader has made an edit of the chapter. The edit is made if a statement
     /// that it adds is typed more often than it occurs in the chapter, and not made if one that it
-    /// takes is typed as often as there.
+    /// takes is typed as often as there; or, if it adds none, a similar one is typed in the place.
     pub(crate) fn status(&self, edit: &StatementDiff) -> LineStatus {
         let stands = |it: &ChapterStatement| {
             let stands = |own: &&ChapterStatement| {
@@ -148,8 +148,8 @@ impl<'a> LineComparison<'a> {
         self.typed.iter().filter(|it| !is_right(it)).collect()
     }
 
-    /// Puts each of the reader's statements that the chapter does not have in the place of those of
-    /// the chapter that the reader does not have and that are most like it.
+    /// Replaces each statement that only the chapter has by those that only the reader has and that
+    /// are most like it, one at a time.
     pub(crate) fn transplants(&self) -> Vec<Transplant> {
         let foreign = self.foreign();
         let missing = self.chapter.iter().filter(|it| self.times_typed(it) == 0);

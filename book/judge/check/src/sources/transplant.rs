@@ -11,7 +11,8 @@ use super::lines::CorrectedLine;
 
 /// The most statements of a reader that are tried in one place.
 const TRIED: usize = 3;
-/// A statement is tried if it is more like the one in the place, from 0 to 1.
+/// A statement is tried if it scores more: its likeness to the one in the place, from 0 to 1, and
+/// 0.4 for the same purpose.
 const ALIKE: f64 = 0.4;
 
 /// A function of the chapter with a reader's statement in it.
