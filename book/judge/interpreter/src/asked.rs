@@ -12,7 +12,7 @@ use crate::types::Ctor;
 pub struct Ball {
     /// The center of the sphere.
     pub center: Point3,
-    /// The radius of the sphere; chapter 5's `Sphere::new` takes a negative one for 0.
+    /// The radius of the sphere. The `Sphere::new` of chapter 5 turns a negative radius into 0.
     pub radius: f64,
 }
 
@@ -43,7 +43,7 @@ impl Program {
     /// Calls the program's `ray_color` with the ray, and with its `world()` if it has one, and
     /// returns the color: linear, 0 to 1.
     ///
-    /// Returns NaN in each component if the program has no such function or stops in it.
+    /// Returns NaN in each component if the program has no `ray_color`, or stops in one of the two.
     pub fn ray_color(&self, ray: &Ray) -> Color {
         let color = || {
             let mut machine = self.machine();
@@ -128,7 +128,7 @@ impl Program {
     /// Calls `Camera::new(width)` and its `ray(i, j)`: the ray of the pixel in column `i` and row
     /// `j`, from 0 at the top left, of a picture `width` pixels wide.
     ///
-    /// Returns `None` if the program stops or has no such functions.
+    /// Returns `None` if the program stops, has no such functions, or has a ray type of its own.
     pub fn camera_ray(&self, width: u32, i: u32, j: u32) -> Option<Ray> {
         let camera = self.called("Camera::new", &[u32_value(width)])?;
         let [i, j] = [i, j].map(u32_value);

@@ -37,12 +37,14 @@ pub struct TracedValue {
     pub function: String,
     /// The name that a `let` gives the value; `None` for the value of a `return`.
     pub name: Option<String>,
-    /// The value as text: numbers as [`format_number`] formats them, a vector as `(x, y, z)`.
+    /// The value as text: numbers as [`format_number`] formats them, a vector as `(x, y, z)`, a
+    /// truth as `true` or `false`, and the option `None` as `none`.
     pub value: String,
 }
 
 impl Program {
-    /// Calls the program's `picture` for a picture `width` pixels wide, and computes no pixel yet.
+    /// Calls the program's `picture` for a picture `width` pixels wide. No pixel is computed yet,
+    /// unless `picture` prints the whole picture as text.
     ///
     /// A program without `picture` is drawn by its `ray_color` and the book's camera.
     ///
@@ -94,14 +96,14 @@ impl Canvas {
     }
 
     /// Computes the color, linear from 0 to 1, of the pixel in column `i` and row `j`, from 0 at
-    /// the top left. A picture that the program printed as text gives colors that round to its
-    /// levels.
+    /// the top left. A picture that the program printed as text gives colors whose levels are the
+    /// printed ones.
     ///
     /// # Errors
     /// If the program stops on the way, or the compiler would refuse a line that runs.
     ///
     /// # Panics
-    /// If the picture was printed and has no such pixel.
+    /// If the picture was printed as text, and `j * width + i` is the number of none of its pixels.
     pub fn color(&self, i: u32, j: u32) -> Result<Color, Fault> {
         self.colored_by(&mut self.program.machine(), i, j)
     }
@@ -148,8 +150,8 @@ impl Canvas {
     /// Traces the pixel in column `i` and row `j`, counted from 0 at the top left: lists the value
     /// of each `let` and of each `return` on the way to its color, in the order in which they run.
     ///
-    /// Leaves out values that are no number, vector or truth. Ends early where the program stops;
-    /// a picture that is printed as text has no such values.
+    /// Leaves out values that are no number, vector or truth, nor an option of one. Ends early
+    /// where the program stops; a picture that is printed as text has no such values.
     pub fn trace(&self, i: u32, j: u32) -> Vec<TracedValue> {
         let functions = &self.program.code.functions;
         let traced = self.bindings(i, j).filter_map(|binding| {
@@ -186,7 +188,7 @@ impl Canvas {
 }
 
 /// Formats a number with up to six decimals, or in scientific notation with four significant digits
-/// if its size is below 0.001.
+/// if its size is below 0.001 and not 0.
 pub fn format_number(it: f64) -> String {
     match it.abs() {
         small if small != 0.0 && small < 1e-3 => format!("{it:.3e}"),

@@ -68,8 +68,9 @@ impl SourceFile {
 /// Spans of a text that was read earlier on this thread become invalid.
 ///
 /// # Errors
-/// All faults that show without running: those that the compiler would refuse come first, then
-/// texts that end too early, then what this interpreter does not read.
+/// Faults that show without running, from the first step that finds any: syntax, one for each file;
+/// then declarations; then bodies, one for each function. Those that the compiler would refuse come
+/// first, then texts that end too early, then what this interpreter does not read.
 ///
 /// # Panics
 /// If there is no file.
@@ -124,8 +125,8 @@ impl Program {
     ///
     /// # Errors
     /// If the program stops: a panic, an overflow, too many turns of a loop; if the compiler would
-    /// refuse a line that runs, as with mismatched types; or if the picture is wider or higher than
-    /// 4096 pixels.
+    /// refuse a line that runs, as with mismatched types; or if the picture's width or height is
+    /// not from 1 to 4096 pixels.
     pub fn draw(&self, width: u32) -> Result<Picture, Fault> {
         let canvas = self.canvas(width)?;
         let (width, height) = canvas.size();
@@ -252,8 +253,8 @@ impl Program {
         }
     }
 
-    /// Makes one of the program's structs from values with field names. A field of another name is
-    /// filled by its position; one without a value is left empty.
+    /// Makes one of the program's structs from values with field names. A value whose name no field
+    /// has goes to the field at its position; a field without a value is left empty.
     pub(crate) fn own<'n>(
         &self,
         kind: u32,

@@ -9,7 +9,8 @@ use crate::program::UncheckedLines;
 /// A reason why a program's text can't be run, or why the program stops: its place and its words.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault {
-    /// The place in the text; `None` if the fault is that something is missing from all files.
+    /// The place in the text; `None` if the fault has none, as when a function is missing from all
+    /// files.
     pub place: Option<SourceSpan>,
     /// The main message, one line without a full stop; in the compiler's words where rustc has a
     /// message for this.

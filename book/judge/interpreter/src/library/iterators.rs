@@ -15,8 +15,8 @@ use crate::types::{Int, Type};
 /// The type `usize`.
 const USIZE: Ctor = Ctor::Int(Int::Usize);
 
-/// Makes an iterator over a list, a range, another iterator or a mutable reference to one of these;
-/// stops at any other value.
+/// Makes an iterator over a list, a range, another iterator or a mutable reference to a list or an
+/// iterator; stops at any other value.
 pub(crate) fn iterator(m: &mut Machine<'_>, of: &Value, at: Span) -> Eval<Iter> {
     Ok(match &of.data {
         Data::List(list) => Iter::List(Rc::clone(list), 0, of.lent.min(1)),

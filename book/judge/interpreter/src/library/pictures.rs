@@ -36,7 +36,7 @@ library! { table:
     }
 }
 
-/// Parses a text that was printed as a P3 file of 255 levels; `None` if it is none.
+/// Parses a text that was printed as a P3 file with the greatest level 255; `None` if it is none.
 pub(crate) fn printed(text: &str) -> Option<Picture> {
     let mut words = text
         .strip_prefix("P3")?

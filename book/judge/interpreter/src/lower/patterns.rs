@@ -15,7 +15,7 @@ type MatchFn = dyn Fn(&mut Machine<'_>, &Value) -> Eval<bool> + Send + Sync;
 /// A pattern that was lowered.
 pub(super) struct Matcher {
     bind: Box<MatchFn>,
-    /// The values that it certainly matches.
+    /// The values that the pattern may match: [`Coverage::Some`] for every `Some(…)`.
     pub(super) shape: Coverage,
     /// The slot of its variable, if the pattern is one name.
     pub(super) slot: Option<usize>,

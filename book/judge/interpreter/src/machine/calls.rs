@@ -266,7 +266,7 @@ impl Machine<'_> {
                 let end = start + frame.len();
                 self.in_frame(start, end, at, |own| (closure.body)(own, given))
             }
-            // The function that made it is over, so it uses nothing of its.
+            // The function that made the closure is over: the closure uses none of its variables.
             Captures::Borrowed(base, slots) if base as usize > self.base => {
                 let end = start + slots as usize;
                 self.in_frame(start, end, at, |own| (closure.body)(own, given))

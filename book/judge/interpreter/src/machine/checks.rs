@@ -10,7 +10,8 @@ use crate::types::{Ctor, Int, Type};
 
 impl Machine<'_> {
     /// Checks that a value fits a declared type, and converts it as the compiler's inference would:
-    /// an integer literal to its type, `&mut` to `&`, an empty `Vec` to one of its elements.
+    /// an integer literal to its type, `&mut` to `&`; a `Vec` whose elements have no declared type
+    /// so far gets this one.
     #[inline]
     pub(crate) fn as_declared(&mut self, value: Value, ty: &Type, spot: ExprInfo) -> Eval {
         if is_plainly(&value, ty) {

@@ -11,7 +11,7 @@ use crate::types::{Ctor, Type};
 
 /// A function of the library, written in Rust.
 pub(crate) struct Native {
-    /// Returns true for a type that has this method, or before whose `::` it stands.
+    /// Returns true for a type that has this method, or whose name stands before `::` in a call.
     pub(crate) owner: fn(Ctor) -> bool,
     pub(crate) name: &'static str,
     /// How a method takes its receiver; `None` for a function without one.

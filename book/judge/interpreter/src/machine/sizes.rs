@@ -4,7 +4,7 @@ use crate::limits::{MAX_VALUE_DEPTH, MAX_VISITS};
 use crate::machine::value::{Data, Value};
 
 impl Value {
-    /// Returns how many bytes a copy of the value takes, without the parts that it shares.
+    /// Returns how many bytes the value and its direct parts take, without the elements of a list.
     pub(crate) fn size(&self) -> usize {
         let parts = match &self.data {
             Data::Own(_, all) | Data::Tuple(all) => all.len(),

@@ -20,7 +20,7 @@ pub(crate) enum ItemBody<'a> {
 /// function; `None` for one that a trait only declares.
 ///
 /// # Errors
-/// All faults in declarations.
+/// The faults in declarations, from the first pass that finds any.
 ///
 /// # Panics
 /// If there is no file.
