@@ -40,8 +40,8 @@ impl Edit {
     }
 
     /// Returns a text in which every occurrence of the [`right`](Self::right) code is replaced, or
-    /// `None` if there is no occurrence. An occurrence begins and ends with whole names, and not
-    /// with a field.
+    /// `None` if there is no occurrence. An occurrence cuts no name in two, and does not begin with
+    /// a field: `b` is not found in `rgb`, nor in `it.b`.
     pub fn applied_to(&self, text: &str) -> Option<String> {
         let (mut made, mut done) = (String::new(), 0);
         while let Some((start, end)) = self.found(text, done) {

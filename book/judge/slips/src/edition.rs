@@ -42,7 +42,8 @@ struct Facts {
 }
 
 impl Edition {
-    /// All editions, from version 4, which this workspace follows, back to the first.
+    /// All editions, from version 4, which this workspace follows, back to versions 1 and 2, which
+    /// come last in double precision.
     pub const ALL: [Self; 5] = [Self::V4, Self::V3, Self::V3_0, Self::V1, Self::V1InDouble];
 
     /// Returns the facts about the edition.
@@ -80,8 +81,8 @@ impl Edition {
         }
     }
 
-    /// Returns the name on the command line: the number of the edition's first version, as `3`.
-    /// Both [`V1`](Self::V1) and [`V1InDouble`](Self::V1InDouble) are `1`.
+    /// Returns the name on the command line: `4`, `3`, `3.0` or `1`. Both [`V1`](Self::V1) and
+    /// [`V1InDouble`](Self::V1InDouble) are `1`.
     pub fn name(self) -> &'static str {
         self.facts().numbers[0]
     }
@@ -93,8 +94,8 @@ impl Edition {
     }
 
     /// Returns the words that tell by which editions a picture is right or wrong, to be put after
-    /// this word: ` by version 3 of the book (2020 to 2023)`, with a blank first. Empty if version
-    /// 4 is among them.
+    /// the word `right` or `wrong`: ` by version 3 of the book (2020 to 2023)`, with a blank first.
+    /// Empty if version 4 is among the editions.
     ///
     /// # Panics
     /// If there are no editions.

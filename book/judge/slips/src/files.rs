@@ -25,7 +25,8 @@ pub fn typed_files(chapter: Chapter) -> Vec<SourceFile> {
 }
 
 /// Returns the source files that the interpreter needs to run a chapter, `src/lib.rs` first: those
-/// of the chapter, those of `common` that it uses, and a plain loop over the pixels.
+/// of the chapter, then a plain loop over the pixels, and for a chapter with rays the camera and
+/// the functions of `common` that the chapter uses.
 pub fn program_files(chapter: Chapter) -> Vec<SourceFile> {
     let mut files = typed_files(chapter);
     files.sort_by_key(|it| !it.name.ends_with("lib.rs"));

@@ -35,6 +35,9 @@ const NAMED: usize = 4;
 ///
 /// Empty if the right program gives the answers, too, or if no slip does. Slips that `language`
 /// makes impossible are left out.
+///
+/// # Panics
+/// If the chapter is not one of [`Chapter::OF_THE_BOOK`].
 pub fn mistakes_with_answers(
     answers: &Answers,
     chapter: Chapter,
@@ -56,9 +59,9 @@ pub fn mistakes_with_answers(
     mistakes
 }
 
-/// Adds to a report about a broken law the slips that explain the function's answers, one line of
-/// text for each with its wrong and right code in `language`. Without such slips the report stays
-/// as it is.
+/// Fills [`Report::same_as`] with the slips that explain the function's answers: one line of text
+/// for each with its wrong and right code in `language`, then a line that says what they have in
+/// common. Leaves the list empty if there is no such slip.
 pub fn explain(report: &mut Report, chapter: Chapter, language: ReaderLanguage) {
     let mistakes = mistakes_with_answers(&report.answers, chapter, language);
     let in_a_line = |slip: &&Slip| {
@@ -105,8 +108,8 @@ pub fn mismatch_with(
 }
 
 /// Lists the questions to a chapter's functions by whose answers mistakes are told apart: first
-/// about vectors and the camera, then about the sphere, then about `ray_color`. Empty for the build
-/// test and chapter 6.
+/// about vectors and rays, then about the sphere, then about `ray_color`. Empty for the build test
+/// and chapter 6.
 pub fn questions(chapter: Chapter) -> Vec<Question> {
     let sphere = match chapter {
         Chapter::BuildTest | Chapter::SpeedVsAccuracy => return Vec::new(),
@@ -119,7 +122,8 @@ pub fn questions(chapter: Chapter) -> Vec<Question> {
     others.concat()
 }
 
-/// Returns the scene whose colors the `ray_color` of a chapter has to return.
+/// Returns the scene whose colors the `ray_color` of a chapter has to return; the sky for the build
+/// test, which has no such function.
 pub fn scene(chapter: Chapter) -> ChapterScene {
     match chapter {
         Chapter::BuildTest | Chapter::Gradient => ChapterScene::Sky,

@@ -55,7 +55,7 @@ impl Output {
     }
 
     /// Returns the three levels, red, green and blue, that the program prints for the `n`th pixel,
-    /// from 0; zeros if it stops there, or has no such pixel.
+    /// from 0; zeros if the program stops there. `n` has to be below width times height.
     ///
     /// The levels of a right program are 0 to 255. A wrong one may print any number; NaN becomes 0,
     /// as a conversion to `i32` makes it. In C++ numbers beyond ±2³¹ and NaN become −2³¹ on some
@@ -65,7 +65,7 @@ impl Output {
     }
 
     /// Returns the levels of the `n`th pixel like [`pixel`](Self::pixel), but `None` if the program
-    /// stops there or has no such pixel.
+    /// stops there.
     pub fn printed(&self, n: u32) -> Option<[i32; 3]> {
         let color = self.color(n)?;
         if self.has_right_loop {
@@ -113,7 +113,7 @@ impl Output {
     }
 
     /// Returns the values that the program's variables get while it computes the `n`th pixel, in
-    /// the order of the computation. Empty if there is no such pixel.
+    /// the order of the computation. Empty if the program stops before its first pixel.
     pub fn traced_values(&self, n: u32) -> Vec<TracedValue> {
         match (&self.canvas, self.place(n)) {
             (Some(canvas), Some((i, j))) => canvas.trace(i, j),
@@ -139,7 +139,7 @@ impl Output {
     /// Returns the picture of all pixels as [`rgb`](Self::rgb) gives them.
     ///
     /// # Panics
-    /// If width times height is 2³² or more.
+    /// If width times height, as the program prints them, is 2³² or more.
     pub fn picture(&self) -> Picture {
         let (width, height) = self.size;
         let rgb = self.rgb().flatten().collect();

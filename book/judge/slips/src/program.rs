@@ -177,14 +177,15 @@ impl ChapterProgram {
         self.code.camera_ray(width, i, j)
     }
 
-    /// Calls the program's `ray_color`. Components of the color are 0 to 1 if the program is right.
+    /// Calls the program's `ray_color`. Components of the color are 0 to 1 if the program is right,
+    /// and NaN if it stops or has no such function.
     pub fn ray_color(&self, ray: &Ray) -> Color {
         self.code.ray_color(ray)
     }
 
     /// Calls the program's `hit_sphere`, which chapters 2 to 4 have. Returns the nearer root `t`, in
-    /// lengths of `ray.direction`, also behind the origin; `None` for a miss. In chapter 2, which
-    /// only decides, a hit has some `t`.
+    /// lengths of `ray.direction`, also behind the origin; `None` for a miss, or if the program
+    /// stops or has no such function. In chapter 2, which only decides, `t` is 0 for a hit.
     pub fn hit_sphere(&self, center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
         self.code.hit_sphere(center, radius, ray)
     }

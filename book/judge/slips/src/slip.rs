@@ -80,6 +80,9 @@ impl Slip {
     /// reader's language.
     ///
     /// Both lines are empty if the slip can't be made in the chapter and has no line of its own.
+    ///
+    /// # Panics
+    /// If the chapter is not one of [`Chapter::OF_THE_BOOK`], and the slip has no line of its own.
     pub fn text_in(&self, language: ReaderLanguage, chapter: Chapter) -> SlipText {
         let Edit { right, wrong } = self.line(language, chapter);
         SlipText {
@@ -201,8 +204,8 @@ impl Slip {
         chapters.filter(|&chapter| self.is_possible_in(chapter))
     }
 
-    /// Returns the path of the file that has the right code, from the top folder of the workspace;
-    /// `None` if no file has all of it.
+    /// Returns the path of the file that has the right code of one of the edits, in the first of
+    /// [`chapters`](Self::chapters), from the top folder of the workspace; `None` if none has it.
     pub fn source_path(&self) -> Option<String> {
         let chapter = self.chapters().next()?;
         let mut files = program_files(chapter).into_iter();
@@ -210,7 +213,7 @@ impl Slip {
         Some(path_in_workspace(chapter, &file.name))
     }
 
-    /// Returns true if the right code of an edit occurs in a text.
+    /// Returns true if the right code of one of the edits occurs in a text.
     fn stands_in(&self, text: &str) -> bool {
         self.edits.iter().any(|edit| edit.stands_in(text))
     }
@@ -236,7 +239,7 @@ impl Slip {
     }
 
     /// Returns the reason why nothing shows the slip in a chapter; `None` if the chapter's picture
-    /// or a probe shows it.
+    /// or a probe shows it, or if it can't be made in the chapter.
     pub fn why_unseen_in(&self, chapter: Chapter) -> Option<Unseen> {
         let is_seen = !self.revealing_probes(chapter)?.is_empty();
         (!is_seen).then_some(if self.law.is_empty() {
@@ -247,7 +250,8 @@ impl Slip {
     }
 
     /// Returns the names of the probes that show the slip in a chapter whose own picture hides it,
-    /// in the order of [`PROBES`]; empty if no probe does. `None` if the chapter's picture shows it.
+    /// in the order of [`PROBES`]; empty if no probe does. `None` if the chapter's picture shows
+    /// the slip, or if the slip can't be made in the chapter.
     pub fn revealing_probes(&self, chapter: Chapter) -> Option<Vec<&'static str>> {
         let mut rows = kept(HIDDEN).map(str::split_whitespace);
         rows.find_map(|mut row| {
@@ -269,7 +273,7 @@ impl Slip {
     }
 
     /// Splits [`page`](Self::page) at its `#`: the name of the page, `half_b_sphere`, and the
-    /// heading, `two-observations`.
+    /// heading, `two-observations`, which is empty if there is none.
     pub fn page_and_heading(&self) -> (&'static str, &'static str) {
         self.page.split_once('#').unwrap_or((self.page, ""))
     }

@@ -7,10 +7,11 @@ use crate::output::Output;
 
 /// A row in the [trace](Output::trace) of a pixel: a label and a value.
 pub struct TraceRow {
-    /// The name of the value in the program, `oc`; `oc, again` and `oc, again 2` when the variable
-    /// gets a value for the second and third time.
+    /// The name of the variable, `oc`, then `oc, again` and `oc, again 2` when it gets a value for
+    /// the second and third time; or the name of a step around these, such as `levels`.
     pub label: String,
-    /// The value as text: a number, or a vector as `(x, y, z)`.
+    /// The value as text: a number, a vector as `(x, y, z)`, `true`, `false`, `none`, or the three
+    /// levels with blanks between them.
     pub value: String,
 }
 
@@ -26,8 +27,8 @@ impl Output {
     /// viewport, the origin and the direction of its ray, then the values of the variables in the
     /// order of the computation, then the color and the levels.
     ///
-    /// If the program stops early, or has no such pixel, the rows end where it stops, and the
-    /// levels are all 0.
+    /// `n` has to be below width times height. If the program stops early, the rows end where it
+    /// stops, and the levels are all 0.
     pub fn trace(&self, n: u32) -> Vec<TraceRow> {
         let mut rows = Vec::new();
         if let Some(ray) = self.ray(n) {
@@ -44,7 +45,7 @@ impl Output {
 }
 
 /// Labels the values of a trace by their names. A name that comes again, as with the second
-/// sphere, is numbered.
+/// sphere, is numbered. The values of `return` and those of a camera's constructor are left out.
 fn labeled(values: Vec<TracedValue>) -> Vec<TraceRow> {
     let mut rows: Vec<TraceRow> = Vec::new();
     for TracedValue {
@@ -69,9 +70,9 @@ fn labeled(values: Vec<TracedValue>) -> Vec<TraceRow> {
     rows
 }
 
-/// Lays several traces out as a table: a line for each label, in the order of the first trace, with
-/// the label and the value of each trace between tabs. The value is `none` where a trace lacks the
-/// label. Empty without traces.
+/// Lays several traces out as a table: a line for each label, in the order in which the traces
+/// first have them, with the label and the value of each trace between tabs. The value is `none`
+/// where a trace lacks the label. Empty without traces.
 pub fn trace_table(traces: &[Vec<TraceRow>]) -> String {
     let mut labels: Vec<&str> = Vec::new();
     for row in traces.iter().flatten() {

@@ -23,7 +23,8 @@ pub struct WrongPicture {
     picture: OnceLock<Picture>,
 }
 
-/// The width in pixels of every [`WrongPicture`]; the height is exactly 9/16 of it.
+/// The width in pixels for which every [`WrongPicture`] is drawn. It is a multiple of 16, so that
+/// right pictures with rays are exactly 16:9; the build test's is a square.
 pub const WRONG_PICTURE_WIDTH: u32 = 96;
 
 /// A line for each wrong picture: its look, its chapter, its slips.
@@ -53,8 +54,8 @@ impl WrongPicture {
         })
     }
 
-    /// Returns the picture, [`WRONG_PICTURE_WIDTH`] pixels wide. It is drawn at the first call and
-    /// kept.
+    /// Returns the picture that the first slip draws for the width [`WRONG_PICTURE_WIDTH`]; its own
+    /// width may be wrong. It is drawn at the first call and kept.
     pub fn picture(&self) -> &Picture {
         let draw = || {
             self.slips[0]
