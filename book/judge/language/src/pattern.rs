@@ -72,8 +72,8 @@ impl Pattern {
     }
 
     /// Searches an expression in [`normal()`] form for the pattern, and returns its first occurrence,
-    /// the whole before its parts. A [small](Self::is_small) pattern is compared with the whole and
-    /// with conditions only.
+    /// the whole before its parts. A [small](Self::is_small) pattern is compared only with the
+    /// whole, and with the operands of `&&`, `||`, `!` and choices in it.
     pub fn find<'t>(&self, tree: &'t Tree) -> Option<Match<'t>> {
         let nodes = match self.is_small() {
             true => parts_of_a_condition(tree),

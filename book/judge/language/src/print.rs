@@ -221,8 +221,8 @@ impl Language {
         }
     }
 
-    /// Returns the spelling of a function in this language, as in [`SPELLINGS`]. One that is not
-    /// listed there keeps its name.
+    /// Returns the spelling of a function in this language, as in [`SPELLINGS`]. A function that is
+    /// not listed there keeps its name; with one argument, it may be a [field](is_field).
     fn spelling(self, id: &str, name: &str, arguments: usize) -> String {
         let row = SPELLINGS.iter().find(|(it, _)| *it == id);
         let spelling = match row {

@@ -33,7 +33,8 @@ pub struct Statement {
     pub role: Role,
     /// The expression, as it is written.
     pub value: Tree,
-    /// The range of bytes of the statement in the source text.
+    /// The range of bytes of the statement in the source text; of a field or a named argument, that
+    /// of its value.
     pub at: Range<usize>,
 }
 

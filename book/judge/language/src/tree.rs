@@ -14,9 +14,9 @@ pub enum Op {
     /// A call of the function or constructor of this name with the parts as arguments, or of the
     /// method or field of this name of the first part.
     Call(String),
-    /// A binary operator between two parts, spelled as in Rust; `//` is the division of whole
-    /// numbers. In [`normal`](crate::normal()) form sums and products have more parts, and `<` and
-    /// `<=` have one that is compared with 0.
+    /// A binary operator between two parts, spelled as in Rust if Rust has it; `//` is the division
+    /// of whole numbers. In [`normal`](crate::normal()) form `+`, `*`, `&&` and `||` have two parts
+    /// or more, and `<` and `<=` have one that is compared with 0.
     Operator(&'static str),
     /// The arithmetic negation of the only part.
     Negative,
@@ -38,8 +38,8 @@ pub enum Op {
 pub struct Tree {
     /// The operation at the root.
     pub op: Op,
-    /// The operands of the operation, in the order in which they are written; their number depends
-    /// on it.
+    /// The operands of the operation, in the order and number that [`Op`] tells; for an operator or
+    /// a call, in the order in which they are written.
     pub parts: Vec<Tree>,
     /// The range of bytes of the expression in the source text; `0..0` for a tree that no text has.
     pub at: Range<usize>,

@@ -26,7 +26,8 @@ impl Parser<'_> {
     }
 }
 
-/// Reads a number without its `_` and the suffix of its type; `None` if it has other letters.
+/// Reads a decimal number without its `_`, up to the suffix of its type, which begins with the
+/// first letter other than `e`; `None` if that is no number.
 pub(super) fn number(text: &str) -> Option<Op> {
     let digits: String = text.chars().filter(|c| *c != '_').collect();
     let is_suffix = |c: char| c.is_ascii_alphabetic() && !"eE".contains(c);

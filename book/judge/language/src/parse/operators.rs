@@ -47,7 +47,7 @@ const BINARY: [(&str, u8, &str); 37] = [
 ];
 /// The precedence of a choice, `c ? a : b` or `a if c else b`.
 const CHOICE: u8 = 2;
-/// The precedence of the firmest operator that a condition of Python's choice may have.
+/// The lowest precedence of an operator that the condition of Python's choice may have.
 const SIDE: u8 = 3;
 /// The precedence of comparisons.
 const COMPARED: u8 = 6;
