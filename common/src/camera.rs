@@ -37,7 +37,7 @@ impl Camera {
     /// eye is at the origin and looks along −z.
     ///
     /// The viewport is 2 units high and 1 unit away. Its width follows from the real ratio of width
-    /// to height, which only comes near 16:9, because both are integers.
+    /// to height; in the chapters that only comes near 16:9, because both are integers.
     pub fn with_size(image_width: u32, image_height: u32) -> Self {
         debug_assert!(
             image_width > 0 && image_height > 0,

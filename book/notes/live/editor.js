@@ -132,8 +132,8 @@ class Editor {
         }
     }
 
-    // Shows the editor beside a listing, in the listing's file, with the first empty function of the
-    // listing selected, or its first word.
+    // Shows the editor beside a listing, in the listing's file. Selects the `todo!()` of the listing's
+    // first empty function, or else begins at its first function.
     show(listing) {
         this.listing = listing;
         listing.before(this.desk);
@@ -448,9 +448,9 @@ class TypedFile {
         }
     }
 
-    // Indents as rustfmt does: a new line keeps the indentation, a closing brace takes four spaces
-    // away, and a line that continues a condition gets four more. Tab leaves the text field, as it
-    // leaves any other.
+    // Indents as rustfmt does: a new line keeps the indentation, and gets four spaces more after an
+    // opening bracket or if it continues a condition; a closing brace takes four away. Tab leaves the
+    // text field, as it leaves any other.
     press(event) {
         const { value, selectionStart: at } = this.area;
         if (event.isComposing || event.ctrlKey || event.metaKey || event.altKey) {
@@ -523,8 +523,8 @@ class TypedFile {
         return starts;
     }
 
-    // Returns two positions in the text, of columns of a line. Columns count characters; positions
-    // count UTF-16 units.
+    // Returns two positions in the text, of columns of a line. Columns count characters, positions
+    // UTF-16 units; these and lines count from 0.
     range(line, from, to) {
         const start = this.starts()[line] ?? this.area.value.length;
         const [text] = this.area.value.slice(start).split("\n", 1);
@@ -561,7 +561,7 @@ class TypedFile {
     }
 
     // Returns the position and the length of the `todo!()` in the first empty function of this code; or
-    // the position where the code begins, and 0.
+    // the position where its first function begins, and 0.
     toType(code) {
         const { value } = this.area;
         const starts = [...code.matchAll(/\bfn \w+/g)].map(([name]) => value.indexOf(name)).filter((at) => at >= 0);
@@ -653,7 +653,7 @@ cargo rtrace watch NAME</code></pre></div>
 <details class="listed"><summary>The chapter's own lines</summary></details>
 <p class="small">This browser keeps your text; it goes nowhere else.</p>`;
 
-// The editors that were opened on this page, by their chapters.
+// The editors that were opened on this page: up to two for a chapter, to type it and to break it.
 const editors = {};
 
 // Opens the editor of a chapter beside a listing of it: with what was typed, or to break the chapter.

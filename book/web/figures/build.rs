@@ -53,8 +53,9 @@ fn method(item: ImplItem) -> Option<ImplItemFn> {
     }
 }
 
-/// Returns a copy of the function that appends each value to `notes`: of every `let` that is not
-/// mutable, and of the returned result. A constant `LINES` beside it names the noted lines.
+/// Returns a copy of the function that appends to `notes`: the value of every `let` that is not
+/// mutable, and an empty text behind every `if` that did not return. A constant `LINES` beside it
+/// names these lines and, in the end, the `result`.
 fn traced(mut function: ImplItemFn) -> impl ToTokens {
     let mut names = Vec::new();
     let mut body = Vec::new();

@@ -21,8 +21,8 @@ pub fn ray_color(ray: &Ray) -> Color {
 
 /// Returns true if the line through `ray`, endless in both directions, meets or touches the sphere.
 ///
-/// The sign of `radius` does not matter. NaN in any number, or an overflow, gives false; a
-/// direction of length 0 gives true. Source: equations (11)–(15) of the notes.
+/// The sign of `radius` does not matter. NaN in any number gives false, a direction of length 0
+/// true; an overflow may give either. Source: equations (11)–(15) of the notes.
 pub fn hit_sphere(center: Point3, radius: f64, ray: &Ray) -> bool {
     let oc = center - ray.origin;
     let a = ray.direction.dot(ray.direction);

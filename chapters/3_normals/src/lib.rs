@@ -30,8 +30,8 @@ pub fn ray_color(ray: &Ray) -> Color {
 /// touches the sphere: the nearer root of |C − P(t)|² = r². Returns `None` if it misses.
 ///
 /// `t` counts lengths of `ray.direction`; negative, it lies behind the origin. The sign of `radius`
-/// does not matter; ∞ gives −∞. NaN in any number, a direction of length 0 or an overflow gives
-/// `Some(NaN)`. Source: equations (12)–(15) of the notes.
+/// does not matter; ∞ gives −∞. NaN in any number or a direction of length 0 gives `Some(NaN)`; an
+/// overflow gives that, ±∞ or `None`. Source: equations (12)–(15) of the notes.
 pub fn hit_sphere(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
     let oc = center - ray.origin;
     let a = ray.direction.dot(ray.direction);

@@ -25,8 +25,8 @@ impl Hittable for Sphere {
     /// Finds the nearer root if it lies in the interval, else the farther one:
     /// from inside the sphere, the nearer root is behind the ray.
     ///
-    /// Both ends are left out. NaN or ∞ anywhere, a direction of 0 or an overflow: `None`.
-    /// A sphere of radius 0 is a point and has no normal: it is NaN.
+    /// Both ends are left out. NaN or ∞ in ray or sphere, a direction of 0 or an overflow: `None`.
+    /// A sphere of radius 0 is a point and has no normal: its numbers are not finite.
     fn hit(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<HitRecord> {
         let oc = self.center - ray.origin;
         let a = ray.direction.length_squared();

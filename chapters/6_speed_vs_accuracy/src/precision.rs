@@ -1,8 +1,8 @@
-//! Single and double precision: the two kinds of numbers that methods compute with.
+//! Single and double precision: the two kinds of numbers that methods take and return.
 
 use glam::Vec3;
 
-/// A floating-point format of IEEE 754: the numbers that a method computes with.
+/// A floating-point format of IEEE 754: that of the numbers which a method takes and returns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Precision {
     /// `f64`, with 53 binary digits and exponents of two to ±1000.

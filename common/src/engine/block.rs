@@ -16,8 +16,8 @@ use multiversion::multiversion;
 
 use crate::color::{Color, write_color};
 
-/// The number of pixels in a block: a multiple of the 8 lanes that any processor here has, and a
-/// divisor of most widths: 400, 1280, 1920, 3840.
+/// The number of pixels in a block: a multiple of 8, the most lanes that a processor has here, and
+/// a divisor of most widths: 400, 1280, 1920, 3840.
 pub(super) const BLOCK: usize = 80;
 
 /// Pixels side by side in a row, as a structure of arrays: the levels 0–255 that a picture stores.

@@ -96,7 +96,8 @@ impl Picture {
         }
     }
 
-    /// Paints the bytes of [`Picture::rgb`] anew, with this number of threads, at least one.
+    /// Returns a copy of the bytes of [`Picture::rgb`], which it does not keep. If they are not yet
+    /// there, this number of threads paints them, at least one.
     pub fn rgb_with_threads(&self, threads: usize) -> Vec<u8> {
         let mut rgb = Vec::with_capacity(3 * self.width as usize * self.height as usize);
         let paint = |strip, bytes: &mut Vec<u8>| self.push_strip(strip, bytes);
@@ -107,7 +108,7 @@ impl Picture {
         rgb
     }
 
-    /// Returns the number of strips, the pieces that a picture is painted in: some 2500 pixels
+    /// Returns the number of strips, the pieces that a picture is painted in: up to 2560 pixels
     /// each, in reading order.
     pub fn strips(&self) -> usize {
         (self.blocks_in_row() * self.height as usize).div_ceil(STRIP)

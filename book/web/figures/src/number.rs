@@ -66,7 +66,7 @@ pub(crate) fn listed(values: &[f64]) -> String {
     values.join(" and ")
 }
 
-/// Returns `<`, `=` or `>`: how one number compares with the other.
+/// Returns `<`, `=` or `>`: how one number compares with the other, where −0 is less than 0.
 pub(crate) fn sign(one: f64, other: f64) -> char {
     match one.total_cmp(&other) {
         Ordering::Less => '<',

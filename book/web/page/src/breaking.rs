@@ -26,8 +26,8 @@ pub struct Breakable {
 pub struct WordEdit {
     /// The index of the edited file in [`Draft::files`].
     pub file: usize,
-    /// The range of bytes in that file which the edit replaces: whole words, and only those that
-    /// change.
+    /// The range of bytes in that file which the edit replaces: whole words, as few as the change
+    /// allows.
     pub at: Range<usize>,
     /// The text that takes the place of the range; empty if the words are deleted.
     pub new: String,
@@ -77,7 +77,8 @@ impl Breakable {
         &self.draft
     }
 
-    /// Lists the words that at least one edit changes, file by file and from the top.
+    /// Lists the words that at least one edit changes, file by file and from the top; brackets,
+    /// commas and their like are left out.
     pub fn words(&self) -> Vec<Word> {
         let files = self.draft.files.iter().enumerate();
         let all = files.flat_map(|(file, it)| {
@@ -137,7 +138,7 @@ impl Breakable {
 
 impl WordEdit {
     /// Narrows an edit to the words that differ. Returns `None` if none do, or if an edit that is
-    /// no known slip starts from more than one line.
+    /// no known slip replaces text of more than one line.
     fn new(draft: &Draft, edit: FileEdit, slip: Option<&'static str>) -> Option<Self> {
         let file = &draft.files[edit.file].text;
         let old = &file[edit.at.clone()];
@@ -189,7 +190,7 @@ fn known(chapter: Chapter, draft: &Draft) -> Vec<(FileEdit, Option<&'static str>
 
 /// Returns the range of bytes of `old` that differs from `new`, in whole words and with brackets in
 /// pairs, and the words that `new` has there. Where `new` only adds words, the range is a neighbor
-/// of these. Returns `None` if both texts have the same words.
+/// of these. Returns `None` if both texts have the same words, or `old` has none.
 fn differing<'n>(old: &str, new: &'n str) -> Option<(Range<usize>, &'n str)> {
     let (olds, news) = (words(old), words(new));
     let same = olds

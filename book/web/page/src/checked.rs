@@ -40,9 +40,10 @@ pub struct CheckResponse {
     /// cause, `width height column row` with the first wrong pixel, and the number of wrong
     /// pixels); the headline; all the rest. The last two are HTML.
     pub text: String,
-    /// The right picture and the reader's, or `None` if the file could not be read.
+    /// The right picture and the reader's of the same size, or `None` if the answer compares none.
     pictures: Option<Pictures>,
-    /// The reader's levels and the programs whose numbers are shown for a pixel.
+    /// The reader's levels and the programs whose numbers are shown for a pixel, or `None` if the
+    /// file could not be judged.
     traced: Option<Traced>,
 }
 
@@ -58,7 +59,7 @@ struct Traced {
 impl CheckRequest {
     /// Reads a request from four fields with zero bytes between them: the name of the file, and the
     /// indices of chapter, probe and edition in the lists of [`choices`], counted from 1. A field
-    /// that is 0, missing or no number stands for no choice.
+    /// that is 0, missing, too large or no number stands for no choice.
     pub fn read(text: &str) -> Self {
         let mut fields = text.split('\0');
         let name = fields.next().unwrap_or_default().to_owned();
@@ -71,8 +72,8 @@ impl CheckRequest {
         }
     }
 
-    /// Returns the scene that the request asks for; the chapter is guessed from `reading` if the
-    /// request names none. A probe for which the chapter has no room is left out.
+    /// Returns the task of the request; the chapter is guessed from `reading` if the request names
+    /// none. A probe for which the chapter has no room is left out.
     fn task(&self, reading: Option<&Reading>) -> Task {
         let plain = match (self.chapter, reading) {
             (None, Some(reading)) => guess::guess_task(reading),
@@ -103,7 +104,7 @@ impl CheckRequest {
     ///
     /// Where the format loses levels in ways of its own (JPEG, WebP), only a right picture is
     /// judged: a difference may be the file's fault. If the number of bytes does not fit the size,
-    /// the file is refused.
+    /// or there are more than [`MOST_PIXELS`], the file is refused.
     pub fn decoded(self, why: &[u8], width: u32, height: u32, rgba: &[u8]) -> CheckResponse {
         let Err(cause) = reading::read(why) else {
             return self.too_large();

@@ -15,8 +15,8 @@ use crate::source::{self, SourceItem};
 pub(crate) struct Listed(Vec<(String, Range<usize>, String)>);
 
 impl Listed {
-    /// Returns `, below NAME` or `, above NAME` for the nearest item of the same file that was
-    /// listed before, or nothing if there is none.
+    /// Returns `, below NAME` for the nearest listed item above this one in the same file, else `,
+    /// above NAME` for the nearest below, or nothing if the page has listed none.
     fn beside(&self, file: &str, item: &SourceItem) -> String {
         let of_file = || self.0.iter().filter(|(of, ..)| of == file);
         let before = of_file().filter(|(_, lines, _)| lines.end <= item.lines.start);

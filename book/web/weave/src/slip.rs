@@ -29,7 +29,8 @@ pub(crate) fn slip(name: &str, chapter: &str) -> Result<String, String> {
     ))
 }
 
-/// Returns the picture of each edition of the book, and how it differs from ours.
+/// Returns three pictures of each edition of the book, and how it differs from ours. Of the two
+/// programs of version 1, it shows one.
 pub(crate) fn editions() -> String {
     // To see the two programs of version 1 apart takes a comparison of bits.
     let mut editions = Edition::ALL.to_vec();

@@ -79,8 +79,8 @@ enum Root {
 }
 
 impl IntegerQuadratic {
-    /// Makes the equation of a ray and a sphere; returns `None` if it has no root or a number is
-    /// not finite.
+    /// Makes the equation of a ray and a sphere; returns `None` if it has no root, the direction is
+    /// 0, or a number is not finite.
     fn new(center: Point3, radius: f64, ray: &Ray) -> Option<Self> {
         let ([a, h, c], [unit_of_length, unit_of_direction]) = coefficients(center, radius, ray)?;
         let discriminant = UBig::try_from(&h * &h - &a * &c).ok()?;
@@ -265,7 +265,8 @@ fn integers<const N: usize>(values: [f64; N]) -> Option<([IBig; N], i64)> {
     Some((integers, unit))
 }
 
-/// Returns the integer and the exponent of two whose product is `x`, which has to be finite.
+/// Returns an integer and an exponent: `x`, which has to be finite, is the integer times two to the
+/// exponent.
 pub(super) fn split(x: f64) -> (i64, i64) {
     let bits = x.abs().to_bits();
     let fraction = (bits & ((1 << 52) - 1)).cast_signed();

@@ -97,7 +97,7 @@ fn quadratic([cx, cy, cz, qx, qy, qz, r]: [i128; 7], d: [i128; 3]) -> Option<Dou
 fn integers<const N: usize>(values: [f64; N]) -> Option<([i128; N], i64)> {
     /// The largest shift: a number has 53 digits.
     const MOST: i64 = 120 - 53;
-    /// The exponent field of an infinity or NaN.
+    /// The exponent that `split` returns for an infinity or NaN.
     const NOT_FINITE: i64 = 972;
     let parts = values.map(split);
     // A zero has the least exponent, and none that counts.

@@ -31,7 +31,7 @@ impl Case {
     /// Returns the answer of `method`: the nearest root between `t_min` and `t_max`, both excluded,
     /// or `None`.
     ///
-    /// A method in `f32` gets the case [rounded](Case::rounded), and its answer is widened.
+    /// A method in `f32` gets the case and both ends rounded to `f32`, and its answer is widened.
     #[inline]
     pub fn put_to(&self, method: &Method, t_min: f64, t_max: f64) -> Option<f64> {
         match method.solve {

@@ -206,7 +206,7 @@ pub enum Arithmetic {
     /// A method, in its own precision: as in chapter 5, it is asked about one sphere after the
     /// other.
     Method(Method),
-    /// Exact arithmetic, with no rounding until a point is found and rounded to `f64`.
+    /// Exact arithmetic: no rounding decides what is hit, and `t` is rounded once, to `f64`.
     Exact,
 }
 
