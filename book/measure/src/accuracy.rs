@@ -63,8 +63,8 @@ fn is_the_book(regime: &Regime) -> bool {
     regime.name == Regime::BOOK.name
 }
 
-/// Returns the rows of the ball, of the ground, and of both together, under the names of their
-/// regimes.
+/// Returns three rows for each method of this precision: of both spheres together, of the ball, and
+/// of the ground.
 fn of_the_book(methods: &[Method], precision: Precision, pixels: usize) -> Vec<Accuracy> {
     let [ball, ground] = SPHERES.map(|(center, radius)| {
         errors_of(methods, precision, pixels.min(PIXELS), &|n| {

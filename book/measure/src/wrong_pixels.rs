@@ -99,10 +99,10 @@ pub fn draw(
 ) -> SceneViews {
     let (camera, done) = (Camera::new(width), AtomicUsize::new(0));
     let rows = (0..camera.image_height).into_par_iter().map(|j| {
-        let sights = |eye| -> Vec<Sight> {
+        let sights = |arithmetic| -> Vec<Sight> {
             let columns = 0..camera.image_width;
             columns
-                .map(|i| scene.look(eye, &camera.ray(i, j)))
+                .map(|i| scene.look(arithmetic, &camera.ray(i, j)))
                 .collect()
         };
         let right = sights(Arithmetic::Exact);

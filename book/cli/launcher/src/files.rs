@@ -113,12 +113,12 @@ fn name(line: &str) -> Option<&str> {
     is_inside.then_some(name)
 }
 
-/// Refuses a folder that [`fill_folder`] would refuse, before its files are computed.
+/// Refuses a folder that [`fill_folder`] would refuse whatever the files are, before these are
+/// computed.
 ///
 /// # Errors
-/// If the folder has something that [`fill_folder`] has not written there as a `kind` of thing, or
-/// can't be read. A new, an empty and a missing folder are no error; nor is one with nothing but
-/// hidden files.
+/// If the folder has files but no manifest of this `kind`, or can't be read. An empty and a missing
+/// folder are no error; nor is one with nothing but hidden files.
 pub fn refuse_strangers(folder: &Path, kind: &str) -> Result<(), Box<dyn Error>> {
     ours(folder, kind).map(drop)
 }

@@ -71,7 +71,7 @@ pub struct CarriedFunction {
 pub enum CarriedPlace {
     /// In place of the item, which is removed from the skeleton.
     Instead,
-    /// Above the item, which stays, under this new name.
+    /// Above the item, which stays; the function gets this new name.
     AboveAs(&'static str),
     /// Above the item, which stays, as a comment: the reader sees the earlier code, and types anew.
     AboveAsComment,
@@ -106,8 +106,8 @@ pub fn carried_functions(chapter: Chapter) -> Vec<CarriedFunction> {
 pub const OWN_SKY: &str = include_str!("../files/own/sky.rs");
 
 /// Lists the files of a prelude that the reader types: vectors, rays and the rendering of a
-/// picture. They are in the order in which they are typed, and have `todo!()` in the bodies of
-/// their functions.
+/// picture. They are in the order in which they are typed, and have `todo!()` in the bodies of the
+/// functions to be typed.
 pub fn own_prelude() -> [SourceFile; 4] {
     [
         ("rtweekend", include_str!("../files/own/rtweekend.rs")),

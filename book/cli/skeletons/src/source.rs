@@ -58,8 +58,8 @@ fn name(item: &Item, source: &str) -> Option<String> {
     })
 }
 
-/// Returns the source with `todo!()` as the body of each function that is not `given`, and with the
-/// first sentence only of each doc comment.
+/// Returns the source with `todo!()` as the body of each function that is not `given`, with the
+/// first sentence only of each doc comment, and without `#[inline]`.
 pub(crate) fn to_type(source: &str, given: &[&str]) -> String {
     let file = syn::parse_file(source).expect("a chapter is Rust");
     let mut functions: Vec<(&Ident, &Block)> = Vec::new();

@@ -9,7 +9,7 @@ use measure::machine;
 use crate::one_by_one;
 
 /// Returns the lines above the table of times, by their keys: machine, compiler, flags, command,
-/// method.
+/// how.
 pub(crate) fn about(effort: &Effort) -> BTreeMap<String, String> {
     let how = format!(
         "{} rounds in which everyone takes a turn of {} µs or more; one thread; {} questions; each \

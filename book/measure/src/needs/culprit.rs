@@ -22,14 +22,14 @@ pub struct Culprit {
     pub case: Case,
     /// The excluded lower end of the range of t.
     pub t_min: f64,
-    /// The error of the method's t in ulps. Infinite if it takes a hit for a miss, or a miss for a
-    /// hit.
+    /// The error of the method's t in ulps: infinite if the method misses where there is a hit, or
+    /// hits where there is none.
     pub error: f64,
 }
 
 impl Culprit {
-    /// Finds the ray and the sphere to blame for the first wrong pixel of `view`, a picture of
-    /// `scene`, in reading order. Returns `None` if no pixel is wrong, or no sphere is involved.
+    /// Finds the ray and the sphere to blame for the first wrong pixel, in reading order, of `view`,
+    /// a picture of `scene` at its own width. Returns `None` if no pixel is wrong, or no sphere is involved.
     pub fn of(scene: &Scene, view: &MethodView) -> Option<Self> {
         let pixel @ [i, j] = view.first_wrong?;
         let ray = Camera::new(scene.width).ray(i, j);
@@ -88,7 +88,8 @@ fn worst(
     found.max_by(|(_, one), (_, other)| one.total_cmp(other))
 }
 
-/// Returns how many ulps t is off; infinity where a hit is taken for a miss, or a miss for a hit.
+/// Returns how many ulps t is off; infinity if only one of the method and the exact answer hits, 0 if
+/// neither does.
 fn error(method: &Method, case: &Case, t_min: f64) -> f64 {
     let precision = method.precision();
     let exact = ExactCase::of_finite(&case.rounded(precision));

@@ -16,7 +16,7 @@ use crate::table::{Record, Table};
 pub struct Accuracy {
     /// The name of the regime.
     pub regime: String,
-    /// The numbers that the method computes with: `f64` or `f32`.
+    /// The numbers that the method takes and returns: `f64` or `f32`.
     #[serde(with = "PrecisionName")]
     pub precision: Precision,
     /// The name of the method.
@@ -29,18 +29,18 @@ pub struct Accuracy {
     /// misses where there is one.
     pub wrong_per_million: f64,
     /// The error of t that half of the hits do not exceed, in ulps of the exact root in this
-    /// precision; `None`, like the four fields below, if the method hit nothing.
+    /// precision; `None`, like the four fields below, if no hit of the method was right.
     pub median_ulps: Option<f64>,
-    /// The error of t that 999 of 1000 hits do not exceed, in ulps; `None` if the method hit
-    /// nothing.
+    /// The error of t that 999 of 1000 hits do not exceed, in ulps; `None` if no hit
+    /// was right.
     pub p999_ulps: Option<f64>,
-    /// The largest error of t, in ulps; `None` if the method hit nothing.
+    /// The largest error of t, in ulps; `None` if no hit was right.
     pub largest_ulps: Option<f64>,
     /// The distance of the point at t from the sphere's surface, in radii, that half of the hits do
-    /// not exceed; `None` if the method hit nothing.
+    /// not exceed; `None` if no hit was right.
     pub surface_median_radii: Option<f64>,
-    /// The largest distance of the point at t from the sphere's surface, in radii; `None` if the
-    /// method hit nothing.
+    /// The largest distance of the point at t from the sphere's surface, in radii; `None` if no
+    /// hit was right.
     pub surface_largest_radii: Option<f64>,
     /// A checksum of the method's first answers, by which a test knows that they have not changed.
     pub answers: u64,
@@ -78,7 +78,7 @@ pub struct Level {
     pub regime: String,
     /// The exponent k: the rays start 10ᵏ radii away from the sphere.
     pub level: i32,
-    /// The numbers that the method computes with: `f64` or `f32`.
+    /// The numbers that the method takes and returns: `f64` or `f32`.
     #[serde(with = "PrecisionName")]
     pub precision: Precision,
     /// The name of the method.
@@ -86,11 +86,11 @@ pub struct Level {
     /// The number of wrong decisions in a million questions: hits where there is no root, and
     /// misses where there is one.
     pub wrong_per_million: f64,
-    /// The error of t that half of the hits do not exceed, in ulps; `None` if the method hit
-    /// nothing.
+    /// The error of t that half of the hits do not exceed, in ulps; `None` if no hit
+    /// was right.
     pub median_ulps: Option<f64>,
-    /// The error of t that 999 of 1000 hits do not exceed, in ulps; `None` if the method hit
-    /// nothing.
+    /// The error of t that 999 of 1000 hits do not exceed, in ulps; `None` if no hit
+    /// was right.
     pub p999_ulps: Option<f64>,
     /// A checksum of the method's first answers, by which a test knows that they have not changed.
     pub answers: u64,
@@ -128,10 +128,11 @@ pub struct Timing {
     pub what: String,
     /// The method, or another name from the table above.
     pub name: String,
-    /// The numbers that the loop computes with: `f64` or `f32`.
+    /// The numbers of the loop's questions: `f64` or `f32`.
     #[serde(with = "PrecisionName")]
     pub precision: Precision,
-    /// The name of the regime of the rays, or `all_hits` for those rays of `book` that hit.
+    /// The name of the regime of the rays; `all_hits` for those rays of `book` that hit, `any_range`
+    /// for rays of `book` in lanes with t from 0.001 on.
     #[serde(rename = "where")]
     pub place: String,
     /// The number of rays in a round.
@@ -142,8 +143,8 @@ pub struct Timing {
     /// The time divided by that of `half_b` on the same rays in the same round: the median over
     /// rounds, with the digits on which half of the rounds agree.
     pub ratio: f64,
-    /// The number of processor instructions for a ray, counted by valgrind; `None` for all rays but
-    /// those of `book` and `all_hits`.
+    /// The number of processor instructions for a ray, counted by valgrind; `None` for rays of other
+    /// regimes than `book`.
     pub instructions: Option<f64>,
 }
 

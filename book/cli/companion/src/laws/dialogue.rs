@@ -51,8 +51,8 @@ pub(super) enum DialogueFailure {
 /// The time that a program may take to print the rest and to end after its input has ended.
 const FAREWELL: Duration = Duration::from_secs(2);
 
-/// The length of a line in bytes: an answer is a few numbers, and the rest of a longer one is cut
-/// off.
+/// The greatest length of a line in bytes: an answer is a few numbers, and the rest of a longer one
+/// counts as one more line.
 const MOST_BYTES: u64 = 200;
 
 impl Dialogue {
@@ -79,7 +79,8 @@ impl Dialogue {
     /// Sends the program a line, and returns the line that it answers, without blanks around it.
     ///
     /// # Errors
-    /// If the program has printed something before, answers too late, or has ended.
+    /// If the program has printed something before, answers too late, has ended, or has taken longer
+    /// than it may for all answers.
     pub(super) fn ask(&mut self, line: &str) -> Result<String, DialogueFailure> {
         self.says_no_more(Duration::ZERO)?;
         if self.start.elapsed() > ALL * self.limit {

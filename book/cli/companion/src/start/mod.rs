@@ -73,13 +73,13 @@ pub(crate) fn start(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 /// A crate of a reader that is about to be written.
 struct NewCrate {
     chapter: Chapter,
-    /// The reader's crate of the chapter before, if there is one.
+    /// The reader's crate of the nearest earlier chapter, if there is one.
     before: Option<PathBuf>,
     /// Files to be copied from there as they are, each with its path in the new crate.
     copies: Vec<(PathBuf, PathBuf)>,
     /// The other files, in the order in which they are typed. One of the same name replaces a copy.
     files: Vec<SourceFile>,
-    /// A sentence about what was carried over from the chapter before, or why nothing was.
+    /// A sentence about what was carried over from that crate, or why nothing was; empty without it.
     carried: String,
 }
 

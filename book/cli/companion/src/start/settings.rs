@@ -21,8 +21,8 @@ pub(super) fn workspace_from_crate(folder: &Path, workspace: &Path) -> PathBuf {
 
 /// Writes `.cargo/config.toml` of a reader's crate. All such crates share what was built once, and
 /// `cargo rtrace` means in them what it means in the workspace. Cargo merges the alias with the
-/// workspace's only if it is one text; so there is none where a path has a space in it. It is read
-/// wherever the reader is in the crate, and so its paths are absolute.
+/// workspace's only if it is one text; so there is none where a path has a space in it. The alias
+/// runs wherever the reader is in the crate, and so its paths are absolute.
 pub(super) fn cargo_config(from_crate: &Path, workspace: &Path) -> String {
     let shared = with_slashes(&from_crate.join("target/mine"));
     let target = format!("[build]\ntarget-dir = {shared:?}\n");

@@ -48,7 +48,8 @@ impl BackgroundBuild {
         }
     }
 
-    /// Returns true if cargo has ended by itself since the last call or start.
+    /// Returns true if the cargo that was started last has ended by itself; false while it runs, is
+    /// stopped, or was not started.
     pub(super) fn has_ended(&mut self) -> bool {
         let ended = |it: &mut RunningProgram| it.exit_status().ok().flatten().is_some();
         let has_ended = self.running.as_mut().is_some_and(ended);

@@ -33,10 +33,10 @@ pub(super) struct BuildFailure {
     pub(super) advice: &'static str,
 }
 
-/// The line to show before cargo builds more than the crate, in chapter 1.
+/// The line to show before cargo builds more than the crate, for its program.
 const PRELUDE: &str = "\nBuilding the prelude for all your crates: once, about a quarter of a minute. \
     The laws, from chapter 2 on, take a minute more, once";
-/// The line to show before cargo builds more than the crate, in a chapter with laws.
+/// The line to show before cargo builds more than the crate, for its test of the laws.
 const LAWS: &str =
     "\nBuilding the laws, which test your functions, for all your crates: once, about a minute";
 
