@@ -143,8 +143,8 @@ loops! {
     in f32 Single: single, half_b_f32 widened_half_b_q_f32 certified_f32;
 }
 
-/// Makes a loop that calls `answer` with the numbers 0 to `count` − 1, so that the processor may work
-/// at several questions at once. The compiler has to put each answer into memory before it
+/// Makes a loop that calls `answer` with the numbers 0 to `count` − 1, so that the processor may
+/// work at several questions at once. The compiler has to put each answer into memory before it
 /// goes on, and so can't merge questions into vector instructions.
 pub fn loop_over<T>(count: usize, answer: impl Fn(usize) -> T) -> impl FnMut() {
     move || {
@@ -154,8 +154,8 @@ pub fn loop_over<T>(count: usize, answer: impl Fn(usize) -> T) -> impl FnMut() {
     }
 }
 
-/// The number of questions of a scene without a sun: so many that no processor learns their branches
-/// by heart.
+/// The number of questions of a scene without a sun: so many that no processor learns their
+/// branches by heart.
 const CASES: usize = 4096;
 
 /// Chooses rays of the camera and spheres, spread over the picture, in its order. Where the scene

@@ -1,5 +1,6 @@
 // The editor of a chapter: a text field beside the listing, with the picture of the text and the
-// verdict on it. No request leaves the page, because the interpreter and the judge are a part of it.
+// verdict on it. No request leaves the page, because the interpreter and the judge are a part of
+// it.
 //
 // The text is a plain `textarea` that nothing is drawn in: its colors and the lines below faults
 // are two layers behind it. CodeMirror 6 (view, language, lint, lang-rust) was weighed against it:
@@ -18,7 +19,8 @@
 "use strict";
 
 // The editor draws a small picture after each letter. After PAUSE milliseconds without a letter it
-// draws the text at the book's size, and shows the verdict LONG_PAUSE milliseconds after the letter.
+// draws the text at the book's size, and shows the verdict LONG_PAUSE milliseconds after the
+// letter.
 const PAUSE = 100;
 const LONG_PAUSE = 300;
 // The number of letters above which a text is not read, and above which it has no colors. No
@@ -27,8 +29,8 @@ const MOST_LETTERS = 100000;
 const MOST_COLORED = 20000;
 // The room in pixels that the editor leaves above itself for the header.
 const HEADER = 60;
-// The time in milliseconds after which a worker is replaced, for small questions and for large ones.
-// The interpreter counts steps, and names an endless loop long before.
+// The time in milliseconds after which a worker is replaced, for small questions and for large
+// ones. The interpreter counts steps, and names an endless loop long before.
 const PATIENCE = 2000;
 const LONG_PATIENCE = 30000;
 // The number of verdicts after which the judging worker is replaced: it keeps every program that it
@@ -132,8 +134,8 @@ class Editor {
         }
     }
 
-    // Shows the editor beside a listing, in the listing's file. Selects the `todo!()` of the listing's
-    // first empty function, or else begins at its first function.
+    // Shows the editor beside a listing, in the listing's file. Selects the `todo!()` of the
+    // listing's first empty function, or else begins at its first function.
     show(listing) {
         this.listing = listing;
         listing.before(this.desk);
@@ -161,8 +163,8 @@ class Editor {
         this.listing.querySelector(".tools button").focus({ preventScroll: true });
     }
 
-    // The key under which the browser keeps the reader's files. It has a version, so that a new format
-    // can have a new key.
+    // The key under which the browser keeps the reader's files. It has a version, so that a new
+    // format can have a new key.
     get key() {
         return `typed 1 ${this.name}`;
     }
@@ -202,7 +204,8 @@ class Editor {
         return [this.name, ...files];
     }
 
-    // Returns the index of the file, and the line (from 1) at whose end the reader types; 0 for none.
+    // Returns the index of the file, and the line (from 1) at whose end the reader types; 0 for
+    // none.
     caret() {
         const { area } = this.chosen;
         const isTyping = document.activeElement === area && !this.isBroken;
@@ -436,7 +439,8 @@ class TypedFile {
         this.editor.changed();
     }
 
-    // Replaces a part of the text, all of it by default, so that the browser's undo can bring it back.
+    // Replaces a part of the text, all of it by default, so that the browser's undo can bring it
+    // back.
     replace(text, [start, end] = [0, this.area.value.length]) {
         if (this.area.value.slice(start, end) !== text) {
             const { hidden } = this.panel;
@@ -449,8 +453,8 @@ class TypedFile {
     }
 
     // Indents as rustfmt does: a new line keeps the indentation, and gets four spaces more after an
-    // opening bracket or if it continues a condition; a closing brace takes four away. Tab leaves the
-    // text field, as it leaves any other.
+    // opening bracket or if it continues a condition; a closing brace takes four away. Tab leaves
+    // the text field, as it leaves any other.
     press(event) {
         const { value, selectionStart: at } = this.area;
         if (event.isComposing || event.ctrlKey || event.metaKey || event.altKey) {
@@ -477,8 +481,8 @@ class TypedFile {
         }
     }
 
-    // Scrolls until the line with the caret is seen: below the verdict, which stays on the screen of a
-    // phone, and above the buttons and the keyboard.
+    // Scrolls until the line with the caret is seen: below the verdict, which stays on the screen
+    // of a phone, and above the buttons and the keyboard.
     reveal() {
         const { value, selectionStart } = this.area;
         const height = parseFloat(getComputedStyle(this.area).lineHeight);
@@ -560,8 +564,8 @@ class TypedFile {
         this.area.setSelectionRange(at, at + length);
     }
 
-    // Returns the position and the length of the `todo!()` in the first empty function of this code; or
-    // the position where its first function begins, and 0.
+    // Returns the position and the length of the `todo!()` in the first empty function of this
+    // code; or the position where its first function begins, and 0.
     toType(code) {
         const { value } = this.area;
         const starts = [...code.matchAll(/\bfn \w+/g)].map(([name]) => value.indexOf(name)).filter((at) => at >= 0);
@@ -656,7 +660,8 @@ cargo rtrace watch NAME</code></pre></div>
 // The editors that were opened on this page: up to two for a chapter, to type it and to break it.
 const editors = {};
 
-// Opens the editor of a chapter beside a listing of it: with what was typed, or to break the chapter.
+// Opens the editor of a chapter beside a listing of it: with what was typed, or to break the
+// chapter.
 async function openEditor(listing, name, isBroken) {
     const editor = editors[`${name} ${isBroken}`] ??= new Editor(name, isBroken);
     await editor.opened;

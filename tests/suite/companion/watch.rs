@@ -240,7 +240,7 @@ impl Drop for Watched {
     }
 }
 
-/// Keeps a screen for the introduction, as it was on the day before the first one.
+/// Keeps a screen for the introduction, without what differs from run to run.
 fn keep(name: &str, screen: &str) {
     let screen: String = screen
         .lines()

@@ -120,8 +120,8 @@ pub(crate) fn directions_of(length: f64) -> BoxedStrategy<Case> {
     unit().prop_map(towards).boxed()
 }
 
-/// Adds intervals to cases, whose ends lie at a root, within two ulps of one, at 0 or 1, or at the
-/// largest number; one in a hundred is NaN.
+/// Adds intervals to cases. Half of the ends are those that a program asks for, 0 and ∞; others are
+/// a root up to two ulps, 0, ±1, the largest numbers or ±∞; one in a hundred is NaN.
 pub(crate) fn with_hostile_interval(
     cases: impl Strategy<Value = Case>,
 ) -> impl Strategy<Value = IntervalCase> {

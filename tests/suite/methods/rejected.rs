@@ -25,7 +25,7 @@ const fn method(name: &'static str, solve: Double) -> Method {
     }
 }
 
-/// Returns o − c, and a, h and c of the equation, as in chapter 5.
+/// Returns center − origin, and a, h and c of the equation, as in chapter 5.
 fn coefficients(center: Point3, radius: f64, ray: &Ray) -> (Vec3, [f64; 3]) {
     let oc = center - ray.origin;
     let a = ray.direction.length_squared();
@@ -45,22 +45,22 @@ fn by_q([a, h, c]: [f64; 3], discriminant: f64, t_min: f64, t_max: f64) -> Optio
     roots.find(|&t| discriminant >= 0.0 && t_min < t && t < t_max)
 }
 
-/// Returns the vector from the center to the point of the line that is nearest to it.
-fn to_nearest_point(oc: Vec3, [a, h, _]: [f64; 3], ray: &Ray) -> Vec3 {
+/// Returns the vector to the center from the point of the line that is nearest to it.
+fn from_nearest_point(oc: Vec3, [a, h, _]: [f64; 3], ray: &Ray) -> Vec3 {
     oc - h / a * ray.direction
 }
 
 /// D/a = r² − l², with l from the nearest point: Haines and others, Embree.
 fn nearest_point_q(center: Point3, r: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
     let (oc, of) = coefficients(center, r, ray);
-    let l_squared = to_nearest_point(oc, of, ray).length_squared();
+    let l_squared = from_nearest_point(oc, of, ray).length_squared();
     by_q(of, of[0] * (r * r - l_squared), t_min, t_max)
 }
 
 /// D/a = (r − l)(r + l): pbrt.
 fn factored_distance_q(center: Point3, r: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
     let (oc, of) = coefficients(center, r, ray);
-    let l = to_nearest_point(oc, of, ray).length();
+    let l = from_nearest_point(oc, of, ray).length();
     by_q(of, of[0] * ((r - l) * (r + l)), t_min, t_max)
 }
 

@@ -28,8 +28,9 @@ pub struct Culprit {
 }
 
 impl Culprit {
-    /// Finds the ray and the sphere to blame for the first wrong pixel, in reading order, of `view`,
-    /// a picture of `scene` at its own width. Returns `None` if no pixel is wrong, or no sphere is involved.
+    /// Finds the ray and the sphere to blame for the first wrong pixel, in reading order, of
+    /// `view`, a picture of `scene` at its own width. Returns `None` if no pixel is wrong, or no
+    /// sphere is involved.
     pub fn of(scene: &Scene, view: &MethodView) -> Option<Self> {
         let pixel @ [i, j] = view.first_wrong?;
         let ray = Camera::new(scene.width).ray(i, j);
@@ -88,8 +89,8 @@ fn worst(
     found.max_by(|(_, one), (_, other)| one.total_cmp(other))
 }
 
-/// Returns how many ulps t is off; infinity if only one of the method and the exact answer hits, 0 if
-/// neither does.
+/// Returns how many ulps t is off; infinity if only one of the method and the exact answer hits, 0
+/// if neither does.
 fn error(method: &Method, case: &Case, t_min: f64) -> f64 {
     let precision = method.precision();
     let exact = ExactCase::of_finite(&case.rounded(precision));

@@ -131,8 +131,8 @@ pub struct Timing {
     /// The numbers of the loop's questions: `f64` or `f32`.
     #[serde(with = "PrecisionName")]
     pub precision: Precision,
-    /// The name of the regime of the rays; `all_hits` for those rays of `book` that hit, `any_range`
-    /// for rays of `book` in lanes with t from 0.001 on.
+    /// The name of the regime of the rays; `all_hits` for those rays of `book` that hit,
+    /// `any_range` for rays of `book` in lanes with t from 0.001 on.
     #[serde(rename = "where")]
     pub place: String,
     /// The number of rays in a round.
@@ -143,8 +143,8 @@ pub struct Timing {
     /// The time divided by that of `half_b` on the same rays in the same round: the median over
     /// rounds, with the digits on which half of the rounds agree.
     pub ratio: f64,
-    /// The number of processor instructions for a ray, counted by valgrind; `None` for rays of other
-    /// regimes than `book`.
+    /// The number of processor instructions for a ray, counted by valgrind; `None` for rays of
+    /// other regimes than `book`.
     pub instructions: Option<f64>,
 }
 

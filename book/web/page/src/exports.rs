@@ -1,8 +1,8 @@
 //! Exports: the functions that the scripts of the pages call.
 //!
 //! Unless it says otherwise, an exported function leaves its answer, bytes or UTF-8 text, in one
-//! buffer and returns its length. The script then reads that many bytes from the address that [`place`] returns, before it
-//! makes the next call.
+//! buffer and returns its length. The script then reads that many bytes from the address that
+//! [`place`] returns, before it makes the next call.
 
 #[cfg(feature = "judge")]
 mod breaking;

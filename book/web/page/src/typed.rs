@@ -74,7 +74,8 @@ pub fn beginning(chapter: Chapter) -> Vec<String> {
 }
 
 impl Draft {
-    /// Returns a draft of the chapter's files with `todo!()` as the body of each function to be typed.
+    /// Returns a draft of the chapter's files with `todo!()` as the body of each function to be
+    /// typed.
     pub fn skeleton(chapter: Chapter) -> Self {
         Self {
             chapter,

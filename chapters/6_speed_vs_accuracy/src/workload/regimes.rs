@@ -135,8 +135,8 @@ fn near_surface(random: &mut Random, level: i32) -> Case {
     Case::new(center, radius, ray)
 }
 
-/// Makes a ray in any direction, from 0.01 to 10 above a sphere with a radius of 10ᵏ, which may be on
-/// any side of the eye: straight below it, |oc| would be a coordinate, and exact.
+/// Makes a ray in any direction, from 0.01 to 10 above a sphere with a radius of 10ᵏ, which may be
+/// on any side of the eye: straight below it, |oc| would be a coordinate, and exact.
 fn ground(random: &mut Random, level: i32) -> Case {
     let radius = power_of_ten(level);
     let height = random.between(0.01, 10.0);

@@ -79,8 +79,8 @@ impl Dialogue {
     /// Sends the program a line, and returns the line that it answers, without blanks around it.
     ///
     /// # Errors
-    /// If the program has printed something before, answers too late, has ended, or has taken longer
-    /// than it may for all answers.
+    /// If the program has printed something before, answers too late, has ended, or has taken
+    /// longer than it may for all answers.
     pub(super) fn ask(&mut self, line: &str) -> Result<String, DialogueFailure> {
         self.says_no_more(Duration::ZERO)?;
         if self.start.elapsed() > ALL * self.limit {

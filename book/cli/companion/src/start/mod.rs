@@ -79,7 +79,8 @@ struct NewCrate {
     copies: Vec<(PathBuf, PathBuf)>,
     /// The other files, in the order in which they are typed. One of the same name replaces a copy.
     files: Vec<SourceFile>,
-    /// A sentence about what was carried over from that crate, or why nothing was; empty without it.
+    /// A sentence about what was carried over from that crate, or why nothing was; empty without
+    /// it.
     carried: String,
 }
 

@@ -146,8 +146,8 @@ fn spread(places: &[f64], gap: f64, least: f64, most: f64) -> Vec<f64> {
 /// hide no other.
 const STROKES: [(&str, &str); 3] = [("certain", "bold"), ("ink", "thin"), ("reference", "line")];
 
-/// The methods in `f64` that have a line: those of the lesson of chapter 6, and a certified one. More
-/// lines would hide each other; in `f32` all have one.
+/// The methods in `f64` that have a line: those of the lesson of chapter 6, and a certified one.
+/// More lines would hide each other; in `f32` all have one.
 const DRAWN: [Method; 4] = [
     Method::HALF_B,
     Method::HALF_B_Q,
