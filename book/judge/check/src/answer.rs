@@ -120,10 +120,6 @@ pub enum RowKind {
     SameAs,
     /// The chapter and the equation or function that explain the law.
     Read,
-    /// A command that asks the reader's program the same question again.
-    ByHand,
-    /// The answer of the reader's program to the command in the row before.
-    Says,
     /// A remark that does not change the verdict.
     Besides,
     /// A further picture to draw, with the name of its probe; the name is empty for the chapter's
@@ -249,8 +245,6 @@ impl RowKind {
             Self::Allowed => "allowed",
             Self::SameAs => "same as",
             Self::Read => "read",
-            Self::ByHand => "by hand",
-            Self::Says => "it says",
             Self::Besides => "besides",
             Self::Probe(_) => "probe",
         }
@@ -266,7 +260,6 @@ impl RowKind {
                 | Self::Or
                 | Self::ShouldBe
                 | Self::Missing
-                | Self::ByHand
         )
     }
 }

@@ -90,8 +90,6 @@ fn height(lines: &[String], width: usize) -> usize {
 fn row(row: &Row, style: Style, width: usize) -> Vec<String> {
     match row.kind {
         RowKind::Printed => vec![row.text.clone()],
-        // It is copied as a whole.
-        RowKind::ByHand => vec![style.labeled(row.kind.label()) + &row.text],
         kind => {
             let text = names::escape_for_terminal(&row.text);
             labeled(kind.label(), &text, style, width)

@@ -100,10 +100,8 @@ fn is_named_alone(picture: &[u8], right: &str, wrong: &str) {
 fn what_a_readers_line_refutes_is_not_named() {
     let task = Task::of(Chapter::HalfBSphere);
     let miss = [Edit::new("discriminant < 0.0", "true")];
-    let sky = task
-        .program(&[])
-        .with_edits(&miss)
-        .expect("it stands there");
+    let sky = task.program(&[]).with_edits(&miss);
+    let sky = sky.expect("it stands there");
     let picture = png::encode(&sky.run(100).picture());
     for Row { kind, text } in rows(&task, &picture, &in_python(PROGRAM)) {
         let innocent = ["discriminant", "oc =", "a =", "h =", "c =", "viewport"];
@@ -154,10 +152,8 @@ fn a_mistake_is_only_a_perhaps_beside_a_text_that_does_not_have_its_line() {
 fn whole_numbers_are_divided_as_cpp_does() {
     let task = Task::of(Chapter::HittableList);
     let no_ball = [Edit::new("-1.0), 0.5)", "-1.0), 0.0)")];
-    let ground = task
-        .program(&[])
-        .with_edits(&no_ball)
-        .expect("it stands there");
+    let ground = task.program(&[]).with_edits(&no_ball);
+    let ground = ground.expect("it stands there");
     let picture = png::encode(&ground.run(100).picture());
     let line = "world.add(make_shared<sphere>(point3{0,0,-1}, 1 / 2));";
     let text = LIST.replace("world.add(make_shared<sphere>(point3(0,0,-1), 0.5));", line);

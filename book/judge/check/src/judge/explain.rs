@@ -307,12 +307,8 @@ fn likeliest(
     let group = group.into_iter().filter(may_be);
     let group = group.filter_map(|it| Some((it.compare_sample(reading, SAMPLE)?, it)));
     let mut likeliest: Vec<(SampleComparison, Candidate)> = group.collect();
-    let reports = |it: &Candidate| {
-        it.slips
-            .iter()
-            .map(|slip| slip.report_count())
-            .sum::<usize>()
-    };
+    let reports =
+        |it: &Candidate| -> usize { it.slips.iter().map(|slip| slip.report_count()).sum() };
     likeliest.sort_by_key(|(sample, it)| (sample.off, Reverse(reports(it))));
     likeliest
 }

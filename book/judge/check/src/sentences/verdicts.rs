@@ -220,22 +220,18 @@ pub fn not_compiled(errors: usize, first: Vec<Row>) -> Answer {
 pub fn not_written(chapter: Chapter, place: &str, obeyed: &[String]) -> Answer {
     let so_far = format!("hold so far for {}", obeyed.join(", "));
     let step = steps::of_chapter(chapter).first();
-    Answer::sentence(
-        Grade::OnTheWay,
-        format!("Not written yet: todo!() at {place}."),
-    )
-    .with((!obeyed.is_empty()).then(|| Row::new(RowKind::Laws, so_far)))
-    .then(step.map_or(String::new(), |step| step_says(0, step)))
+    let verdict = format!("Not written yet: todo!() at {place}.");
+    Answer::sentence(Grade::OnTheWay, verdict)
+        .with((!obeyed.is_empty()).then(|| Row::new(RowKind::Laws, so_far)))
+        .then(step.map_or(String::new(), |step| step_says(0, step)))
 }
 
 /// Answers that a program that stopped at the `todo!()` in `place` breaks a law before that.
 pub fn broken_so_far(report: &Report, place: &str) -> Answer {
-    Answer::sentence(
-        Grade::Wrong,
-        "A function that is written so far breaks a law.",
-    )
-    .with(law_rows(report))
-    .then(format!("put this right, and then go on at {place}"))
+    let verdict = "A function that is written so far breaks a law.";
+    Answer::sentence(Grade::Wrong, verdict)
+        .with(law_rows(report))
+        .then(format!("put this right, and then go on at {place}"))
 }
 
 /// Returns the color of a picture whose pixels are all the same; `None` if two of them differ.

@@ -194,10 +194,8 @@ fn other_colors_are_described() {
 }
 
 fn with(chapter: Chapter, edit: &Edit) -> ChapterProgram {
-    let right = ChapterProgram::right(chapter);
-    right
-        .with_edits(slice::from_ref(edit))
-        .expect("it stands there")
+    let program = ChapterProgram::right(chapter).with_edits(slice::from_ref(edit));
+    program.expect("it stands there")
 }
 
 /// Pixels that are not square are no choice.
@@ -249,12 +247,8 @@ fn numbers_that_are_no_levels_and_levels_that_wrap_name_their_mistake() {
         .program(Chapter::Normals)
         .run(WIDTH);
     let text = shifted.to_string();
-    let verdict = judge_file(
-        &Task::of(Chapter::Normals),
-        text.as_bytes(),
-        0,
-        &Context::default(),
-    );
+    let task = Task::of(Chapter::Normals);
+    let verdict = judge_file(&task, text.as_bytes(), 0, &Context::default());
     assert!(matches!(verdict, Verdict::NotAPicture { .. }));
     assert_eq!(said(&verdict), "normal-only-shifted");
 
