@@ -66,7 +66,7 @@ impl Commands<'_> {
     pub fn of_pictures(task: Task) -> Self {
         let judge = move |probe: Option<Probe>| match probe {
             Some(probe) => task.command_with_probe(probe),
-            None => task.without_probe().command(),
+            None => task.whole_chapter().command(),
         };
         Self {
             judge: Box::new(judge),

@@ -27,7 +27,7 @@ pub struct NextPicture {
 /// Slips that change no picture and break no law are left out: a program with one of them is
 /// right.
 pub fn hidden_slips(task: &Task, width: u32) -> Vec<&'static Slip> {
-    let own = task.without_probe();
+    let own = task.whole_chapter();
     let can_be_wrong =
         |slip: &&Slip| !matches!(slip.why_unseen_in(own.chapter), Some(Unseen::Equivalent(_)));
     let sample = (width != own.chapter.book_width()).then(|| Sample::new(own, width));
@@ -47,7 +47,7 @@ pub fn next_picture(
     width: u32,
     may_be: impl Fn(&Slip) -> bool,
 ) -> Option<NextPicture> {
-    let (own, book) = (task.without_probe(), task.chapter.book_width());
+    let (own, book) = (task.whole_chapter(), task.chapter.book_width());
     let drawn = if task.probe.is_some() { book } else { width };
     let mut left = hidden_slips(&own, drawn);
     left.retain(|slip| may_be(slip));

@@ -126,7 +126,7 @@ impl<'a> Evidence<'a> {
             |probe: Probe| probe.spheres.is_none() && probe.width != reading.width;
         Self {
             task: match task.probe.is_some_and(has_another_width) {
-                true => task.without_probe(),
+                true => task.whole_chapter(),
                 false => *task,
             },
             reading,
@@ -188,7 +188,7 @@ impl<'a> Evidence<'a> {
         is_further
             || !is_right
                 && context.answers.is_some_and(|compare| {
-                    let mismatch = compare(&it.task.unchanged().program(&it.slips));
+                    let mismatch = compare(&it.task.without_probe().program(&it.slips));
                     mismatch.differing * REFUTING > mismatch.asked
                 })
     }
@@ -198,7 +198,7 @@ impl<'a> Evidence<'a> {
     pub(crate) fn is_past(&self, step: &Task) -> bool {
         self.context.answers.is_some_and(|compare| {
             let [whole, step] =
-                [self.task, *step].map(|it| compare(&it.unchanged().program(&[])).differing);
+                [self.task, *step].map(|it| compare(&it.without_probe().program(&[])).differing);
             whole < step
         })
     }

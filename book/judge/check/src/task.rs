@@ -65,12 +65,12 @@ impl Task {
     }
 
     /// Returns the task to draw the whole chapter by the same edition, without a probe.
-    pub(crate) fn without_probe(self) -> Self {
+    pub(crate) fn whole_chapter(self) -> Self {
         self.of_chapter(self.chapter)
     }
 
     /// Returns this task without the probe, with the same step and shape.
-    pub(crate) fn unchanged(mut self) -> Self {
+    pub(crate) fn without_probe(mut self) -> Self {
         self.probe = None;
         self
     }

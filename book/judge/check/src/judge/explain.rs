@@ -63,7 +63,7 @@ pub(crate) fn explain(evidence: &Evidence) -> Explanation {
     let (right, unexplained) = nearest(evidence);
     let almost_right = |unexplained| Explanation::AlmostRight(Fit::of(right.clone(), unexplained));
     let is_answered = || {
-        let program = right.task.unchanged().program(&[]);
+        let program = right.task.without_probe().program(&[]);
         evidence.context.is_answered_by(&program)
     };
     if unexplained.is_nothing() && is_answered() {

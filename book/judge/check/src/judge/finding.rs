@@ -97,7 +97,7 @@ impl Finding {
             Comparison::Pixels(difference) => Some(difference),
             _ => None,
         };
-        let program = by.task.unchanged().program(&by.slips);
+        let program = by.task.without_probe().program(&by.slips);
         Self {
             task,
             editions: vec![task.edition],

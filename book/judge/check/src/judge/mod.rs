@@ -51,7 +51,7 @@ pub fn judge(task: &Task, reading: &Reading, tolerance: u8, context: &Context) -
         return of_right(task, reading, context, right, shape.is_some());
     }
     let size = u64::from(width) * u64::from(height);
-    let has_own_shape = task.without_probe().height(width) == height;
+    let has_own_shape = task.whole_chapter().height(width) == height;
     match shape {
         Some(cause) if size > causes::MOST_MISSHAPEN && !has_own_shape => Verdict::WrongShape {
             cause,

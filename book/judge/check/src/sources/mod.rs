@@ -111,7 +111,7 @@ impl Sources {
 
     /// Finds the line that has a slip in a task, or has it right.
     pub(crate) fn slip_line(&self, slip: &Slip, task: &Task) -> SlipLine {
-        let task = task.unchanged();
+        let task = task.without_probe();
         let key = (
             slip.name,
             std::ptr::from_ref(slip) as usize,
