@@ -250,7 +250,7 @@ impl RowKind {
         }
     }
 
-    /// Returns true if the text is a line of code or a command.
+    /// Returns true if the text is a line of code, and false for sentences and clauses.
     pub fn is_code(self) -> bool {
         matches!(
             self,

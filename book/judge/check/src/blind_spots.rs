@@ -17,7 +17,7 @@ pub struct NextPicture {
     pub task: Task,
     /// The width to draw, in pixels.
     pub width: u32,
-    /// The mistakes that this picture shows and those before hide, at least one.
+    /// The mistakes that this picture shows and all pictures before it hide, at least one.
     pub slips: Vec<&'static Slip>,
 }
 

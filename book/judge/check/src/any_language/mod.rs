@@ -37,7 +37,7 @@ pub type AskProgram<'a> = dyn Fn(&IntervalCase) -> Option<RecordedHit> + 'a;
 pub struct FunctionVerdict {
     /// The outcome of the laws, with answers that differ only by a manner taken as right.
     pub outcome: Outcome,
-    /// The manners in which some of its answers differ from version 4 of the book.
+    /// The manners in which some of the function's answers differ from version 4 of the book.
     pub manners: Vec<Manner>,
     /// The questions about the smallest case that breaks a law, each once; empty if none is broken.
     pub questions: Vec<IntervalCase>,
