@@ -78,8 +78,7 @@ impl World {
         ray.chain(ends).chain(spheres).collect()
     }
 
-    /// Makes a world of the numbers that [`World::numbers`] lists; `None` if their count does not
-    /// fit.
+    /// Makes the world whose [`World::numbers`] these are; `None` if no world has so many.
     pub(crate) fn read(numbers: &[f64]) -> Option<Self> {
         let (&[x, y, z, dx, dy, dz, t_min, t_max], spheres) = numbers.split_first_chunk()?;
         let (spheres, []) = spheres.as_chunks() else {

@@ -96,9 +96,10 @@ pub(crate) fn decision_as_test(case: &Case) -> String {
     format!("{case}\nassert_eq!(hit_sphere(center, radius, &ray), {is_hit});")
 }
 
-/// Makes a solver of a function that only decides between hit and miss, as that of chapter 2. Where
-/// `decide` says hit, the solver returns the exact nearer root, rounded to an `f64`, or the `t`
-/// closest to the center if the line misses; else `None`. It panics on infinite numbers and NaN.
+/// Turns a function that only decides between hit and miss, as that of chapter 2, into a solver.
+/// Where `decide` says hit, the solver returns the exact nearer root, rounded to an `f64`, or the
+/// `t` closest to the center if the line misses; else `None`. It panics on an infinite number or
+/// NaN.
 pub fn solver_of_decision(
     decide: impl Fn(Point3, f64, &Ray) -> bool,
 ) -> impl Fn(Point3, f64, &Ray) -> Option<f64> {

@@ -194,7 +194,7 @@ impl Question {
     }
 }
 
-/// Makes questions of the first cases of a strategy.
+/// Turns the first 250 cases of a strategy into questions.
 fn of<T: Debug>(kind: fn(T) -> Question, strategy: &impl Strategy<Value = T>) -> Vec<Question> {
     telling_cases(strategy).into_iter().map(kind).collect()
 }
@@ -252,7 +252,7 @@ pub struct IntervalCase {
 pub type RangeSolver<'a> = dyn Fn(Point3, f64, &Ray, f64, f64) -> Option<f64> + 'a;
 
 impl IntervalCase {
-    /// Makes a case of a ray and a sphere with the unbounded interval, from −∞ to ∞.
+    /// Combines a ray and a sphere with the unbounded interval, from −∞ to ∞.
     pub fn unbounded(case: Case) -> Self {
         let (t_min, t_max) = (f64::NEG_INFINITY, f64::INFINITY);
         Self { case, t_min, t_max }

@@ -1,5 +1,5 @@
-//! A trial: a function is put under all laws that there are for its kind, and found wrong with
-//! one report.
+//! Property testing of one function: a trial puts it under all laws for its kind, and reports the
+//! smallest case found that breaks one.
 //!
 //! Cases are made and made smaller by proptest: see its book on `TestRunner`.
 
@@ -84,7 +84,7 @@ pub(crate) struct LawSuite<'a, Q> {
     pub(crate) kinds: Vec<BoxedStrategy<Q>>,
     /// Questions by whose answers mistakes differ.
     pub(crate) telling: Vec<Q>,
-    /// Makes a question of a case.
+    /// Turns a case into a question.
     pub(crate) question: fn(Q) -> Question,
     /// Asks the function about a case.
     pub(crate) answer: AnswerFn<'a, Q>,

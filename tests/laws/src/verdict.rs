@@ -1,4 +1,4 @@
-//! Verdicts as data: the law that a case breaks, and what comes of a function under all its laws.
+//! Verdicts as data: the law that a case breaks, and the outcome of all laws for one function.
 
 use std::borrow::Cow;
 use std::fmt;

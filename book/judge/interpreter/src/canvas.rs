@@ -50,7 +50,7 @@ impl Program {
     ///
     /// # Errors
     /// If the program stops, as by a panic; if the compiler would refuse a line that runs; or if
-    /// there is neither function, or `picture` comes to no picture.
+    /// there is neither function, or `picture` returns no picture.
     pub fn canvas(&self, width: u32) -> Result<Canvas, Fault> {
         let Some(picture) = self.role("picture", 1) else {
             return self.by_ray_color(width);

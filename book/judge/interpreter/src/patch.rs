@@ -89,7 +89,7 @@ impl Program {
         Some(self.running(code))
     }
 
-    /// Makes a program of the code, without any refusal yet.
+    /// Makes the program that runs the code, without any refusal yet.
     fn running(&self, code: Code) -> Self {
         Self {
             code: Arc::new(code),

@@ -193,7 +193,7 @@ impl Program {
     }
 }
 
-/// The message about a program whose `picture` comes to none.
+/// The message about a program whose `picture` returns none.
 pub(crate) const NO_PICTURE: &str = "there is no picture to draw";
 
 /// Makes the fault of a program that stops at no place of its text.

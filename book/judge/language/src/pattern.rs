@@ -39,8 +39,9 @@ pub struct Rename {
 const SMALL: usize = 3;
 
 impl Pattern {
-    /// Makes a pattern of an expression. `known` are the [`canonical`](crate::canonical) names of
-    /// the whole program that the expression is from: no variable may be renamed to one of these.
+    /// Makes the pattern that finds an expression. `known` are the [`canonical`](crate::canonical)
+    /// names of the whole program that the expression is from: no variable may be renamed to one of
+    /// these.
     pub fn new(tree: &Tree, known: Rc<[String]>) -> Self {
         Self {
             tree: normal(tree),

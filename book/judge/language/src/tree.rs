@@ -46,7 +46,7 @@ pub struct Tree {
 }
 
 impl Tree {
-    /// Makes a tree of an operation and its operands, with `0..0` as its range of bytes.
+    /// Makes a tree from an operation and its operands, with `0..0` as its range of bytes.
     pub fn new(op: Op, parts: Vec<Self>) -> Self {
         Self {
             op,

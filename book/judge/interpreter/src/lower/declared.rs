@@ -1,5 +1,5 @@
-//! Expected types: what is declared reaches down to where a value is made, as the compiler's
-//! places have it, and the value is checked there.
+//! Expected types: a declared type is passed down to the expression that makes the value, which is
+//! checked there, so that a mismatch has the place that the compiler would name.
 
 use super::{Expr, Lowered, Lowerer};
 use crate::machine::{ExprForm, Thunk};

@@ -1,5 +1,5 @@
-//! Closure generation: of each expression a closure that runs it, with variables in slots and
-//! names found. What an expression comes to is checked where it meets what is declared.
+//! Closure generation: turns each expression into a closure that runs it, with variables in slots
+//! and names resolved. The type of its value is checked where the value meets a declared one.
 
 mod calls;
 mod closures;
@@ -73,7 +73,7 @@ impl Expr {
 }
 
 /// Lowers a function or constant to one that can be run. `text` is that of its file. A function
-/// without a body, as in a trait, comes to nothing.
+/// without a body, as in a trait, becomes one that does nothing.
 pub(crate) fn lower(
     names: &Names,
     text: &str,

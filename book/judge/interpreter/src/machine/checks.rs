@@ -1,5 +1,4 @@
-//! Type checks at run time: a value beside a declared type, and the compiler's words if it does not
-//! fit.
+//! Type checks at run time: whether a value fits a declared type, and the compiler's words if not.
 
 use std::rc::Rc;
 

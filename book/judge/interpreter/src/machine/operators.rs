@@ -1,5 +1,5 @@
-//! Operators: which values go together, what comes out, and the compiler's words where nothing
-//! does.
+//! Operators at run time: the values that each accepts, its result, and the compiler's words for
+//! values that it refuses.
 
 use std::mem;
 use std::ops::{Add, Div, Mul, Rem, Sub};
