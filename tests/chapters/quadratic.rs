@@ -1,7 +1,7 @@
 //! Each chapter's rays and intersection, under the laws that it is old enough for.
 //!
-//! The laws and their bounds are in the package `laws`, and so are the rays and
-//! spheres, and the mistakes that a report names.
+//! The laws and their bounds are in the package `laws`, and so are the rays and spheres. The
+//! mistakes that a report names are in the package `slips`.
 
 use std::convert::identity;
 

@@ -7,7 +7,8 @@ use std::ops::Range;
 pub enum Op {
     /// A variable or a constant, by name. Without parts.
     Name(String),
-    /// A number, and true if it is written as a whole one, without a point. Without parts.
+    /// A number, and true if it is written as a whole one, without a point, an exponent or the
+    /// suffix `f`. Without parts.
     Number(f64, bool),
     /// A string literal, with its quotes. Without parts.
     Text(String),

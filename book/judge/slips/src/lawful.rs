@@ -60,8 +60,8 @@ pub fn mistakes_with_answers(
 }
 
 /// Fills [`Report::same_as`] with the slips that explain the function's answers: one line of text
-/// for each with its wrong and right code in `language`, then a line that says what they have in
-/// common. Leaves the list empty if there is no such slip.
+/// for each with its wrong and right code in `language`, then a line that says that each of them
+/// gives every answer. Leaves the list empty if there is no such slip.
 pub fn explain(report: &mut Report, chapter: Chapter, language: ReaderLanguage) {
     let mistakes = mistakes_with_answers(&report.answers, chapter, language);
     let in_a_line = |slip: &&Slip| {

@@ -28,7 +28,8 @@ const AROUND: [&str; 3] = ["place", "print", "level"];
 
 impl ChapterProgram {
     /// Returns the output of the program for a picture `width` pixels wide. No pixel is computed
-    /// yet. If the program stops before its first pixel, the size is 0 by 0.
+    /// yet, unless the program prints its whole picture as one text. If the program stops before
+    /// its first pixel, the size is 0 by 0.
     pub fn run(&self, width: u32) -> Output {
         let canvas = self.code().canvas(width).ok();
         let (columns, rows) = canvas.as_ref().map_or((0, 0), Canvas::size);

@@ -171,8 +171,8 @@ impl ChapterProgram {
     }
 
     /// Returns the ray that the program casts through a pixel of a picture `width` pixels wide, in
-    /// column `i` from the left and row `j` from the top. `None` if the program has no camera, or
-    /// stops there.
+    /// column `i` and row `j`, from 0 at the top left. `None` if the program has no camera or has a
+    /// ray type of its own, or stops there.
     pub fn ray(&self, width: u32, i: u32, j: u32) -> Option<Ray> {
         self.code.camera_ray(width, i, j)
     }

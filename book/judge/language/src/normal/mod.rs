@@ -1,9 +1,9 @@
-//! Term rewriting: the normal form, in which expressions that mean the same differ in the order of
-//! their parts at most.
+//! Term rewriting: the normal form, in which most expressions that mean the same differ in the
+//! order of their parts at most.
 //!
-//! A difference is a sum with a product by −1, a quotient a product with [`Op::Reciprocal`], a comparison
-//! a sum that is below zero. Casts are dropped, and an operation on all three components becomes
-//! one on the vector.
+//! A difference is a sum with a product by −1, a quotient a product with [`Op::Reciprocal`], a
+//! comparison a sum that is below zero. Casts are dropped, and an operation on all three components
+//! becomes one on the vector.
 
 mod arithmetic;
 mod vocabulary;
@@ -24,9 +24,9 @@ enum Rewriting {
     Normal,
 }
 
-/// Rewrites an expression in normal form: two expressions that are equal in mathematics, as `(a -
-/// b) / 2` and `-0.5 * (b - a)`, become the same tree but for the order of operands. Each node
-/// keeps its place in the text.
+/// Rewrites an expression in normal form: most expressions that are equal in mathematics, as `(a -
+/// b) / 2` and `-0.5 * (b - a)`, become the same tree but for the order of operands; a product of
+/// two sums is not multiplied out. Each node that stays keeps its place in the text.
 pub fn normal(tree: &Tree) -> Tree {
     rewritten(tree, Rewriting::Normal)
 }
