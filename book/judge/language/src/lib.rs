@@ -1,10 +1,10 @@
 //! One syntax tree for the expressions and statements of ten languages.
 //!
 //! The lines of these chapters differ between languages by little but spelling: `r.direction()`,
-//! The lines of these chapters differ between languages by little but spelling: `r.direction()`,
 //! `r.dir`, `direction(r)`. [`statements()`] reads those of a text, [`normal()`] gives most
 //! expressions of one meaning one form, [`Pattern::find`] finds an expression under other names,
 //! and [`Language::translate_line`] prints a line of Rust in another language.
+
 mod normal;
 mod parse;
 mod pattern;

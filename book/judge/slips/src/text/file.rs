@@ -15,7 +15,7 @@ fn header(image_width: u32, image_height: u32) -> [u32; 2] {
     [image_width, image_height]
 }
 
-/// Returns the three numbers that are printed for a pixel, in a wrong program also beyond 255.
+/// Returns the three numbers that are printed for a pixel: 0 to 255, unless the program is wrong.
 fn print(color: Color) -> [i32; 3] {
     let r = level(color.x);
     let g = level(color.y);

@@ -1,4 +1,5 @@
-//! The functions of glam, for programs in which they are mistyped or have fewer digits.
+//! Functions of glam's vectors and of rays, for programs in which they are mistyped or have fewer
+//! digits.
 
 use common::rtweekend::*;
 
