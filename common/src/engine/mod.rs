@@ -1,6 +1,6 @@
 //! The engine: from the color of a pixel to the bytes of a picture.
 //!
-//! In the order in which a pixel passes through it: [`render`] asks for colors,
+//! In the order in which a pixel passes through it: [`render()`] asks for colors,
 //! `block` stores them many at a time, [`Picture`] cuts the picture into strips,
 //! `ring` spreads these over threads, `p3` makes text of them, [`output`] writes it to
 //! standard output or a file, and [`main`] is the command line of a chapter.
