@@ -128,8 +128,8 @@ impl Finding {
 }
 
 impl Fit {
-    /// Returns all editions whose version of the first program leaves exactly the same pixels
-    /// unexplained, its own first. By version 4, no other is asked.
+    /// Returns all editions whose version of the first program leaves as many pixels unexplained,
+    /// in the same columns and rows, its own first. If that is version 4, returns it alone.
     fn editions(&self, reading: &Reading) -> Vec<Edition> {
         let it = &self.candidates[0];
         let own = it.task.edition;

@@ -189,8 +189,8 @@ impl DrawingMutants {
         }
     }
 
-    /// Keeps those that are found in the reader's files, if some are, counts them, and if they are
-    /// few drops those that do not draw every pixel.
+    /// Keeps the mutants that are found in the reader's files, if some are, and counts them; if
+    /// they are few, drops those that do not draw every pixel. Keeps at most [`SHOWN`] of the rest.
     fn checked(mut self, draws: impl Fn(&ChapterProgram) -> bool) -> Self {
         if self.likeliest.iter().any(|it| it.yours.is_some()) {
             self.likeliest.retain(|it| it.yours.is_some());

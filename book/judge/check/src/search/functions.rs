@@ -37,7 +37,7 @@ impl RustFn {
         })
     }
 
-    /// Returns the name without that of a type.
+    /// Returns the name without that of a type: `hit` for `Sphere::hit`.
     pub(super) fn short_name(&self) -> &str {
         self.name.rsplit(':').next().unwrap_or(&self.name)
     }

@@ -80,8 +80,8 @@ impl Mutation<'_> {
     }
 }
 
-/// Writes a function that has all of its mutations, numbered from `first`. It is read once, and
-/// each mutation is run by its number (mutant schemata: Untch, Offutt and Harrold, 1993).
+/// Writes a function that has all of its mutations, numbered from `first`. The function is read
+/// once, and each mutation is run by its number (mutant schemata: Untch, Offutt and Harrold, 1993).
 pub(super) fn schemata(function: &RustFn, mutations: &[Mutation], first: u32) -> String {
     let head = &function.text[..function.body.at.start];
     format!("{head}{}", written(&function.body, 0, mutations, first))

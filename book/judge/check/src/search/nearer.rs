@@ -85,8 +85,8 @@ fn replaced(tree: &RustTree, names: &[(&RustTree, &str)]) -> RustTree {
     })
 }
 
-/// Returns new code for a place of the reader's function, with a variable of the reader for its
-/// value if the code there has the variable, too.
+/// Returns new code for a place of the reader's function, in which a variable of the reader again
+/// replaces its value, if the value was written out and the old code of the place has the name.
 fn with_names_of(yours: &RustFn, own: &RustTree, at: &Range<usize>, new: &str) -> String {
     let old = yours.text.get(at.clone()).unwrap_or_default();
     let kept = locals(own);
@@ -101,8 +101,8 @@ fn with_names_of(yours: &RustFn, own: &RustTree, at: &Range<usize>, new: &str) -
 }
 
 /// Lists the edits that replace expressions of the reader's tree by the most similar ones of the
-/// chapter, or parts by parts. An expression that the chapter has, too, is left as it is, but if
-/// `are_parts`, where the most similar other one is tried. `name` rewrites new code for its place.
+/// chapter, or parts by parts. An expression that the chapter has, too, is left as it is; with
+/// `are_parts`, the most similar others are tried for it. `name` rewrites new code for its place.
 fn expressions(
     text: &str,
     own: &RustTree,
@@ -193,8 +193,8 @@ fn differences<'a>(
     }
 }
 
-/// Lists the edits that put a statement which only the chapter has at any place, or remove one
-/// which only the reader has.
+/// Lists the edits that add a statement which only the chapter has, at any place, and those that
+/// replace by it, or remove, a statement which only the reader has.
 fn statements(text: &str, own: &RustTree, theirs: &RustTree) -> Vec<RankedEdit> {
     let (own, theirs) = (all_statements(own), all_statements(theirs));
     let has = |all: &[&RustTree], it: &RustTree| all.iter().any(|other| other.is_same(it));

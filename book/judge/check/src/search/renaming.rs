@@ -116,7 +116,7 @@ impl Renaming {
         self.names.insert(name.to_owned(), other);
     }
 
-    /// Adds variables, each with its value, as far as they are never assigned to.
+    /// Adds variables, each with its value, as far as a `let` without `mut` declares them.
     fn write_out(&mut self, locals: &[LocalName]) {
         for local in locals.iter().filter(|it| it.is_fixed) {
             self.insert(local.name, self.spell(local.value));
