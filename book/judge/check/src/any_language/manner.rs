@@ -31,8 +31,8 @@ impl Manner {
         }
     }
 
-    /// Finds the manners that a function keeps in each telling question in which they would show, at
-    /// least one.
+    /// Finds the manners that a function keeps in each telling question in which they would show,
+    /// at least one.
     pub(super) fn of(function: FunctionKind, ask: &AskProgram) -> Vec<Self> {
         let asked = match function {
             FunctionKind::Record => telling_cases(&ordinary_with_interval()),

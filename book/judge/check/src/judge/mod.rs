@@ -30,8 +30,8 @@ pub fn judge_file(task: &Task, bytes: &[u8], tolerance: u8, context: &Context) -
 ///
 /// The picture is right if an edition of the book draws it with every color component at most
 /// `tolerance` levels off, unless the reader's functions answer otherwise than the chapter's and a
-/// mistake or a repair explains that. Files that follow version 4, as `context` tells, are judged by
-/// that edition alone.
+/// mistake or a repair explains that. Files that follow version 4, as `context` tells, are judged
+/// by that edition alone.
 pub fn judge(task: &Task, reading: &Reading, tolerance: u8, context: &Context) -> Verdict {
     let newest = task.only_by_edition(Edition::V4);
     let task = match context.follows_version_4() {
