@@ -60,9 +60,9 @@ pub struct PreludeQuestion {
 
 /// Tests that the asked function of `prelude` answers small numbers as one works them out by head.
 ///
-/// The answer must be equal to the bit, but for a unit vector and a number times a vector, which
-/// may differ by 4u. In `at`, tenths tell a product that is rounded before the sum from a fused
-/// one: 10 · 0.1 is 1 to an `f64`, though `0.1` is a little more than a tenth.
+/// The answer must be equal to the bit, but for a unit vector and a number times a vector, whose
+/// components may have a relative error of 4u. In `at`, tenths tell a product that is rounded before
+/// the sum from a fused one: 10 · 0.1 is 1 to an `f64`, though `0.1` is a little more than a tenth.
 ///
 /// A swapped letter (`u.z * u.z`) draws the right picture in four chapters of five, because there
 /// every z is −1.

@@ -332,7 +332,7 @@ impl<'c> Machine<'c> {
             return Ok(());
         }
         let message = "this takes too many turns of loops and calls";
-        let help = "the page counts no further: what ends a loop here may never come true";
+        let help = "the page counts no further: the condition that ends a loop may never hold";
         self.refused(Refusal::stop(at, message, help))
     }
 
@@ -343,7 +343,7 @@ impl<'c> Machine<'c> {
             return Ok(());
         }
         let message = "this takes too much memory";
-        let help = "the page keeps no more: what ends a loop here may never come true";
+        let help = "the page keeps no more: the condition that ends a loop may never hold";
         self.refused(Refusal::stop(at, message, help))
     }
 

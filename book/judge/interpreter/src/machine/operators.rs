@@ -306,7 +306,7 @@ impl Machine<'_> {
             let message = format!("binary operation `{sign}` cannot be applied to type `{name}`");
             let help = match left.data {
                 Data::Own(..) if is_equality => {
-                    "`#[derive(PartialEq)]` above a struct makes `==` of it"
+                    "`#[derive(PartialEq)]` above the struct defines `==`"
                 }
                 _ => "",
             };

@@ -53,7 +53,7 @@ impl Names {
                 match ty.0 {
                     ctor if ctor == own => {
                         let message = format!("recursive type `{}` has infinite size", kind.name);
-                        let help = "a `Box` around the part makes an end";
+                        let help = "a `Box` around the field gives the struct a finite size";
                         return Err(Refusal::new(kind.at, message, "", help));
                     }
                     Ctor::Own(part) if !known.contains(&part) => {

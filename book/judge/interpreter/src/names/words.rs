@@ -128,7 +128,7 @@ fn help(wanted: &Type, found: &Type) -> &'static str {
         (Ctor::RefMut, _) if is_like(wanted.inner()) => "consider mutably borrowing here: `&mut …`",
         (_, Ctor::Ref) if found.inner() == wanted => "consider dereferencing it: `*…`",
         (_, Ctor::Option) if found.inner().0 == wanted.0 => {
-            "it is `None` where there is nothing: look with `if let Some(…) = …`"
+            "the option may be `None`: look with `if let Some(…) = …`"
         }
         (Ctor::Own(_), Ctor::Fn) => "use parentheses to call this function: `…()`",
         _ => "",
@@ -195,7 +195,7 @@ pub(crate) fn unexpected(what: &str, path: &[String], at: Span) -> Refusal {
 /// Makes the refusal of something that is private.
 pub(crate) fn private(what: &str, name: &str, at: Span) -> Refusal {
     let message = format!("{what} `{name}` is private");
-    let help = "`pub` before it shows it to other files";
+    let help = "`pub` before the declaration shows it to other files";
     Refusal::new(at, message, &format!("private {what}"), help)
 }
 
