@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use super::iterators::{iterator, rest};
 use super::library;
-use crate::machine::value::{Data, ListValue, Value};
+use crate::machine::value::{Data, Value};
 use crate::machine::{Eval, Machine};
 use crate::refusal::Span;
 use crate::types::Ctor::{self, Unknown};
@@ -38,10 +38,6 @@ fn changed(m: &mut Machine<'_>, list: &Value, mut change: impl FnMut(&mut Vec<Va
     });
 }
 
-fn list(value: &Value) -> Rc<ListValue> {
-    value.list()
-}
-
 library! { table:
     [Ctor::Vec] {
         new _ () => |_, _, _| Ok(Value::vector(Vec::new()));
@@ -66,12 +62,12 @@ library! { table:
         };
     }
     [Ctor::Vec | Ctor::Array(_) | Ctor::Slice] {
-        len self () => |_, a, _| Ok(Value::usize(list(&a[0]).all.len()));
-        is_empty self () => |_, a, _| Ok(list(&a[0]).all.is_empty().into());
-        first self () => |_, a, _| Ok(list(&a[0]).all.first().cloned().map(Value::lent).into());
-        last self () => |_, a, _| Ok(list(&a[0]).all.last().cloned().map(Value::lent).into());
+        len self () => |_, a, _| Ok(Value::usize(a[0].list().all.len()));
+        is_empty self () => |_, a, _| Ok(a[0].list().all.is_empty().into());
+        first self () => |_, a, _| Ok(a[0].list().all.first().cloned().map(Value::lent).into());
+        last self () => |_, a, _| Ok(a[0].list().all.last().cloned().map(Value::lent).into());
         get self (Ctor::Int(Int::Usize)) => |_, a, _| {
-            let part = list(&a[0]).all.get(a[1].int() as usize).cloned();
+            let part = a[0].list().all.get(a[1].int() as usize).cloned();
             Ok(part.map(Value::lent).into())
         };
         iter self () => |m, a, at| {
@@ -80,15 +76,15 @@ library! { table:
         };
         iter_mut mut () => |m, a, at| Ok(Value::iter(iterator(m, &a[0], at)?));
         into_iter self () => |m, a, at| Ok(Value::iter(iterator(m, &a[0], at)?));
-        to_vec self () => |_, a, _| Ok(Value::vector(list(&a[0]).all.clone()));
+        to_vec self () => |_, a, _| Ok(Value::vector(a[0].list().all.clone()));
         contains self (Unknown) => |_, a, _| {
-            Ok(list(&a[0]).all.iter().any(|it| it.equals(&a[1])).into())
+            Ok(a[0].list().all.iter().any(|it| it.equals(&a[1])).into())
         };
     }
     [Ctor::Array(_)] {
         map self (Type::function(1)) => |m, a, at| {
             let mut all = Vec::new();
-            for value in &list(&a[0]).all {
+            for value in &a[0].list().all {
                 m.turn(at)?;
                 all.push(m.applied(&a[1], &mut [value.clone()], at)?);
             }
