@@ -18,7 +18,7 @@ impl Lowerer<'_> {
             Ok(Expr::new(at, move |m| {
                 loop {
                     m.turn(at)?;
-                    if !condition.eval(m)?.truth() || m.is_left(&body)? {
+                    if !condition.eval(m)?.truth() || m.run_body(&body)? {
                         return Ok(m.brought());
                     }
                 }
@@ -32,7 +32,7 @@ impl Lowerer<'_> {
         let made = Expr::new(at, move |m| {
             loop {
                 m.turn(at)?;
-                if m.is_left(&body)? {
+                if m.run_body(&body)? {
                     return Ok(m.brought());
                 }
             }
@@ -52,7 +52,7 @@ impl Lowerer<'_> {
                 while let Some(value) = each.next(m)? {
                     m.turn(at)?;
                     pattern.binds(m, &value)?;
-                    if m.is_left(&body)? {
+                    if m.run_body(&body)? {
                         break;
                     }
                 }

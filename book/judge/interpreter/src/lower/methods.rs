@@ -238,7 +238,7 @@ impl MethodCall {
             (Ctor::RefMut, _) if on.lent > 0 => return m.behind(self.given.at),
             (Ctor::RefMut, Some(place)) => {
                 if let Some(root) = root {
-                    m.may_change(root)?;
+                    m.check_mutable(root)?;
                 }
                 // Else it would be shared, and copied to be changed.
                 drop(on);

@@ -360,7 +360,7 @@ impl<'c> Machine<'c> {
     }
 
     /// Runs the body of a loop once; returns true if a `break` left the loop.
-    pub(crate) fn is_left(&mut self, body: &Thunk) -> Eval<bool> {
+    pub(crate) fn run_body(&mut self, body: &Thunk) -> Eval<bool> {
         self.left = Value::default();
         match body.eval(self) {
             Err(EarlyExit::Break) => Ok(true),

@@ -148,7 +148,7 @@ impl Machine<'_> {
         right: Value,
         (right_spot, at): (ExprInfo, Span),
     ) -> Eval {
-        self.may_change(place)?;
+        self.check_mutable(place)?;
         let address = (place.address)(self)?;
         let left = self.read(&address);
         match (&left.data, &right.data) {

@@ -135,7 +135,7 @@ impl Machine<'_> {
     }
 
     /// Stops unless the place's variable is `mut` or holds a mutable reference.
-    pub(crate) fn may_change(&mut self, place: &PlaceExpr) -> Eval<()> {
+    pub(crate) fn check_mutable(&mut self, place: &PlaceExpr) -> Eval<()> {
         let (Some(slot), Some(fixed)) = (place.root, &place.fixed) else {
             return Ok(());
         };
@@ -171,7 +171,7 @@ impl Machine<'_> {
 
     /// Returns a mutable reference to a place.
     pub(crate) fn borrowed(&mut self, place: &PlaceExpr) -> Eval {
-        self.may_change(place)?;
+        self.check_mutable(place)?;
         let address = (place.address)(self)?;
         if place.local.is_none() && self.read(&address).lent > 0 {
             return self.behind(place.at);
@@ -187,7 +187,7 @@ impl Machine<'_> {
             self.stack[slot] = new;
             return Ok(Value::default());
         }
-        self.may_change(place)?;
+        self.check_mutable(place)?;
         let address = (place.address)(self)?;
         let old = self.read(&address);
         if !matches!(old.data, Data::Unit) || old.lent > 0 {

@@ -7,7 +7,7 @@ use crate::types::{Ctor, Type};
 
 impl Names {
     /// Checks that each implementation of a trait has exactly the methods that the trait declares.
-    pub(super) fn are_traits_complete(&self) -> Resolved {
+    pub(super) fn check_traits(&self) -> Resolved {
         let wrong = |at, message| Err(Refusal::new(at, message, "", ""));
         for own in &self.functions {
             let Some(of) = own.in_trait.map(|it| &self.traits[it]) else {
@@ -45,7 +45,7 @@ impl Names {
     }
 
     /// Checks that no struct contains itself but through a box, a reference or a list.
-    pub(super) fn do_structs_end(&self) -> Resolved {
+    pub(super) fn check_structs(&self) -> Resolved {
         for (n, kind) in self.structs.iter().enumerate() {
             let (own, mut known) = (Ctor::Own(n as u32), Vec::new());
             let mut parts: Vec<&Type> = kind.fields.iter().map(|it| &it.ty).collect();

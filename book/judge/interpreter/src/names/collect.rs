@@ -105,8 +105,8 @@ impl<'a> Collector<'a> {
             each(self, Self::item);
         }
         if self.faults.is_empty() {
-            let checked = self.names.are_traits_complete();
-            let checked = checked.and_then(|()| self.names.do_structs_end());
+            let checked = self.names.check_traits();
+            let checked = checked.and_then(|()| self.names.check_structs());
             self.faults.extend(checked.err());
             self.index();
         }
