@@ -121,6 +121,13 @@ inBrowsers("on a phone the line that is typed is seen, and indented as rustfmt h
         }, AREA);
         assert.ok(above <= line_end - 19 && line_end <= below + 1, `${line}: ${above}, ${line_end}, ${below}`);
     }
+    // The colored text breaks no line that the textarea above it does not break.
+    const [lines, colored] = await page.evaluate((selector) => {
+        const range = document.createRange();
+        range.selectNodeContents(document.querySelector(".typing pre[aria-hidden] code"));
+        return [document.querySelector(selector).value.split("\n").length, range.getBoundingClientRect().height / 19.5];
+    }, AREA);
+    assert.ok(Math.abs(lines - colored) < 2, `${lines} lines, ${colored} colored ones`);
     const indented = await page.$eval(AREA, (area) => area.value);
     assert.match(indented, /\n    if let .*\n        && t > 0\.0\n    \{\n        let normal.*\n    \}\n    sky\(ray\)\n/);
 });
