@@ -5,7 +5,7 @@
 pub struct Spread {
     /// The middle number in order of size; of an even count, the greater of the two in the middle.
     pub median: f64,
-    /// The numbers that end the lowest quarter and begin the highest one.
+    /// The first and the third quartile.
     pub quartiles: [f64; 2],
     /// The least number.
     pub least: f64,

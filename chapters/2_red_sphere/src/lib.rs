@@ -10,8 +10,8 @@ pub fn picture(width: u32) -> Picture {
     render(width, ray_color)
 }
 
-/// Returns red if the line of `ray` meets a sphere of radius ½ around (0, 0, −1), else the sky's
-/// color.
+/// Returns red if the line of `ray` meets a sphere of radius ½ around
+/// (0, 0, −1), else the sky's color.
 pub fn ray_color(ray: &Ray) -> Color {
     if hit_sphere(Point3::new(0.0, 0.0, -1.0), 0.5, ray) {
         return Color::new(1.0, 0.0, 0.0);
@@ -19,7 +19,7 @@ pub fn ray_color(ray: &Ray) -> Color {
     sky(ray)
 }
 
-/// Returns true if the line through `ray`, endless in both directions, meets or touches the sphere.
+/// Returns true if the whole line of `ray` meets or touches the sphere.
 ///
 /// The sign of `radius` does not matter. NaN in any number gives false, a direction of length 0
 /// true; an overflow may give either. Source: equations (11)–(15) of the notes.

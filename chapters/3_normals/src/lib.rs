@@ -10,8 +10,8 @@ pub fn picture(width: u32) -> Picture {
     render(width, ray_color)
 }
 
-/// Returns the unit normal as a color if the ray meets the sphere ahead of it, else the sky's
-/// color.
+/// Returns the unit normal as a color if the ray meets the sphere ahead of it,
+/// else the sky's color.
 ///
 /// Each component of the normal, from −1 to 1, is mapped to 0 to 1.
 #[inline]
@@ -26,8 +26,8 @@ pub fn ray_color(ray: &Ray) -> Color {
     sky(ray)
 }
 
-/// Finds the lesser `t` at which the line through `ray`, endless in both directions, meets or
-/// touches the sphere: the nearer root of |C − P(t)|² = r². Returns `None` if it misses.
+/// Finds the lesser `t` at which the line through `ray` meets or touches the
+/// sphere, the nearer root of |C − P(t)|² = r². Returns `None` if it misses.
 ///
 /// `t` counts lengths of `ray.direction`; negative, it lies behind the origin. The sign of `radius`
 /// does not matter; ∞ gives −∞. NaN in any number or a direction of length 0 gives `Some(NaN)`; an

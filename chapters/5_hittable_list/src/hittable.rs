@@ -26,8 +26,8 @@ pub struct HitRecord {
 }
 
 impl HitRecord {
-    /// Sets `front_face`, and `normal` to whichever of `outward_normal` and its opposite points
-    /// against `ray`.
+    /// Sets `front_face`, and `normal` to whichever of `outward_normal` and its
+    /// opposite points against `ray`.
     ///
     /// `outward_normal` must have unit length. For a ray at a right angle to it, which only grazes
     /// the surface, `front_face` is false.

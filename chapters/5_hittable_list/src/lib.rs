@@ -27,7 +27,7 @@ pub fn world() -> HittableList {
     world
 }
 
-/// Returns the normal of the first hit ahead of the ray as a color, or the sky's color.
+/// Returns the nearest hit's normal as a color, or the sky's color.
 pub fn ray_color(ray: &Ray, world: &dyn Hittable) -> Color {
     if let Some(record) = world.hit(ray, 0.0, f64::INFINITY) {
         return 0.5 * (record.normal + Vec3::ONE);

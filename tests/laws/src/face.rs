@@ -10,7 +10,7 @@ pub use common::rtweekend::Vec3;
 /// The answer of a `set_face_normal`: a normal, and the side of the surface that the ray meets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Face {
-    /// The unit normal that points against the ray, if the function is right.
+    /// The normal that the function returns: if it is right, the unit normal against the ray.
     pub normal: Vec3,
     /// True if the ray comes from outside and meets the front face.
     pub front_face: bool,

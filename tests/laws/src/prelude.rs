@@ -26,7 +26,7 @@ pub struct Prelude<'a> {
     pub length_squared: &'a dyn Fn(Vec3) -> f64,
     /// Returns the length of a vector.
     pub length: &'a dyn Fn(Vec3) -> f64,
-    /// Returns the unit vector in the direction of a vector, which is never zero.
+    /// Returns the unit vector in the direction of its argument, which the laws never make zero.
     pub normalize: &'a dyn Fn(Vec3) -> Vec3,
     /// Returns the ray with an origin and a direction.
     pub ray: &'a dyn Fn(Point3, Vec3) -> Ray,
@@ -48,8 +48,8 @@ pub struct PreludeFunction {
 /// A function that asks one function of a prelude, and lists the answer's numbers.
 type PreludeCall = fn(&Prelude, &PreludeQuestion) -> Vec<f64>;
 
-/// A question to one function of a [`Prelude`]: the two vectors and the number that are its
-/// arguments.
+/// The arguments of a question to one function of a [`Prelude`]: two vectors and a number, of which
+/// each function takes those that it needs.
 #[derive(Clone, Copy, Debug)]
 pub struct PreludeQuestion {
     pub(crate) function: &'static PreludeFunction,

@@ -21,10 +21,10 @@ pub enum ChapterScene {
     /// origin or behind it, and else the sky.
     Disc,
     /// The sphere of chapters 3 and 4, in the colors of its outward normals where the nearer root
-    /// is positive, and else the sky.
+    /// is positive, and the sky elsewhere.
     Ball,
     /// The sphere and the ground of chapter 5, in the colors of the normals that point against the
-    /// ray, and else the sky.
+    /// ray, and the sky elsewhere.
     List,
 }
 

@@ -25,7 +25,7 @@ pub enum Chapter {
     SpeedVsAccuracy,
 }
 
-/// A source of a chapter, compiled into this program.
+/// A source file of a chapter, embedded in this program.
 #[derive(Clone, Copy, Debug)]
 pub struct ChapterFile {
     /// The path in a crate of the reader's own, with `/`, such as `src/lib.rs`.

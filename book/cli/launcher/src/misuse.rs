@@ -31,8 +31,8 @@ pub fn complain(about: &str) {
     }
 }
 
-/// An error for a command line that can't be followed, with the message to print. Any other error
-/// is a failure on the way.
+/// An error for a command line that is malformed or contradicts itself, with the message to print.
+/// Any other error is a failure while the command runs.
 #[derive(Debug)]
 pub struct Misuse(pub String);
 

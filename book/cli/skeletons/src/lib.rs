@@ -166,8 +166,8 @@ pub fn manifest(chapter: Chapter, own_prelude: bool, workspace: &str, number: u6
     )
 }
 
-/// Writes the text of `tests/laws.rs`, a test that puts the functions of a reader's crate under the
-/// laws. Returns an empty text if no law can be broken in the chapter.
+/// Writes the text of `tests/laws.rs`, a test that checks the functions of a reader's crate against
+/// the laws. Returns an empty text if no law applies to the chapter.
 pub fn test(chapter: Chapter, own_prelude: bool) -> String {
     let test = match (chapter, own_prelude) {
         (Chapter::HittableList, false) => include_str!("../files/laws/hittable_list.rs"),

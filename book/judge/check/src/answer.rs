@@ -57,7 +57,7 @@ pub enum Grade {
     NoPicture,
 }
 
-/// The two pictures that an answer compares, of the same size.
+/// The reader's picture and the right one, of the same size, to be shown side by side.
 #[derive(Debug)]
 pub struct Pictures {
     /// The reader's picture, as a viewer shows it.

@@ -44,8 +44,8 @@ impl Task {
         }
     }
 
-    /// Makes the task to draw the whole chapter with that probe, or without one for `None`. Returns
-    /// `None` if the chapter has no room for the probe's spheres.
+    /// Makes the task to draw the whole chapter, with `probe`'s spheres in place of the chapter's
+    /// if one is given. Returns `None` if the chapter can't hold them.
     pub fn new(chapter: Chapter, probe: Option<Probe>) -> Option<Self> {
         let task = Self::of(chapter);
         probe.map_or(Some(task), |probe| task.with_probe(probe))

@@ -134,8 +134,8 @@ pub fn scene(chapter: Chapter) -> ChapterScene {
 }
 
 impl ChapterProgram {
-    /// Tests the functions that the program's chapter introduces by the laws: the intersection with
-    /// a sphere, then `ray_color`.
+    /// Tests the functions that the program's chapter introduces against their laws: the
+    /// intersection with a sphere, then `ray_color`.
     ///
     /// # Errors
     /// If a function breaks a law; only the first one is reported.

@@ -131,7 +131,8 @@ impl Output {
         }
     }
 
-    /// Returns all pixels as bytes, red, green and blue: levels are clamped to 0 to 255.
+    /// Returns all pixels as bytes of red, green and blue, row by row from the top left. Levels are
+    /// clamped to 0 to 255.
     pub fn rgb(&self) -> impl Iterator<Item = [u8; 3]> + '_ {
         let stored = |level: i32| level.clamp(0, 255) as u8;
         self.pixels().map(move |pixel| pixel.map(stored))

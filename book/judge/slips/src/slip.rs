@@ -260,8 +260,8 @@ impl Slip {
         })
     }
 
-    /// Returns the name of the first of [`PROBES`] that shows the slip in any chapter whose own
-    /// picture hides it; `None` if no probe does.
+    /// Returns the name of the first of [`PROBES`] that shows the slip in at least one chapter whose
+    /// own picture hides it; `None` if there is none.
     pub fn first_revealing_probe(&self) -> Option<&'static str> {
         let hidden = self
             .chapters()

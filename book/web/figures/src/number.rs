@@ -54,13 +54,13 @@ pub(crate) fn number(value: f64) -> String {
     if short == "-0" { "0" } else { short }.to_owned()
 }
 
-/// Writes a number with at most two decimals, for a page: 0.5, −2, 1.25. A half is rounded away
-/// from zero, and the minus is the sign − (U+2212).
+/// Formats a number with at most two decimals, for a page: 0.5, −2, 1.25. A half is rounded away
+/// from zero, and a minus sign is U+2212.
 pub fn spoken(value: f64) -> String {
     number((100.0 * value).round() / 100.0).replace('-', "−")
 }
 
-/// Writes numbers with at most two decimals, and "and" between them.
+/// Formats numbers with at most two decimals, and "and" between them.
 pub(crate) fn listed(values: &[f64]) -> String {
     let values: Vec<String> = values.iter().copied().map(spoken).collect();
     values.join(" and ")

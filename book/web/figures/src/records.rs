@@ -59,7 +59,7 @@ pub struct Tightness {
     pub unit: String,
     /// The constant in the code.
     pub constant: f64,
-    /// The least constant for which there is a proof.
+    /// The least constant in the bound for which there is a proof.
     pub proved: f64,
     /// The constant below which the witness is answered wrongly.
     pub attained: f64,
@@ -137,11 +137,11 @@ pub struct Timing {
     pub place: String,
     /// The number of rays in a round.
     pub n: usize,
-    /// The time of a ray in nanoseconds: the median over rounds, with the digits on which half of
-    /// the rounds agree.
+    /// The time of a ray in nanoseconds: the median over rounds, rounded no finer than half
+    /// the distance of their quartiles.
     pub median_ns: f64,
     /// The time divided by that of `half_b` on the same rays in the same round: the median over
-    /// rounds, with the digits on which half of the rounds agree.
+    /// rounds, rounded no finer than half the distance of their quartiles.
     pub ratio: f64,
     /// The number of processor instructions for a ray, counted by valgrind; `None` for rays of
     /// other regimes than `book`.

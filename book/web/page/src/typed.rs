@@ -95,11 +95,10 @@ impl Draft {
         draft
     }
 
-    /// Parses and checks the draft, so that it can be drawn.
+    /// Parses and checks the draft, so that its picture can be drawn.
     ///
     /// # Errors
-    /// Returns the feedback on a text that a compiler would refuse, or that the interpreter can't
-    /// read.
+    /// Returns feedback if a compiler would refuse the text, or if the interpreter can't read it.
     pub fn read(&self) -> Result<interpreter::Program, Feedback> {
         self.parsed().map_err(|faults| self.not_compiled(&faults))
     }
