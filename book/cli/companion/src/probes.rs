@@ -29,7 +29,7 @@ pub(crate) fn list(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let chapter = arguments.chapter;
     let name = chapter.name();
     let mut text = format!(
-        "Probes for {name}. Change your program as it says, draw, and then:\n  {} check {name} --probe NAME PICTURE\n",
+        "Probes for {name}. Change your program as a probe says, draw, and then:\n  {} check {name} --probe NAME PICTURE\n",
         companion_command()
     );
     for probe in PROBES {
