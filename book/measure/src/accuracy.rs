@@ -16,9 +16,9 @@ use rayon::prelude::*;
 use speed_vs_accuracy::{Case, METHODS, Method, Precision, REGIMES, Regime, SPHERES};
 
 /// Measures the errors of `methods` against exact arithmetic, each in its own precision. Asks
-/// `cases` random questions, chosen by `seed`, in each regime, and about `pixels` pixels of the
-/// book's picture, or about all 3840 × 2160 of them if `pixels` is greater. Returns a row for each
-/// regime and method, those of the book first.
+/// `cases` random questions, chosen by `seed`, in each [`Regime`], a situation such as a far
+/// sphere, and about `pixels` pixels of the book's picture, or about all 3840 × 2160 of them if
+/// `pixels` is greater. Returns a row for each regime and method, those of the book first.
 pub fn table(methods: &[Method], cases: usize, pixels: usize, seed: u64) -> Table<Accuracy> {
     let mut rows = Vec::new();
     for precision in Precision::ALL {
@@ -35,8 +35,8 @@ pub fn table(methods: &[Method], cases: usize, pixels: usize, seed: u64) -> Tabl
 }
 
 /// Measures how the errors of all methods grow with the distance of the sphere: asks `cases` random
-/// questions, chosen by `seed`, at each distance. Returns a row for each precision, distance and
-/// method.
+/// questions, chosen by `seed`, at each distance of 10ᵏ radii. Returns a row for each precision,
+/// distance and method, in this order, the nearest first.
 pub fn sweeps(cases: usize, seed: u64) -> Table<Level> {
     let mut rows = Vec::new();
     let regime = Regime::FAR;
@@ -210,8 +210,9 @@ fn errors_of<'a>(
         .zip(found.into_iter().map(Errors::sorted))
 }
 
-/// Returns the distance of `t` from the root, in ulps: units in the last place of a number of this
-/// precision near the root. Infinite if that exceeds what an `f64` can hold.
+/// Returns the distance of `t` from the root, without sign, in ulps: units in the last place of a
+/// number of this precision near the root. Infinite if `t` is infinite or NaN, or the distance
+/// exceeds what an `f64` can hold.
 pub fn ulps_off(root: ExactRoot, precision: Precision, t: f64) -> f64 {
     root.error_in_ulps(t) / (precision.epsilon() / f64::EPSILON)
 }

@@ -12,8 +12,8 @@ use speed_vs_accuracy::Precision;
 
 use crate::spread::Spread;
 
-/// Loops whose times are taken in turns, round by round. The first of them is the reference that
-/// the others are compared with.
+/// Loops whose times are taken in turns, round by round; one at least. The first of them is the
+/// reference that the others are compared with.
 pub struct Contest(pub Vec<Contestant>);
 
 /// A loop whose time is taken in a [`Contest`].
@@ -93,7 +93,7 @@ impl Contestant {
 
 impl Contest {
     /// Lets all contestants take their turns, and returns a list for each of them, in their order:
-    /// the nanoseconds of one question in each round.
+    /// the nanoseconds of one question in each round. Empty if there is no contestant.
     pub fn times(&mut self, effort: &Effort) -> Vec<Vec<f64>> {
         let Self(contestants) = self;
         let runs: Vec<usize> = contestants
@@ -112,6 +112,9 @@ impl Contest {
 
 /// Lets one contest after the other run. Returns the rows of all contestants, in order, with the
 /// median of their times, and of their ratios to the first of their contest.
+///
+/// # Panics
+/// If a contest has no contestant, or `effort` no rounds.
 pub fn run_all(contests: Vec<Contest>, effort: &Effort) -> Vec<Timing> {
     let rows = contests.into_iter().flat_map(|mut contest| {
         let times = contest.times(effort);
@@ -132,10 +135,10 @@ fn filled_in(row: Timing, times: Vec<f64>, first: &[f64]) -> Timing {
 }
 
 /// Divides each of `times` by the one of the same round in `other`, and returns the spread of these
-/// ratios.
+/// ratios. Rounds that only one of the two has are left out.
 ///
 /// # Panics
-/// If there are no rounds.
+/// If no rounds are left.
 pub fn spread_of_ratios(times: &[f64], other: &[f64]) -> Spread {
     let ratios = times.iter().zip(other).map(|(time, other)| time / other);
     Spread::of(ratios.collect())

@@ -12,7 +12,7 @@ use speed_vs_accuracy::{Arithmetic, Case, METHODS, Method, Precision, Scene, Sin
 
 use crate::contest::{Contest, Contestant, Effort};
 
-/// The times that a method took for one question of a scene, round by round.
+/// The times that a method took for one question about a scene, a ray and a sphere, in each round.
 pub struct MethodTimes {
     /// The method whose times these are.
     pub method: Method,
@@ -20,8 +20,9 @@ pub struct MethodTimes {
     pub nanoseconds: Vec<f64>,
 }
 
-/// Lets all methods answer the same questions of `scene`, 4096 or more, in turns. Returns the times
-/// of each, those of the reference method first.
+/// Lets all methods answer the same questions about `scene`, 4096, or more if it has a sun, in
+/// turns. Returns the times of each, in the order of [`METHODS`], those of the reference method
+/// first.
 pub fn times(scene: &Scene, effort: &Effort) -> Vec<MethodTimes> {
     let asked = questions(scene);
     let mut contest = contest_of_methods(&scene.name, &questions_of_cases(&asked, &asked));
@@ -115,7 +116,7 @@ pub fn questions_of_pixels(
 macro_rules! loops {
     ($(in $number:ident $precision:ident: $question:ident, $($method:ident)*;)*) => {
         /// Makes a contest of all methods, the reference first, over the same questions. `place` is
-        /// the regime or the scene, for the rows.
+        /// the name of the regime or the scene, for the rows.
         pub fn contest_of_methods<D, S>(place: &str, asked: &Questions<D, S>) -> Contest
         where
             D: Fn(usize) -> DoubleQuestion + Clone + 'static,

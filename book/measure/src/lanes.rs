@@ -75,7 +75,8 @@ macro_rules! contestants {
 }
 
 /// Returns the contests of methods that answer a block of questions at once: one over the range of
-/// t from 0, where signs decide, and one over the range from another `t_min`.
+/// t from 0, where signs decide, and one over the range from 0.001. The first ends with two loops
+/// that compute less than any method, as limits.
 pub fn contests() -> [Contest; 2] {
     let blocks = blocks();
     let in_any_range = contestants! { blocks, "any_range", 0.001,

@@ -18,8 +18,8 @@ use std::path::Path;
 use common::engine::output;
 use figures::table::{Record, Table};
 
-/// Writes a table into the file of `book/notes` from which the book shows it. The current folder
-/// has to be `book/measure`, in which cargo runs a benchmark.
+/// Writes a table into the file of `book/notes` from which the book shows it, in place of an
+/// earlier one. The current folder has to be `book/measure`, in which cargo runs a benchmark.
 ///
 /// # Errors
 /// If the file can't be written.

@@ -3,7 +3,8 @@
 
 use std::{env, fs, thread};
 
-/// Describes this computer in a line: the processor, the number of its threads, and the system.
+/// Describes this computer in a line of plain text: the processor, or its architecture where its
+/// name is unknown; the number of its threads; and the system.
 pub fn description() -> String {
     let info = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let model = info

@@ -27,7 +27,7 @@ use speed_vs_accuracy::{Lens, Scene, USUAL_T_MIN, unit};
 pub const WIDEST: u32 = 3840;
 
 /// The scenes of chapter 6, from the book's own to the hardest, parsed from its files when first
-/// used.
+/// used. The names of scenes are those of the files.
 pub static SCENES: LazyLock<[Scene; 7]> = LazyLock::new(|| {
     macro_rules! scene {
         ($name:literal) => {{
@@ -56,8 +56,9 @@ pub fn find_scene(name: &str) -> Option<&'static Scene> {
     SCENES.iter().find(|scene| scene.name == name)
 }
 
-/// Parses the TOML in `text` as a scene, and gives it this name. Parts that are left out get the
-/// usual values; all numbers of a scene are finite.
+/// Parses the TOML in `text` as a scene, and gives it this name. Only spheres are required; without
+/// other keys, the picture is 400 pixels wide, the camera is the book's, and no sun shines. All
+/// numbers of a scene are finite.
 ///
 /// # Errors
 /// Returns the first mistake, with line and column: text that is no TOML, a key that is unknown or

@@ -5,7 +5,7 @@
 pub struct Spread {
     /// The middle number in order of size; of an even count, the greater of the two in the middle.
     pub median: f64,
-    /// The first and the third quartile.
+    /// The first quartile, then the third; each is one of the numbers.
     pub quartiles: [f64; 2],
     /// The least number.
     pub least: f64,
@@ -31,7 +31,7 @@ impl Spread {
 
     /// Rounds the median to as many digits as the noise allows, at most three: to a multiple of 1,
     /// 2 or 5 in some digit, no finer than half the distance of the quartiles. One digit stays of
-    /// the noisiest, so that no time becomes 0.
+    /// the noisiest, so that no time becomes 0. The median has to be above 0.
     pub fn rounded_median(&self) -> f64 {
         let [low, high] = self.quartiles;
         let coarsest = 10_f64.powf(self.median.log10().floor());

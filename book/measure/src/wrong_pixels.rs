@@ -11,7 +11,8 @@ use speed_vs_accuracy::{Arithmetic, METHODS, Method, Scene, Sight};
 use crate::scene_file::SCENES;
 
 /// Draws the scenes of chapter 6 by all methods, `width` pixels wide. Returns a row for each scene
-/// and method, with the number of wrong pixels: more than one level off in a component.
+/// and method, in the order of [`SCENES`] and [`METHODS`], with the number of wrong pixels: more
+/// than one level of 255 off in a component.
 pub fn table(width: u32) -> Table<WrongPixels> {
     let rows = SCENES.par_iter().flat_map_iter(|scene| rows(scene, width));
     rows.collect::<Vec<_>>().into()
@@ -47,7 +48,7 @@ pub struct SceneViews {
 pub struct MethodView {
     /// The method that drew the picture.
     pub method: Method,
-    /// The number of wrong pixels: more than one level off in a component.
+    /// The number of wrong pixels: more than one level of 255 off in red, green or blue.
     pub wrong: usize,
     /// The column and the row of the first wrong pixel in reading order, counted from 0 at the top
     /// left; `None` if no pixel is wrong.
@@ -62,12 +63,12 @@ pub struct MethodView {
     pub misjudged: usize,
 }
 
-/// The greatest errors of several hits.
+/// The greatest error of either kind among several hits; NaN counts as infinite.
 #[derive(Clone, Copy, Debug)]
 pub struct HitErrors {
-    /// The distance of a hit point from the right one, in radii of its sphere.
+    /// The greatest distance of a hit point from the right one, in radii of its sphere.
     pub radii: f64,
-    /// The error of t divided by the right t, without sign.
+    /// The greatest error of t, divided by the right t, without sign.
     pub t: f64,
 }
 
@@ -86,8 +87,8 @@ impl HitErrors {
 }
 
 /// Draws `scene`, `width` pixels wide, by exact arithmetic and by each of `methods`, on all
-/// threads. After each row of pixels, calls `progress` with the number of rows that are done and
-/// the number of all.
+/// threads. After each row of pixels, calls `progress`, from any thread, with the number of rows
+/// that are done and the number of all.
 ///
 /// # Panics
 /// If `progress` panics.
@@ -196,7 +197,8 @@ impl MethodView {
 }
 
 /// Returns for each pixel the greatest difference of a component between two pictures of one size,
-/// in levels from 0 to 255. Pixel `j * width + i` is in column `i` and row `j` from the top left.
+/// in levels from 0 to 255, row by row: pixel `j * width + i` is in column `i` and row `j` from the
+/// top left.
 pub fn levels_off(right: &Picture, drawn: &Picture) -> Vec<u8> {
     let pixels = right.rgb().as_chunks().0.iter();
     let levels = |(right, drawn): (&[u8; 3], &[u8; 3])| {

@@ -27,7 +27,8 @@ pub fn in_lanes<T, F: Fn(usize) -> T>(answers: &mut [T; BLOCK], answer: F) {
     }
 }
 
-/// Answers each case of a block as [`certified_hit`](crate::certified_hit) does, or with `ULP` as
+/// Answers the case `case(k)` in `answers[k]` for each k of a block, as
+/// [`certified_hit`](crate::certified_hit) does, or if `ULP` is true as
 /// [`certified_t`](crate::certified_t), to the bit; infinity stands for a miss.
 ///
 /// The filter decides the whole block in lanes, by signs or by gaps as the range allows; a single

@@ -34,7 +34,8 @@ pub fn picture(width: u32) -> Picture {
     Scene::telescope().seen_by(halves, width)
 }
 
-/// All methods: first those that take and return `f64`, then those for `f32`.
+/// All methods: first those that take and return `f64`, from `half_b` to `exact`, then those for
+/// `f32`.
 pub const METHODS: &[Method] = &[
     Method::HALF_B,
     Method::HALF_B_Q,

@@ -13,9 +13,9 @@ use crate::precision::{Precision, SingleRay};
 /// A function that finds where a ray meets a sphere, with its name for tables and charts.
 #[derive(Clone, Copy, Debug)]
 pub struct Method {
-    /// The function's own name, such as `half_b_q`.
+    /// The name of the function in Rust, such as `half_b_q`.
     pub name: &'static str,
-    /// The function itself.
+    /// The function itself, with the precision of its numbers.
     pub solve: Solve,
     /// True if the function has a proven error bound, and computes with more digits wherever that
     /// leaves a doubt.
@@ -26,9 +26,9 @@ pub struct Method {
 /// the radius, the ray, `t_min` and `t_max`, in one of two precisions.
 #[derive(Clone, Copy, Debug)]
 pub enum Solve {
-    /// A function in `f64`.
+    /// A function in `f64`, of center, radius, ray, `t_min` and `t_max`.
     Double(fn(Point3, f64, &Ray, f64, f64) -> Option<f64>),
-    /// A function in `f32`.
+    /// A function in `f32`, of center, radius, ray, `t_min` and `t_max`.
     Single(fn(glam::Vec3, f32, &SingleRay, f32, f32) -> Option<f32>),
 }
 

@@ -5,7 +5,7 @@ use glam::Vec3;
 /// A floating-point format of IEEE 754: that of the numbers which a method takes and returns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Precision {
-    /// `f64`, with 53 binary digits and exponents of two to ±1000.
+    /// `f64`, with 53 binary digits and exponents of two to ±1022.
     Double,
     /// `f32`, with 24 binary digits and exponents of two to ±126.
     Single,

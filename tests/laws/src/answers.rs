@@ -16,7 +16,8 @@ use crate::question::{Functions, Question};
 use crate::verdict::{BrokenLaw, Complaint, Outcome, Report};
 
 /// The name of the environment variable that holds the path of the file to which a
-/// [`Trial`](crate::Trial) appends the tried functions' answers and verdicts.
+/// [`Trial`](crate::Trial) appends the tried functions' answers and verdicts. Without the variable,
+/// no file is written.
 pub const ANSWERS_VARIABLE: &str = "LAWS_ANSWERS";
 
 /// A question that was put to a function, with the function's answer.
@@ -24,7 +25,8 @@ pub const ANSWERS_VARIABLE: &str = "LAWS_ANSWERS";
 pub struct Answered {
     /// The question, with all numbers that the function was given.
     pub question: Question,
-    /// The answer as numbers, in the order of [`Question::put_to`]; empty for a miss.
+    /// The numbers that the function answered, in the order of [`Question::put_to`]; empty for a
+    /// miss.
     pub answer: Vec<f64>,
 }
 
@@ -36,13 +38,14 @@ impl Answered {
     }
 }
 
-/// The count of recorded answers that another program does not give.
+/// A comparison of recorded answers with those of another program: how many there are, and how many
+/// differ.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Mismatch {
     /// How many questions are recorded in all, also if the count stopped before the last.
     pub asked: usize,
-    /// To how many of these questions the program gives another answer. A count that was stopped at
-    /// a limit has the limit here.
+    /// How many of these questions the other program answers otherwise; at most the limit of
+    /// [`Answers::mismatch_with`].
     pub differing: usize,
 }
 
@@ -76,7 +79,8 @@ impl Answers {
     }
 
     /// Puts the recorded questions to `program`, in their order, and counts the answers that differ
-    /// from the recorded ones by more than rounding. Stops when `most` of them differ.
+    /// from the recorded ones by more than rounding. Stops when `most` of them differ; if `most` is
+    /// 0, nothing is asked.
     pub fn mismatch_with(&self, program: &dyn Functions, most: usize) -> Mismatch {
         let differing = self.given.iter().filter(|it| !it.is_given_by(program));
         Mismatch {
@@ -86,12 +90,14 @@ impl Answers {
     }
 }
 
-/// The name of a tried function with the outcome of its laws.
+/// The outcome of a [`Trial`](crate::Trial) of one function, as an [`AnswerFile`] has it.
 #[derive(Clone, Debug)]
 pub struct FunctionOutcome {
-    /// The name of the function, such as `hit_sphere`, `list` or `prelude`.
+    /// The name that the trial has in the file: `hit_sphere`, `sphere`, `list`, `prelude`,
+    /// `pixel_ray`, `ray_color` or `set_face_normal`.
     pub function: String,
-    /// The outcome of all laws for the function: `Ok` if they hold.
+    /// The outcome of all laws for the function: `Ok` if they hold, else the broken law or the
+    /// place of a `todo!()`.
     pub outcome: Outcome,
 }
 
@@ -106,8 +112,8 @@ pub struct AnswerFile {
 }
 
 impl AnswerFile {
-    /// Parses the text of such a file, up to the first line that is not whole: the program that
-    /// wrote it may have ended there. An empty text gives an empty result.
+    /// Parses the text of such a file, one JSON object per line, up to the first line that is cut
+    /// off: the program that wrote it may have ended there. An empty text gives an empty result.
     pub fn read(text: &str) -> Self {
         let mut told = Self::default();
         for line in text.lines() {

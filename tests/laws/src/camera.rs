@@ -5,7 +5,8 @@ use common::rtweekend::*;
 use crate::question::{nearly_equal, of_ray, vector};
 use crate::verdict::{BrokenLaw, LawResult};
 
-/// A pixel of a picture with the aspect ratio 16:9.
+/// A pixel of a picture with the aspect ratio 16:9: the argument of a camera's function that
+/// returns the ray through a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CameraPixel {
     /// The width of the picture, in pixels.
@@ -34,7 +35,7 @@ pub fn the_ray_of_a_pixel_goes_through_its_center(ray: &Ray, pixel: &CameraPixel
 impl CameraPixel {
     /// Returns the ray that the book's camera casts for the pixel: from the origin through the
     /// pixel's center, in a viewport at z = −1 that is 2 units high and has the aspect ratio of the
-    /// picture.
+    /// picture. Also for a pixel outside of the picture.
     pub fn expected_ray(&self) -> Ray {
         let [width, i, j] = [self.width, self.i, self.j].map(f64::from);
         let height = f64::from(((width / (16.0 / 9.0)) as u32).max(1));

@@ -13,7 +13,7 @@ use crate::verdict::{BrokenLaw, LawResult};
 #[derive(Clone, Debug, PartialEq)]
 pub struct World {
     /// The center and the radius of each sphere, in the order in which the spheres are added to the
-    /// list; may be empty.
+    /// list; may be empty: every ray then misses.
     pub spheres: Vec<(Point3, f64)>,
     /// The ray that is traced.
     pub ray: Ray,

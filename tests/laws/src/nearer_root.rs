@@ -34,18 +34,20 @@ use crate::trial::LawSuite;
 use crate::verdict::{BrokenLaw, LawResult};
 
 /// A function like the chapters' `hit_sphere`: takes center, radius and ray, and returns the nearer
-/// `t` at which the ray's line meets the sphere, in lengths of the direction; `None` for a miss.
+/// `t` at which the ray's line meets the sphere, in lengths of the direction, negative behind the
+/// origin; `None` for a miss.
 pub type Solver<'a> = dyn Fn(Point3, f64, &Ray) -> Option<f64> + 'a;
 
-/// A law for the nearer root: tests the answer of a solver for one ray and sphere.
+/// A law for the nearer root, a property that a right solver has: tests the answer of a solver to
+/// one case.
 pub type RootLaw = fn(&Solver, &Case) -> LawResult;
 
 /// The unit roundoff u of an `f64`, 2⁻⁵³: the largest relative error of one rounded operation.
 pub const U: f64 = f64::EPSILON / 2.0;
 
 /// The half width of the band in which rounding may decide between hit and miss, for the
-/// discriminant D = h² − a·c relative to a·M with M = |oc|² + r²: while |D| is above `BAND`·a·M,
-/// the computed D has the right sign.
+/// discriminant D = h² − a·c of an [`ExactCase`](crate::oracle::ExactCase), relative to a·M with M
+/// = |oc|² + r²: while |D| is above `BAND`·a·M, the computed D has the right sign.
 pub const BAND: f64 = 24.0 * U;
 
 /// All laws for the nearer root, those that teach most first.
@@ -98,8 +100,8 @@ pub(crate) fn decision_as_test(case: &Case) -> String {
 
 /// Turns a function that only decides between hit and miss, as that of chapter 2, into a solver.
 /// Where `decide` says hit, the solver returns the exact nearer root, rounded to an `f64`, or the
-/// `t` closest to the center if the line misses; else `None`. It panics on an infinite number or
-/// NaN.
+/// `t` closest to the center if the line misses; else `None`. The solver panics if a number of the
+/// sphere or the ray is infinite or NaN.
 pub fn solver_of_decision(
     decide: impl Fn(Point3, f64, &Ray) -> bool,
 ) -> impl Fn(Point3, f64, &Ray) -> Option<f64> {

@@ -9,16 +9,16 @@ use crate::question::{Functions, code, of_ray, vector};
 use crate::strategies::{ahead_if_zero, samples, whole_vector};
 use crate::verdict::{BrokenLaw, LawResult};
 
-/// The operators and functions of a program's own vectors and rays, as closures that laws ask one
-/// by one.
+/// A program's own vectors and rays, its *prelude*: their operators and functions, as closures that
+/// laws ask one by one.
 pub struct Prelude<'a> {
     /// Returns the sum of two vectors.
     pub add: &'a dyn Fn(Vec3, Vec3) -> Vec3,
     /// Returns the first vector minus the second.
     pub sub: &'a dyn Fn(Vec3, Vec3) -> Vec3,
-    /// Returns the opposite of a vector.
+    /// Returns the opposite of a vector: each component with the other sign.
     pub neg: &'a dyn Fn(Vec3) -> Vec3,
-    /// Returns a number times a vector.
+    /// Returns a number times a vector, component by component.
     pub mul: &'a dyn Fn(f64, Vec3) -> Vec3,
     /// Returns the dot product of two vectors.
     pub dot: &'a dyn Fn(Vec3, Vec3) -> f64,
@@ -28,9 +28,9 @@ pub struct Prelude<'a> {
     pub length: &'a dyn Fn(Vec3) -> f64,
     /// Returns the unit vector in the direction of its argument, which the laws never make zero.
     pub normalize: &'a dyn Fn(Vec3) -> Vec3,
-    /// Returns the ray with an origin and a direction.
+    /// Returns the ray that starts at a point and goes along a direction.
     pub ray: &'a dyn Fn(Point3, Vec3) -> Ray,
-    /// Returns the point of a ray at `t` lengths of its direction.
+    /// Returns the point of a ray at `t`: the origin plus `t` times the direction.
     pub at: &'a dyn Fn(Ray, f64) -> Point3,
 }
 
@@ -149,7 +149,7 @@ impl PreludeQuestion {
 }
 
 impl Prelude<'_> {
-    /// Returns the vectors and rays of the package `common`, which are right.
+    /// Returns the operators and functions of the package `common`, whose answers are right.
     pub fn of_common() -> Self {
         Self {
             mul: &|t, v| t * v,
@@ -188,7 +188,8 @@ const fn function(call: &'static str, rounding: f64, answer: PreludeCall) -> Pre
     }
 }
 
-/// All functions of a [`Prelude`], ordered so that each comes after those of which it may be made.
+/// All functions of a [`Prelude`], from `mul` to `at`: each comes after those of which it may be
+/// made.
 pub static PRELUDE_FUNCTIONS: [PreludeFunction; 10] = [
     function("mul(t, v)", 4.0 * U, |it, a| numbers((it.mul)(a.t, a.v))),
     function("add(u, v)", 0.0, |it, a| numbers((it.add)(a.u, a.v))),

@@ -15,10 +15,11 @@ use crate::ray_color;
 use crate::record::RecordedHit;
 use crate::strategies::{self, samples};
 
-/// A question to one function of a program, with all numbers that the function is given.
+/// A question to one function of a program, with all numbers that the function is given. Each
+/// variant is for one kind of function.
 #[derive(Clone, Debug)]
 pub enum Question {
-    /// A call of a function or operator on vectors or rays, with small numbers.
+    /// Small numbers for a function or operator on the program's vectors or rays, its [`Prelude`].
     Prelude(PreludeQuestion),
     /// A ray and a sphere for the `hit_sphere` of chapter 2, which only decides between hit and
     /// miss.
@@ -27,28 +28,33 @@ pub enum Question {
     Root(Case),
     /// A ray, a sphere and an interval for the `Sphere::hit` of chapter 5, which returns a record.
     Record(IntervalCase),
-    /// A ray, spheres and an interval for the `HittableList::hit` of chapter 5.
+    /// A ray, spheres and an interval for the `HittableList::hit` of chapter 5, which is asked for
+    /// the `t` of the nearest hit.
     Nearest(World),
-    /// A ray for `ray_color`.
+    /// A ray for `ray_color`, which returns the color of what the ray meets.
     RayColor(Ray),
-    /// A pixel for the camera that casts a ray through it.
+    /// A pixel for the camera, which returns the ray through the pixel.
     PixelRay(CameraPixel),
 }
 
 /// The functions of a program, in the form in which a [`Question`] calls them. The provided methods
 /// are those of `common`, which are right, for programs without a camera or vectors of their own.
 pub trait Functions {
-    /// Returns the nearer `t` at which the line meets the sphere, in lengths of the direction; any
-    /// number if the program only decides. `None` for a miss.
+    /// Returns the nearer `t` at which the line of the ray meets the sphere, in lengths of the
+    /// direction, negative behind the origin; any number for a hit if the program only decides.
+    /// `None` for a miss.
     fn hit_sphere(&self, case: &Case) -> Option<f64>;
-    /// Returns the record of the nearest hit of a sphere in an interval; `None` for a miss.
+    /// Returns the record of the nearest hit of a sphere between the ends of an interval, both
+    /// excluded; `None` for a miss.
     fn record(&self, asked: &IntervalCase) -> Option<RecordedHit>;
-    /// Returns the `t` of the nearest hit of a list of spheres in an interval; `None` for a miss.
+    /// Returns the `t` of the nearest hit of several spheres between the ends of an interval, both
+    /// excluded, in lengths of the direction; `None` for a miss.
     fn nearest(&self, world: &World) -> Option<f64>;
-    /// Returns the color of a ray, each component linear from 0 to 1.
+    /// Returns the color of what the ray meets in the program's scene, each component linear from 0
+    /// to 1.
     fn ray_color(&self, ray: &Ray) -> Color;
 
-    /// Returns the ray that the program's camera casts through a pixel.
+    /// Returns the ray that the program's camera casts through a pixel; provided: the right one.
     fn pixel_ray(&self, pixel: &CameraPixel) -> Ray {
         pixel.expected_ray()
     }
@@ -60,7 +66,7 @@ pub trait Functions {
     fn length_squared(&self, v: Vec3) -> f64 {
         v.length_squared()
     }
-    /// Returns the unit vector in the direction of `v`.
+    /// Returns the unit vector in the direction of `v`, which no question makes zero.
     fn normalize(&self, v: Vec3) -> Vec3 {
         v.normalize()
     }
@@ -71,8 +77,9 @@ pub trait Functions {
 const TELLING: u32 = 250;
 
 impl Question {
-    /// Lists twenty questions to each function on vectors. The list is the same in every run, and
-    /// long enough that different mistakes give different answers.
+    /// Lists twenty questions to each of the ten functions on vectors and rays, function by
+    /// function, in the order of [`PRELUDE_FUNCTIONS`]. The list is the same in every run, and long
+    /// enough that different mistakes give different answers.
     pub fn of_prelude() -> Vec<Self> {
         let telling = PRELUDE_FUNCTIONS.iter().flat_map(|it| it.telling_cases());
         telling.map(Self::Prelude).collect()
@@ -108,8 +115,8 @@ impl Question {
     /// Calls the function of `program` that the question is about, and returns the answer as
     /// numbers: empty for a miss, `t` for a root, 0 for a hit that is only decided, three
     /// components for a color or vector, six for a ray. A record has `t`, 1 or 0 for the front
-    /// face, the point and the normal; that of a tangent only `t`. A panic in the program is passed
-    /// on.
+    /// face, the point and the normal, in this order; that of a tangent only `t`. A panic in the
+    /// program is passed on.
     pub fn put_to(&self, program: &dyn Functions) -> Vec<f64> {
         match self {
             Self::Prelude(asked) => Prelude::of_program(program, |prelude| asked.put_to(prelude)),
@@ -122,7 +129,8 @@ impl Question {
         }
     }
 
-    /// Returns true if two answers to this question are equal, up to rounding.
+    /// Returns true if two answers to this question, in the form of [`put_to`](Self::put_to), are
+    /// equal, up to rounding.
     pub fn answers_agree(&self, one: &[f64], other: &[f64]) -> bool {
         match self {
             Self::Prelude(asked) => asked.answers_agree(one, other),
@@ -143,8 +151,10 @@ impl Question {
         }
     }
 
-    /// Lists all numbers that the question consists of, in the order in which a file of answers has
-    /// them.
+    /// Lists all numbers of the question in the order in which a file of answers has them: of a
+    /// case as [`Case::numbers`], then `t_min` and `t_max`; of a ray the origin, then the
+    /// direction; of a pixel the width, the column and the row; of a list the ray, both ends, then
+    /// center and radius of each sphere; for a [`Prelude`] two vectors and `t`.
     pub fn numbers(&self) -> Vec<f64> {
         match self {
             Self::Prelude(PreludeQuestion { u, v, t, .. }) => {
@@ -199,15 +209,15 @@ fn of<T: Debug>(kind: fn(T) -> Question, strategy: &impl Strategy<Value = T>) ->
     telling_cases(strategy).into_iter().map(kind).collect()
 }
 
-/// Draws the first 250 values of a strategy. They are the same in every run, and enough that
-/// different mistakes in a function give different answers.
+/// Draws the first 250 values of a strategy, in its order. They are the same in every run, and
+/// enough that different mistakes in a function give different answers.
 pub fn telling_cases<T: Debug>(strategy: &impl Strategy<Value = T>) -> Vec<T> {
     samples(strategy, TELLING)
 }
 
 /// Returns true if two answers have equally many numbers, and each pair of them differs by at most
-/// 10⁻⁹ · (1 + both sizes), about a thousand times the rounding of ordinary questions. Two NaN are
-/// equal here, and so are equal infinities.
+/// 10⁻⁹ · (1 + |one| + |other|), about a thousand times the rounding of ordinary questions. Two NaN
+/// are equal here, and so are equal infinities.
 pub fn nearly_equal(one: &[f64], other: &[f64]) -> bool {
     let near = |(one, other): (&f64, &f64)| {
         let allowed = 1e-9 * (1.0 + one.abs() + other.abs());
@@ -236,7 +246,7 @@ pub(crate) fn of_hit(asked: &IntervalCase, hit: Option<RecordedHit>) -> Vec<f64>
 }
 
 /// A ray, a sphere and an open interval of `t` in which a hit counts, as the `Sphere::hit` of
-/// chapter 5 takes them.
+/// chapter 5 takes them. No hit counts if `t_min` is not below `t_max`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct IntervalCase {
     /// The ray and the sphere.

@@ -12,7 +12,8 @@ use crate::question::{code, of_ray};
 use crate::record::normal_bound;
 use crate::verdict::{BrokenLaw, LawResult};
 
-/// The scene of a chapter, whose colors a law for `ray_color` expects.
+/// The scene of a chapter: what a ray can meet there, and the colors that a law for `ray_color`
+/// expects.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ChapterScene {
     /// The sky of chapter 1, without a sphere.

@@ -28,7 +28,7 @@ pub struct RecordedHit {
 }
 
 /// A function like the `Sphere::hit` of chapter 5: takes a ray, a sphere and an interval, and
-/// returns the record of the nearest hit in it; `None` for a miss.
+/// returns the record of the nearest hit between the ends, both excluded; `None` for a miss.
 pub type RecordSolver<'a> = dyn Fn(&IntervalCase) -> Option<RecordedHit> + 'a;
 
 /// The page that explains `set_face_normal`.

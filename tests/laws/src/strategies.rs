@@ -76,8 +76,8 @@ pub fn ordinary() -> impl Strategy<Value = Case> {
     ]
 }
 
-/// Makes rays and spheres by any of the strategies here, from small whole numbers to those where
-/// rounding decides.
+/// Makes rays and spheres by any of the strategies here for one sphere, from small whole numbers to
+/// cases where rounding decides.
 pub fn any_case() -> impl Strategy<Value = Case> {
     prop_oneof![
         integers(),
@@ -95,7 +95,8 @@ pub fn any_case() -> impl Strategy<Value = Case> {
     ]
 }
 
-/// Makes pixels of pictures that are 1 to 400 pixels wide.
+/// Makes pixels of pictures that are 1 to 400 pixels wide, with the aspect ratio 16:9; each pixel
+/// lies in its picture.
 pub fn pixels() -> impl Strategy<Value = CameraPixel> {
     (1..=400_u32, any::<[u32; 2]>()).prop_map(|(width, [i, j])| CameraPixel {
         width,
@@ -104,7 +105,8 @@ pub fn pixels() -> impl Strategy<Value = CameraPixel> {
     })
 }
 
-/// Makes rays that the book's camera casts, each with one of the two spheres of chapter 5.
+/// Makes rays that the book's camera casts in pictures 1 to 400 pixels wide, each with one of the
+/// two spheres of chapter 5.
 pub fn book_rays() -> impl Strategy<Value = Case> {
     let ball = (Point3::new(0.0, 0.0, -1.0), 0.5);
     let ground = (Point3::new(0.0, -100.5, -1.0), 100.0);
@@ -114,7 +116,8 @@ pub fn book_rays() -> impl Strategy<Value = Case> {
     })
 }
 
-/// Makes rays and spheres of small whole numbers, so that answers can be checked by hand.
+/// Makes rays and spheres of whole numbers from −18 to 18, so that answers can be checked by hand.
+/// No radius and no direction is zero.
 pub fn integers() -> impl Strategy<Value = Case> {
     (whole_vector(9), 1..=9, whole_vector(9), whole_vector(9)).prop_map(
         |(oc, radius, origin, direction)| {
@@ -137,8 +140,8 @@ pub fn with_h_zero() -> impl Strategy<Value = Case> {
     })
 }
 
-/// Makes rays whose line passes the center of a sphere at a distance of r·(1 ± 10⁻ᵏ), for k in the
-/// range: the larger k, the closer to a tangent.
+/// Makes rays whose line passes the center of a sphere, about three radii away, at a distance of
+/// r·(1 ± 10⁻ᵏ), for k in the range: the larger k, the closer to a tangent.
 pub fn grazing(k: RangeInclusive<f64>) -> impl Strategy<Value = Case> {
     aimed(Just(3.0), about_one(k))
 }
@@ -258,7 +261,7 @@ pub fn on_the_surface() -> impl Strategy<Value = Case> {
 }
 
 /// Makes rays and spheres of numbers from 2⁻²⁰ to 2²⁰ in size, all orders of magnitude equally
-/// likely.
+/// likely; radii are positive.
 pub fn log_uniform() -> impl Strategy<Value = Case> {
     let sized = (number(-20.0..=20.0), sign()).prop_map(|(k, sign)| sign * f64::exp2(k));
     uniform10(sized).prop_map(|numbers| {
@@ -375,21 +378,21 @@ pub fn ahead_if_zero(direction: Vec3) -> Vec3 {
     }
 }
 
-/// Makes vectors whose components are integers from −`max` to `max`.
+/// Makes vectors whose components are integers from −`max` to `max`, which must not be negative.
 pub fn whole_vector(max: i32) -> impl Strategy<Value = Vec3> {
     let number = move || -max..=max;
     (number(), number(), number())
         .prop_map(|(x, y, z)| Vec3::new(f64::from(x), f64::from(y), f64::from(z)))
 }
 
-/// Makes pairs of a center, with components from −9 to 9, and a radius from 0.01 to 100.
+/// Makes spheres as pairs: a center with components from −9 to 9, and a radius from 0.01 to 100.
 pub fn ordinary_sphere() -> impl Strategy<Value = (Point3, f64)> {
     let place = || number(-9.0..=9.0);
     (place(), place(), place(), number(-2.0..=2.0))
         .prop_map(|(x, y, z, exponent)| (Point3::new(x, y, z), 10f64.powf(exponent)))
 }
 
-/// Makes unit vectors in any direction.
+/// Makes unit vectors in any direction, all equally likely.
 pub fn unit() -> impl Strategy<Value = Vec3> {
     (number(-1.0..=1.0), number(0.0..=2.0)).prop_map(|(z, turn)| {
         let (sin, cos) = (turn * PI).sin_cos();

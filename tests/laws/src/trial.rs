@@ -28,7 +28,8 @@ use crate::record::{self, RecordSolver};
 use crate::strategies::{self, config};
 use crate::verdict::{BrokenLaw, Complaint, LawResult, Outcome};
 
-/// A trial of the functions of a chapter: each under all laws of its kind, on cases of proptest.
+/// A trial of the functions of a chapter: each under all *laws* of its kind, properties that a
+/// right function has, on cases made by proptest. The outcome is `Ok` if all laws hold.
 ///
 /// This is what a reader does in a test of their own, in a package that has
 /// `common` and `laws` among its `[dev-dependencies]`, as
@@ -53,9 +54,11 @@ use crate::verdict::{BrokenLaw, Complaint, LawResult, Outcome};
 /// ```
 #[derive(Clone, Debug)]
 pub struct Trial {
-    /// On how many cases each law is tried, for each kind of case, such as whole numbers.
+    /// The number of cases on which each law is tried, for each kind of case, such as whole
+    /// numbers.
     pub cases: u32,
-    /// The file to which answers and verdicts are appended; `None` if none is kept.
+    /// The file to which answers and verdicts are appended, made if it is missing; `None` keeps no
+    /// file.
     pub answers: Option<PathBuf>,
 }
 
@@ -162,9 +165,9 @@ impl Trial {
         self.kept("list", outcome)
     }
 
-    /// Tries the operators and functions of a program's own vectors and rays, up to the first that
-    /// breaks a law: those after it may be built on it. A `todo!()` is reported only if no function
-    /// breaks a law.
+    /// Tries the operators and functions of a program's own vectors and rays, in the order of
+    /// [`PRELUDE_FUNCTIONS`], up to the first that breaks a law: those after it may be built on it.
+    /// A `todo!()` is reported only if no function breaks a law.
     ///
     /// # Errors
     /// The smallest case found that breaks a law, or the place of a `todo!()`.
@@ -192,7 +195,8 @@ impl Trial {
         outcome
     }
 
-    /// Tries the function of a camera that returns the ray through a pixel.
+    /// Tries the function of a camera that returns the ray through a pixel, on pictures of many
+    /// widths.
     ///
     /// # Errors
     /// The smallest case found that breaks a law, or the place of a `todo!()`.
@@ -211,7 +215,8 @@ impl Trial {
     }
 
     /// Tries the `ray_color` of a chapter's scene on rays that the book's camera never casts. Makes
-    /// no claim, and returns `Ok`, where the book's own picture is wrong already.
+    /// no claim, and returns `Ok`, where the book's own picture is wrong already: there the picture
+    /// shows the mistake.
     ///
     /// # Errors
     /// The smallest case found that breaks a law, or the place of a `todo!()`.
@@ -233,8 +238,8 @@ impl Trial {
         }
     }
 
-    /// Tries the function that turns a normal against the ray, which needs no sphere, as the
-    /// `set_face_normal` of chapter 5. Its report has no answers and no test.
+    /// Tries the function that turns a normal against the ray, as the `set_face_normal` of chapter
+    /// 5, on pairs of unit vectors: no sphere is needed. Its report has no answers and no test.
     ///
     /// # Errors
     /// The smallest case found that breaks the law, or the place of a `todo!()`.

@@ -11,23 +11,25 @@ use crate::answers::Answers;
 /// broken law into the reason of the failure.
 pub type LawResult = Result<(), BrokenLaw>;
 
-/// A law that a function's answer breaks, in words for the function's author.
+/// A law that a function's answer breaks, with the answer, as plain text for the function's author.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BrokenLaw {
-    /// The law as a sentence without a full stop.
+    /// The law, a property that every right answer has, as a sentence without a full stop:
+    /// `the point of a hit is the one at its t`.
     pub law: Cow<'static, str>,
-    /// The wrong answer of the function, in one line.
+    /// The wrong answer of the function, in one line: `a miss`, `t = 0.5`, or more numbers.
     pub found: String,
-    /// The answers that the law allows, in one line.
+    /// The answers that the law allows, in one line, with the bound of rounding where there is one.
     pub allowed: String,
-    /// The chapter and the equation or function that explain the law.
+    /// The chapter and the equation or function that explain the law, in one line, such as
+    /// `chapter 5: closest_so_far`.
     pub read: Cow<'static, str>,
 }
 
 /// The result of all laws for one function: `Ok` if they hold.
 pub type Outcome = Result<(), Complaint>;
 
-/// A reason why a function is not right.
+/// A reason why a function is not right: it breaks a law, or is not written yet.
 #[derive(Clone, Debug)]
 pub enum Complaint {
     /// The function breaks a law.
@@ -46,8 +48,8 @@ pub struct Report {
     /// A list's own follow those of its spheres; in a report from a file, they follow those of all
     /// functions that were tried before. Empty if none is recorded.
     pub answers: Answers,
-    /// Lines about the known mistakes that give equal answers, and one that says so. Empty until a
-    /// judge fills them in: this package knows no mistakes.
+    /// One line of plain text for each known mistake that gives equal answers, then a line that
+    /// says so. Empty until a judge fills it in: this package knows no mistakes.
     pub same_as: Vec<String>,
     /// The body of a `#[test]` that asks about the smallest case again, as Rust code in several
     /// lines; empty if there is none.
@@ -67,12 +69,12 @@ impl Complaint {
     }
 }
 
-/// A line of a report.
+/// A row of a report: a label, and one line of plain text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ReportRow<'a> {
     /// The label of the row, such as `found`; empty if the row continues the one above.
     pub label: &'a str,
-    /// The text behind the label, one line.
+    /// The text after the label, one line without a newline.
     pub text: &'a str,
 }
 
@@ -95,8 +97,9 @@ impl BrokenLaw {
 }
 
 impl Report {
-    /// Lists the rows of the report, in the order in which they are read. At most five lines of
-    /// [`same_as`](Self::same_as) are among them.
+    /// Lists the rows of the report, in the order in which they are read: the law, the answer, the
+    /// answers allowed, at most five lines of [`same_as`](Self::same_as), and the chapter. The test
+    /// is not among them.
     pub fn rows(&self) -> Vec<ReportRow<'_>> {
         let labels = ["same as", "", "", "", ""];
         let same_as = labels.into_iter().zip(&self.same_as);
@@ -107,7 +110,8 @@ impl Report {
     }
 }
 
-/// Formats rows as one line each, with all texts in one column and no newline at the end.
+/// Formats rows as plain text, one line for each, with all texts in one column and no newline at
+/// the end. No rows give an empty text.
 pub fn rows_as_text<'a>(rows: impl IntoIterator<Item = ReportRow<'a>>) -> String {
     let line = |ReportRow { label, text }| match label {
         "" => format!("          {text}"),
@@ -152,7 +156,7 @@ impl From<BrokenLaw> for TestCaseError {
     }
 }
 
-/// Ends a test: panics with the text of the error, if `outcome` is one.
+/// Ends a test: panics with the text of the error if `outcome` is one, and else does nothing.
 ///
 /// # Panics
 /// If `outcome` is an error.

@@ -7,7 +7,7 @@ use crate::program::{Program, u32_value};
 use crate::refusal::Span;
 use crate::types::Ctor;
 
-/// A sphere that is handed to the functions of a chapter.
+/// A sphere to ask about: the functions of an interpreted [`Program`] get it as an argument.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ball {
     /// The center of the sphere.
@@ -17,7 +17,7 @@ pub struct Ball {
 }
 
 impl Ball {
-    /// Makes a sphere from the coordinates of its center and its radius.
+    /// Makes a sphere from the coordinates of its center and its radius, which may be negative.
     pub const fn new(x: f64, y: f64, z: f64, radius: f64) -> Self {
         Self {
             center: Point3::new(x, y, z),
@@ -75,7 +75,7 @@ impl Program {
     }
 
     /// Calls `Sphere::hit` of chapter 5 on a sphere made by `Sphere::new`, and returns its record
-    /// of the nearest hit between `t_min` and `t_max`.
+    /// of the nearest hit between `t_min` and `t_max`, as the program itself decides.
     ///
     /// Returns `None` for a miss, if the program stops, or if one of these functions or a field of
     /// the record is missing.
@@ -94,7 +94,8 @@ impl Program {
     }
 
     /// Calls `HittableList::hit` of chapter 5 on a list with these spheres in this order, and
-    /// returns the `t` of the nearest hit between `t_min` and `t_max`.
+    /// returns the `t` of the nearest hit between `t_min` and `t_max`, as the program itself
+    /// decides.
     ///
     /// Returns `None` for a miss (an empty list, too), if the program stops, or if one of these
     /// functions or the field `t` is missing.
@@ -138,27 +139,27 @@ impl Program {
         }
     }
 
-    /// Calls the function with the name `function` with `u32` arguments, and returns the integers
-    /// in the array or list that it returns.
+    /// Calls the function with the name `function`, `f` or `Type::f`, with `u32` arguments, and
+    /// returns the integers in the array or list that it returns.
     ///
     /// Returns `None` if the program stops or has no such function, or if the result is anything
-    /// else.
+    /// else, or has an integer that is no `i32`.
     pub fn call_with_integers(&self, function: &str, given: &[u32]) -> Option<Vec<i32>> {
         let given: Vec<Value> = given.iter().copied().map(u32_value).collect();
         self.called(function, &given)?.integers()
     }
 
-    /// Calls the function with the name `function` with a color, and returns the integers in the
-    /// array or list that it returns.
+    /// Calls the function with the name `function`, `f` or `Type::f`, with a color, and returns the
+    /// integers in the array or list that it returns.
     ///
     /// Returns `None` if the program stops or has no such function, or if the result is anything
-    /// else.
+    /// else, or has an integer that is no `i32`.
     pub fn call_with_color(&self, function: &str, color: Color) -> Option<Vec<i32>> {
         self.called(function, &[color.into()])?.integers()
     }
 
-    /// Calls the function with the name `function` with vectors, and returns the one number that it
-    /// returns, or the three components of a vector.
+    /// Calls the function with the name `function`, `f` or `Type::f`, with vectors, and returns the
+    /// `f64` that it returns, or x, y and z of the vector.
     ///
     /// Returns `None` if the program stops or has no such function, or if the result is anything
     /// else.

@@ -29,16 +29,16 @@ impl fmt::Debug for Canvas {
     }
 }
 
-/// A value on the way to a pixel's color: one that a `let` names, or that a `return` statement
-/// returns.
+/// A step in the computation of a pixel's color: a value that a `let` names, or that a `return`
+/// statement returns.
 #[derive(Clone, Debug)]
 pub struct TracedValue {
     /// The function in which the value arises: `ray_color`, or `Sphere::hit` for a method.
     pub function: String,
     /// The name that a `let` gives the value; `None` for the value of a `return`.
     pub name: Option<String>,
-    /// The value as text: numbers as [`format_number`] formats them, a vector as `(x, y, z)`, a
-    /// truth as `true` or `false`, and the option `None` as `none`.
+    /// The value as text in one line: numbers as [`format_number`] formats them, a vector as
+    /// `(x, y, z)`, a truth as `true` or `false`, an option as its value or `none`.
     pub value: String,
 }
 
@@ -97,13 +97,14 @@ impl Canvas {
 
     /// Computes the color, linear from 0 to 1, of the pixel in column `i` and row `j`, from 0 at
     /// the top left. A picture that the program printed as text gives colors whose levels are the
-    /// printed ones.
+    /// printed ones. Pixels outside of the picture have colors, too, unless it was printed.
     ///
     /// # Errors
     /// If the program stops on the way, or the compiler would refuse a line that runs.
     ///
     /// # Panics
-    /// If the picture was printed as text, and `j * width + i` is the number of none of its pixels.
+    /// If the picture was printed as text, and `j * width + i` is the number of none of its pixels,
+    /// which are counted row by row from 0.
     pub fn color(&self, i: u32, j: u32) -> Result<Color, Fault> {
         self.colored_by(&mut self.program.machine(), i, j)
     }
@@ -141,6 +142,9 @@ impl Canvas {
     ///
     /// # Errors
     /// If the program stops on the way, or the compiler would refuse a line that runs.
+    ///
+    /// # Panics
+    /// If the picture was printed as text, and `j * width + i` is the number of none of its pixels.
     pub fn levels(&self, i: u32, j: u32) -> Result<[u8; 3], Fault> {
         let mut levels = [0; 3];
         write_color(&mut levels, self.color(i, j)?);
@@ -171,7 +175,7 @@ impl Canvas {
 
     /// Returns true if a `return` statement of the function with the name `name` runs on the way to
     /// the color of the pixel in column `i` and row `j`, from 0 at the top left. In `ray_color`,
-    /// that is a hit.
+    /// that is a hit. Returns false if there is no such function.
     pub fn returns_early(&self, name: &str, i: u32, j: u32) -> bool {
         let function = self.program.code.number_of(name);
         let mut bindings = self.bindings(i, j);
@@ -187,8 +191,9 @@ impl Canvas {
     }
 }
 
-/// Formats a number with up to six decimals, or in scientific notation with four significant digits
-/// if its size is below 0.001 and not 0.
+/// Formats a number with up to six decimals and no zeros at the end, such as `0.5`, or in
+/// scientific notation with four significant digits if its size is below 0.001 and not 0. NaN is
+/// `NaN`.
 pub fn format_number(it: f64) -> String {
     match it.abs() {
         small if small != 0.0 && small < 1e-3 => format!("{it:.3e}"),

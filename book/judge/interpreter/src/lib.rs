@@ -28,6 +28,6 @@ pub use canvas::{Canvas, TracedValue, format_number};
 pub use program::{ExpectedPixel, Program, SourceFile, UncheckedLines, read};
 pub use refusal::{Fault, FaultKind, SourceSpan};
 
-/// The sentence that ends an answer which calls a typed text right: moves and borrows were not
-/// checked.
+/// The sentence at the end of an answer that calls a typed text right, in plain text: it says that
+/// moves and borrows were not checked.
 pub const UNCHECKED: &str = "Moves and borrows are not checked here: cargo does that.";

@@ -12,16 +12,17 @@ use crate::refusal::{Fault, FaultKind};
 const MOST: usize = 10_000;
 
 impl Program {
-    /// Lists all functions with a body, in the order of their declarations: the name, `hit_sphere`
-    /// or `Sphere::hit`, and the source text from `fn` to the closing bracket.
+    /// Lists all functions with a body, in the order of their declarations: first the name,
+    /// `hit_sphere` or `Sphere::hit`, then the source text from `fn` to the closing bracket.
     pub fn functions(&self) -> impl Iterator<Item = (&str, &str)> {
         let written = self.code.functions.iter().flat_map(|it| &it.written);
         written.map(|it| (&*it.name, &*it.text))
     }
 
-    /// Returns the program with another source text, from `fn` to the closing bracket, for the
-    /// function of that name (`hit_sphere` or `Sphere::hit`). Types and count of the parameters
-    /// stay as declared. A text that was patched in before is not read again.
+    /// Returns the program with another source text for the function with the name `function`, such
+    /// as `hit_sphere` or `Sphere::hit`; `text` goes from `fn` to the closing bracket. Types and
+    /// count of the parameters stay as declared. A text that was patched in before is not read
+    /// again.
     ///
     /// # Errors
     /// If there is no such function, if the text is no function or takes another number of
@@ -34,9 +35,9 @@ impl Program {
         Ok(self.running(code))
     }
 
-    /// Returns the program in which one mutant, an alternative to an expression of its text, runs:
-    /// `mutants!(7, right, one, other)` has the mutants 7 and 8. Where `number` is no mutant's, as
-    /// 0, `right` runs.
+    /// Returns the program in which one mutant runs, a variant of an expression:
+    /// `mutants!(7, right, one, other)` in the program's text is `one` if `number` is 7, `other` if
+    /// it is 8, and else `right`.
     ///
     /// All mutants are read at once (mutant schemata: Untch, Offutt and Harrold, 1993).
     pub fn with_mutant(&self, number: u32) -> Self {
@@ -69,7 +70,8 @@ impl Program {
     }
 
     /// Returns the program with the patches of both `self` and `other`, which were patched from the
-    /// program `from`; `None` if both have patched the same function. Nothing is read again.
+    /// program `from`; `None` if both have patched the same function. Nothing is read again. The
+    /// result computes in `f32` if either does.
     pub fn merged_with(&self, other: &Self, from: &Self) -> Option<Self> {
         let [own, other, from] = [self, other, from].map(|it| &it.code);
         let mut code = Code::clone(own);

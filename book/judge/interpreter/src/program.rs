@@ -28,9 +28,9 @@ pub struct ExpectedPixel {
 /// Lines of a file that never ran, so that their types are not checked.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UncheckedLines {
-    /// The number of the file among those that were read, from 0.
+    /// The index of the file in the list that was given to [`read`], from 0.
     pub file: usize,
-    /// The first line and the last, counted from 1.
+    /// The first line and the last, counted from 1, both included.
     pub lines: RangeInclusive<usize>,
 }
 
@@ -63,7 +63,7 @@ impl SourceFile {
 }
 
 /// Reads the files of a crate. Its root is the file whose name ends with `lib.rs`, or else the
-/// first.
+/// first. Nothing runs yet.
 ///
 /// Spans of a text that was read earlier on this thread become invalid.
 ///
@@ -144,7 +144,7 @@ impl Program {
 
     /// Computes these pixels one after the other, in a picture `width` pixels wide, and counts
     /// those that have the expected levels, up to the first that has others or lies outside of the
-    /// picture.
+    /// picture. The count is the length of `pixels` if all match.
     ///
     /// # Errors
     /// If the program stops, or the compiler would refuse a line that runs.
@@ -164,7 +164,8 @@ impl Program {
     }
 
     /// Returns the first fault that the compiler would refuse and that showed only in a call, such
-    /// as [`ray_color`](Self::ray_color), which itself returns no fault. `None` if there was none.
+    /// as [`ray_color`](Self::ray_color), which itself returns no fault. `None` if there was none
+    /// so far.
     pub fn first_refusal(&self) -> Option<&Fault> {
         self.refused.get()
     }

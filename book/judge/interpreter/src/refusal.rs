@@ -23,7 +23,7 @@ pub struct Fault {
     pub kind: FaultKind,
 }
 
-/// A kind of fault, by who would find it. Faults are listed in the order of these kinds.
+/// A kind of fault: who would find it, and when. Faults are listed in the order of these kinds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum FaultKind {
     /// The compiler would refuse the text.
@@ -39,12 +39,12 @@ pub enum FaultKind {
 /// A place in the files of a program: columns of one line.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct SourceSpan {
-    /// The number of the file, in the order in which the files were given, from 0.
+    /// The index of the file in the list that was given to [`read`](crate::read), from 0.
     pub file: usize,
-    /// The line, from 1.
+    /// The number of the line in the file, from 1.
     pub line: usize,
-    /// The columns, in characters from 0. A place that goes on in the next line ends at
-    /// `usize::MAX`.
+    /// The columns, in characters from 0, the end excluded. A place that goes on in the next line
+    /// ends at `usize::MAX`.
     pub columns: Range<usize>,
 }
 

@@ -6,24 +6,28 @@ use common::rtweekend::*;
 use laws::oracle::ExactCase;
 use speed_vs_accuracy::{Arithmetic, Case, Hit, Method, Scene};
 
-/// A ray and a sphere about which a method errs, and the wrong pixel that shows it.
+/// The ray and the sphere about which a method errs in a scene's first wrong pixel, with that
+/// pixel.
 pub struct Culprit {
     /// The column and the row of the pixel, counted from 0 at the top left.
     pub pixel: [u32; 2],
-    /// The color of the pixel as the method draws it, and the right one, in levels from 0 to 255.
+    /// The color of the pixel as the method draws it, then the right one: red, green and blue, in
+    /// levels from 0 to 255.
     pub colors: [[u8; 3]; 2],
-    /// The index of the sphere in the scene.
+    /// The index of the sphere in [`Scene::spheres`], from 0.
     pub sphere: usize,
     /// True if the ray leads from a hit point to the sun, false if it comes from the camera.
     pub is_to_sun: bool,
-    /// True if the method sees the right sphere, but wrongly in the shadow or wrongly in the sun.
+    /// True if the method sees the right sphere, but in the shadow instead of the sun, or the other
+    /// way.
     pub is_shadow: bool,
     /// The ray and the sphere, in `f64`.
     pub case: Case,
-    /// The excluded lower end of the range of t.
+    /// The excluded lower end of the range of t, in lengths of the direction; the upper end is
+    /// infinite.
     pub t_min: f64,
-    /// The error of the method's t in ulps: infinite if the method misses where there is a hit, or
-    /// hits where there is none.
+    /// The error of the method's t in ulps, without sign: infinite if the method misses where there
+    /// is a hit, or hits where there is none.
     pub error: f64,
 }
 

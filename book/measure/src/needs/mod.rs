@@ -11,7 +11,8 @@ use speed_vs_accuracy::{METHODS, Precision, Scene};
 
 pub use culprit::Culprit;
 
-/// The cheapest methods of one precision that a scene can be drawn with. All indices are of `rows`.
+/// The methods of one precision, with the cheapest of them that draws a scene right. All indices
+/// count in `rows`, from 0.
 pub struct PrecisionNeeds {
     /// The precision, `f32` or `f64`.
     pub precision: Precision,
@@ -32,14 +33,15 @@ pub struct PrecisionNeeds {
     pub failing: Option<(usize, Culprit)>,
 }
 
-/// A method, judged by its picture of a scene and by its time.
+/// A method, with its picture of a scene and its time, by which methods are chosen.
 pub struct RatedMethod {
     /// The method's picture of the scene, compared with the right one.
     pub view: MethodView,
     /// The nanoseconds of a question in the quickest round, which other programs disturbed least.
     pub ns: f64,
-    /// The median over all rounds of the method's time divided by the reference's in the same
-    /// round. Methods are ordered by this, since it does not change with the pace of the processor.
+    /// The median over all rounds of the method's time divided by that of the reference method in
+    /// the same round. Methods are ordered by this, since it does not change with the pace of the
+    /// processor.
     pub ratio: f64,
     /// The nanoseconds of a question in each round.
     times: Vec<f64>,
@@ -84,9 +86,9 @@ impl PrecisionNeeds {
     }
 }
 
-/// Returns the needs and the method with the cheapest `least` of all precisions; where neither is
-/// clearly cheaper, the later, which is that of `f32`, whose numbers take half the memory. Returns
-/// `None` if no method draws every pixel right.
+/// Returns the cheapest `least` of all precisions, with the needs that it belongs to; where neither
+/// is clearly cheaper, the later in `found`. There `f32` should come last, since its numbers take
+/// half the memory. Returns `None` if no method draws every pixel right.
 pub fn least_of_all(found: &[PrecisionNeeds]) -> Option<(&PrecisionNeeds, &RatedMethod)> {
     let leasts = found
         .iter()

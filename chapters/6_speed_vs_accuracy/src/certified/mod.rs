@@ -92,7 +92,7 @@ pub enum Stage {
     Exact,
 }
 
-/// Returns the stage that decides `case` in [`certified_hit`].
+/// Returns the stage that decides in [`certified_hit`] about `case` with `t_min` < `t` < `t_max`.
 pub fn stage_of_hit(case: &Case, t_min: f64, t_max: f64) -> Stage {
     staged::<false>(*case, t_min, t_max).1
 }

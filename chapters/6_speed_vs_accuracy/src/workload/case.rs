@@ -19,7 +19,7 @@ pub struct Case {
 }
 
 impl Case {
-    /// Makes the case of a sphere and a ray.
+    /// Makes the case of a sphere, by its center and radius, and a ray. No number is checked.
     pub const fn new(center: Point3, radius: f64, ray: Ray) -> Self {
         Self {
             center,
@@ -28,8 +28,8 @@ impl Case {
         }
     }
 
-    /// Returns the answer of `method`: the nearest root between `t_min` and `t_max`, both excluded,
-    /// or `None`.
+    /// Returns the answer of `method`, right or wrong: the nearest root between `t_min` and
+    /// `t_max`, both excluded, in lengths of the direction, or `None` for a miss.
     ///
     /// A method in `f32` gets the case and both ends rounded to `f32`, and its answer is widened.
     #[inline]
@@ -47,7 +47,8 @@ impl Case {
         }
     }
 
-    /// Returns the case with each number rounded to `precision`: the same case for `f64`.
+    /// Returns the case with each number rounded to `precision`: the same case for `f64`. A number
+    /// too large for an `f32` becomes infinite, one too small 0.
     pub fn rounded(&self, precision: Precision) -> Self {
         match precision {
             Precision::Double => *self,
@@ -82,7 +83,8 @@ impl Case {
         }
     }
 
-    /// Returns the answer of `hit_sphere`, a function of center, radius and ray, to this case.
+    /// Returns the answer of `hit_sphere`, a function of center, radius and ray, to this case;
+    /// `None` for a miss.
     pub fn solve(&self, hit_sphere: &dyn Fn(Point3, f64, &Ray) -> Option<f64>) -> Option<f64> {
         hit_sphere(self.center, self.radius, &self.ray)
     }
@@ -116,14 +118,14 @@ impl Case {
     }
 
     /// Computes √(M/a), the length √M in lengths of the ray's direction. No root is farther away
-    /// than twice that.
+    /// than twice that. Infinite or NaN if the direction is zero.
     pub fn t_scale(&self) -> f64 {
         // The roots of both first: the quotient may be too small for a number.
         self.m().sqrt() / self.a().sqrt()
     }
 
     /// Returns true if no step of finding the root overflows, and no underflow is large enough to
-    /// matter.
+    /// matter. False for a direction of zero, NaN or an infinite number.
     ///
     /// Between 1e-300 and 1e300, twenty times a·M is still a number, and what underflow takes away,
     /// 5e-324 at a time, is far below u·a·M. All error bounds hold on this condition.
@@ -142,8 +144,8 @@ impl Case {
         }
     }
 
-    /// Returns the ten numbers of the case: the center's three, the radius, and three each of the
-    /// ray's origin and direction.
+    /// Returns the ten numbers of the case, each vector as x, y, z: the center, the radius, the
+    /// ray's origin, the ray's direction.
     pub fn numbers(&self) -> [f64; 10] {
         let ([cx, cy, cz], r) = (self.center.to_array(), self.radius);
         let [qx, qy, qz] = self.ray.origin.to_array();

@@ -13,11 +13,11 @@ use common::rtweekend::*;
 use super::case::Case;
 use crate::precision::Precision;
 
-/// A generator of random questions about rays and spheres in one situation, such as small spheres
-/// far away, at levels k from mild to hard.
+/// A *regime*: a generator of random questions about rays and spheres in one situation, such as
+/// small spheres far away. A level k tells how hard they are.
 #[derive(Clone, Copy, Debug)]
 pub struct Regime {
-    /// The name of the regime in tables: one word.
+    /// The name of the regime in tables, one word, such as `far`.
     pub name: &'static str,
     /// The least and the greatest level k, in `f64` and in `f32`.
     levels: [(i32, i32); 2],
@@ -39,7 +39,7 @@ pub const REGIMES: [Regime; 6] = [
 ];
 
 impl Regime {
-    /// The regime `book`: rays of the book's own picture.
+    /// The regime `book`: rays of the book's own picture; its only level is 0.
     pub const BOOK: Self = Self::new("book", [(0, 0); 2], |random, _| book(random));
 
     /// The regime `far`: small spheres, with a ray that starts 10ᵏ radii away at level k.
@@ -53,8 +53,8 @@ impl Regime {
         Self { name, levels, case }
     }
 
-    /// Makes `count` random cases, each of a random level, in numbers that `precision` can hold.
-    /// The same `seed` gives the same cases.
+    /// Makes `count` random cases, each of a random one of the [`levels`](Self::levels), in numbers
+    /// that `precision` can hold. The same `seed` gives the same cases.
     pub fn cases(&self, precision: Precision, seed: u64, count: usize) -> Vec<Case> {
         let levels = self.levels(precision);
         self.make(precision, seed, count, |random| {
@@ -94,7 +94,7 @@ impl Regime {
     }
 }
 
-/// The two spheres of the book, center and radius: the ball and the ground.
+/// The two spheres of the book, center and radius of each: first the ball, then the ground.
 pub const SPHERES: [(Point3, f64); 2] = [
     (Point3::new(0.0, 0.0, -1.0), 0.5),
     (Point3::new(0.0, -100.5, -1.0), 100.0),
@@ -189,7 +189,7 @@ fn power_of_ten(exponent: i32) -> f64 {
 pub struct Random(u64);
 
 impl Random {
-    /// Starts the sequence that belongs to `seed`.
+    /// Starts the sequence that belongs to `seed`: equal seeds give equal numbers.
     pub fn new(seed: u64) -> Self {
         Self(seed)
     }
@@ -208,7 +208,7 @@ impl Random {
         ((u64::from(end) * (self.bits() >> 32)) >> 32) as u32
     }
 
-    /// Returns a random number from `low` to `high`.
+    /// Returns a random number from `low` to `high`, all equally likely.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         let share = (self.bits() >> 11) as f64 / (1_u64 << 53) as f64;
         low + (high - low) * share

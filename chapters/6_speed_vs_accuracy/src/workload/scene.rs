@@ -12,12 +12,12 @@ use crate::precision::Precision;
 pub struct Scene {
     /// The name of the scene in tables: one word.
     pub name: String,
-    /// The width of its picture in pixels.
+    /// The usual width of its picture, in pixels; the picture is 16:9.
     pub width: u32,
     /// The unit vector towards the sun, or `None` if nothing casts a shadow.
     pub sun: Option<Vec3>,
-    /// The `t` after which a hit counts: first along rays of the camera, then along rays to the
-    /// sun, which would else hit the surface where they start.
+    /// The `t` after which a hit counts, in lengths of the direction: first along rays of the
+    /// camera, then along rays to the sun, which would else hit the surface where they start.
     pub t_min: [f64; 2],
     /// The lens of the camera: the eye's place, and its view of the spheres.
     pub lens: Lens,
@@ -44,7 +44,7 @@ impl Scene {
     }
 
     /// Draws the picture, `width` pixels wide, by two kinds of arithmetic: the first for its left
-    /// half, the second for its right half.
+    /// half, the second for its right half. The middle column of an odd width is in the left half.
     pub fn seen_by(&self, halves: [Arithmetic; 2], width: u32) -> Picture {
         let (scene, camera) = (self.clone(), Camera::new(width));
         Picture::paint(camera.image_width, camera.image_height, move |i, j| {
@@ -53,8 +53,8 @@ impl Scene {
         })
     }
 
-    /// Returns true if `precision` can hold the scene: no number of it or its rays becomes
-    /// infinite, and no radius or direction 0.
+    /// Returns true if `precision` can hold the scene at its own width: no number of the scene or
+    /// its rays becomes infinite, and no radius or direction 0.
     pub fn fits(&self, precision: Precision) -> bool {
         let camera = Camera::new(self.width);
         let [right, bottom] = [camera.image_width - 1, camera.image_height - 1];
@@ -70,14 +70,15 @@ impl Scene {
         })
     }
 
-    /// Returns the ray of the scene that goes through the pixel of this `ray` of the book's camera.
+    /// Turns a ray of the book's camera into the scene's ray through the same pixel, as seen
+    /// through the scene's lens.
     pub fn ray(&self, ray: &Ray) -> Ray {
         self.lens.ray(ray)
     }
 
-    /// Computes the color and the first hit along the ray of the scene that goes through the pixel
-    /// of this `ray` of the book's camera. A hit has the color of its normal, darker in shadow; a
-    /// miss has that of the sky along `ray`, without the lens.
+    /// Computes the color and the first hit of the pixel through which `ray` goes, a ray of the
+    /// book's camera; the [`Lens`] turns it into the scene's own ray. A hit has the color of its
+    /// normal, darker in shadow; a miss has that of the sky along `ray`, without the lens.
     pub fn look(&self, arithmetic: Arithmetic, ray: &Ray) -> Sight {
         let Some((sphere, case, t)) = self.nearest(arithmetic, &self.ray(ray), self.t_min[0])
         else {
@@ -128,7 +129,7 @@ impl Scene {
     }
 }
 
-/// The color along one ray, and the hit that gives it.
+/// The color of a pixel, and the hit that gives this color.
 #[derive(Clone, Copy, Debug)]
 pub struct Sight {
     /// The first hit, or `None` for the sky.
@@ -146,8 +147,8 @@ pub struct Hit {
     pub t: f64,
     /// The point of the hit, computed from `t` and so not quite on the sphere.
     pub point: Point3,
-    /// The index of the first sphere between the point and the sun, or `None` if the sun reaches
-    /// it.
+    /// The index of the first sphere between the point and the sun; `None` if the sun reaches the
+    /// point, or the scene has no sun.
     pub shaded_by: Option<usize>,
 }
 
@@ -164,9 +165,10 @@ pub struct Lens {
 }
 
 impl Lens {
-    /// Makes a lens at `origin` that looks along `direction`, which may have any length but 0, and
-    /// enlarges by `zoom`, across and upwards. The picture stands upright; that of an eye that
-    /// looks straight up or down has −z at its top.
+    /// Makes a lens at `origin` that looks along `direction`, which may have any length but 0. The
+    /// two factors of `zoom`, across and upwards, tell how much larger things look than without a
+    /// lens. The picture stands upright; that of an eye that looks straight up or down has −z at
+    /// its top.
     pub fn new(origin: Point3, direction: Vec3, zoom: [f64; 2]) -> Self {
         let forward = unit(direction);
         let right = match forward {
@@ -200,7 +202,7 @@ pub fn unit(v: Vec3) -> Vec3 {
     v.normalize()
 }
 
-/// The arithmetic by which a scene's picture is computed.
+/// The arithmetic by which a scene's picture is computed: a method's own, or exact.
 #[derive(Clone, Copy, Debug)]
 pub enum Arithmetic {
     /// A method, in its own precision: as in chapter 5, it is asked about one sphere after the
