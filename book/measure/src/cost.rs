@@ -39,8 +39,8 @@ pub fn times(scene: &Scene, effort: &Effort) -> Vec<MethodTimes> {
     .collect()
 }
 
-/// Questions for a loop, numbered from 0: a function that makes one in `f64` from its number, and
-/// one that makes it in `f32`.
+/// Questions to methods for a loop, numbered from 0: a function that makes a question in `f64` from
+/// its number, and one that makes it in `f32`.
 pub struct Questions<D, S> {
     count: usize,
     double: D,
@@ -83,7 +83,7 @@ pub fn questions_of_cases(
 }
 
 /// Makes questions from pixels and spheres. The ray of a pixel is computed when its question is
-/// asked, as a renderer would.
+/// asked, as a renderer would. The range of t begins at 0.
 pub fn questions_of_pixels(
     camera: Camera,
     asked: Vec<PixelQuestion>,

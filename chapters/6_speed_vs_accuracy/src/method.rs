@@ -33,7 +33,7 @@ pub enum Solve {
 }
 
 impl Method {
-    /// [`half_b`]: solves the equation with half of b, as chapter 5 does.
+    /// [`half_b`]: solves the quadratic equation with h = b/−2 in place of b, as chapter 5 does.
     pub const HALF_B: Self = Self::plain("half_b", Double(half_b));
 
     /// [`half_b_q`]: takes the discriminant of `half_b`, and computes the roots without

@@ -104,6 +104,9 @@ impl Trial {
     ///
     /// # Errors
     /// The smallest case found that breaks a law, or the place of a `todo!()`.
+    ///
+    /// # Panics
+    /// If the function panics, other than by a `todo!()`.
     pub fn decision(&self, decide: &dyn Fn(Point3, f64, &Ray) -> bool) -> Outcome {
         let solve = nearer_root::solver_of_decision(decide);
         self.put(&LawSuite {
@@ -118,6 +121,9 @@ impl Trial {
     ///
     /// # Errors
     /// The smallest case found that breaks a law, or the place of a `todo!()`.
+    ///
+    /// # Panics
+    /// If the function panics, other than by a `todo!()`.
     pub fn nearer_root(&self, solve: &Solver) -> Outcome {
         self.put(&nearer_root::suite(solve))
     }
@@ -128,6 +134,9 @@ impl Trial {
     ///
     /// # Errors
     /// The smallest case found that breaks a law, or the place of a `todo!()`.
+    ///
+    /// # Panics
+    /// If the function panics, other than by a `todo!()`.
     pub fn record(&self, record: &RecordSolver) -> Outcome {
         self.put(&record::suite(record))
     }
@@ -137,6 +146,9 @@ impl Trial {
     ///
     /// # Errors
     /// The smallest case found that breaks a law, or the place of a `todo!()`.
+    ///
+    /// # Panics
+    /// If the function panics, other than by a `todo!()`.
     pub fn list(&self, record: &RecordSolver, search: &ListSolver) -> Outcome {
         let mut outcome = self.outcome(&LawSuite {
             of: "list",
@@ -171,6 +183,9 @@ impl Trial {
     ///
     /// # Errors
     /// The smallest case found that breaks a law, or the place of a `todo!()`.
+    ///
+    /// # Panics
+    /// If the function panics, other than by a `todo!()`.
     pub fn prelude(&self, prelude: &Prelude) -> Outcome {
         let mut outcome = Ok(());
         for function in &PRELUDE_FUNCTIONS {
@@ -200,6 +215,9 @@ impl Trial {
     ///
     /// # Errors
     /// The smallest case found that breaks a law, or the place of a `todo!()`.
+    ///
+    /// # Panics
+    /// If the function panics, other than by a `todo!()`.
     pub fn pixel_ray(&self, ray: &dyn Fn(&CameraPixel) -> Ray) -> Outcome {
         self.put(&LawSuite {
             of: "pixel_ray",
@@ -220,6 +238,9 @@ impl Trial {
     ///
     /// # Errors
     /// The smallest case found that breaks a law, or the place of a `todo!()`.
+    ///
+    /// # Panics
+    /// If the function panics, other than by a `todo!()`.
     pub fn ray_color(&self, scene: ChapterScene, ray_color: &dyn Fn(&Ray) -> Color) -> Outcome {
         let law = |ray: &Ray| a_ray_has_its_color_from_anywhere(scene, ray_color(ray), ray);
         let suite = LawSuite {
@@ -243,6 +264,9 @@ impl Trial {
     ///
     /// # Errors
     /// The smallest case found that breaks the law, or the place of a `todo!()`.
+    ///
+    /// # Panics
+    /// If the function panics, other than by a `todo!()`.
     pub fn set_face_normal(&self, set_face_normal: &SetFaceNormal) -> Outcome {
         let law: Law<(Vec3, Vec3)> = Box::new(|&(direction, outward)| {
             the_normal_is_turned_against_the_ray(set_face_normal, direction, outward)
