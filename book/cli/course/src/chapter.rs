@@ -6,8 +6,8 @@ use common::rtweekend::Picture;
 /// reading order, and `chapter as usize` is the number in its folder, from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Chapter {
-    /// `build_test`: a picture without rays, whose red grows to the right and whose green grows
-    /// downwards.
+    /// `build_test`: the square picture before chapter 1, without rays, whose red grows to the
+    /// right and whose green grows downwards.
     BuildTest,
     /// `gradient`: rays of a camera, each colored as the sky in its direction.
     Gradient,
@@ -25,12 +25,12 @@ pub enum Chapter {
     SpeedVsAccuracy,
 }
 
-/// A source file of a chapter, embedded in this program.
+/// A source file of a chapter, embedded in this program, that a reader types.
 #[derive(Clone, Copy, Debug)]
 pub struct ChapterFile {
     /// The path in a crate of the reader's own, with `/`, such as `src/lib.rs`.
     pub name: &'static str,
-    /// The whole text.
+    /// The whole text of the file, as the chapter has it.
     pub text: &'static str,
 }
 
@@ -70,7 +70,7 @@ impl Chapter {
         Self::ALL.into_iter().find(|chapter| chapter.name() == name)
     }
 
-    /// Returns the name of the chapter's package, such as `normals`.
+    /// Returns the name of the chapter's package, such as `normals`, which [`Chapter::find`] takes.
     pub fn name(self) -> &'static str {
         match self {
             Self::BuildTest => "build_test",
@@ -91,8 +91,8 @@ impl Chapter {
         }
     }
 
-    /// Describes the chapter's picture in a sentence without a full stop, to a reader who can't see
-    /// it.
+    /// Describes the chapter's picture to a reader who can't see it: one line of plain text, a
+    /// sentence without a full stop.
     pub const fn shows(self) -> &'static str {
         match self {
             Self::BuildTest => "Red grows to the right, green grows downwards",
@@ -108,7 +108,8 @@ impl Chapter {
         }
     }
 
-    /// Returns how many spheres the chapter's scene can have.
+    /// Returns how many spheres the chapter's scene can have: none before [`Chapter::RedSphere`],
+    /// then one, and many from [`Chapter::HittableList`] on.
     pub fn sphere_count(self) -> SphereCount {
         match self {
             Self::BuildTest | Self::Gradient => SphereCount::None,
@@ -142,8 +143,8 @@ impl Chapter {
         }
     }
 
-    /// Makes the chapter's picture, `width` pixels wide and as high as its aspect ratio asks. Its
-    /// pixels are traced when they are first read.
+    /// Makes the chapter's picture, `width` pixels wide (not 0) and as high as its aspect ratio
+    /// asks. Its pixels are traced when they are first read.
     pub fn picture(self, width: u32) -> Picture {
         let draw = match self {
             Self::BuildTest => build_test::picture,

@@ -5,9 +5,9 @@ use std::env;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-/// Replaces each character of `text` that a terminal would obey instead of showing it, or that
-/// turns the direction of the text around it, by its escape in Rust, such as `\u{1b}`. Returns
-/// `text` itself if it has no such character.
+/// Replaces each character of `text` that a terminal would obey instead of showing it, a line break
+/// too, or that turns the direction of the text around it, by its escape in Rust, such as `\u{1b}`.
+/// Returns `text` itself if it has no such character.
 pub fn escape_for_terminal(text: &str) -> Cow<'_, str> {
     let obeyed = |c: char| c.is_control() || TURNS.contains(&c);
     if !text.contains(obeyed) {
@@ -29,14 +29,14 @@ const TURNS: [char; 14] = [
     '\u{202d}', '\u{202e}', '\u{2066}', '\u{2067}', '\u{2068}', '\u{2069}',
 ];
 
-/// Returns the name of a file, or another word of a command line, as a message may show it: by
-/// [`escape_for_terminal`], and with � for what is not UTF-8.
+/// Returns the name of a file, or another word of a command line, as a message may show it, in one
+/// line: by [`escape_for_terminal`], and with � for what is not UTF-8.
 pub fn escaped_name(name: impl AsRef<OsStr>) -> String {
     escape_for_terminal(&name.as_ref().to_string_lossy()).into_owned()
 }
 
 /// Returns `path` as a message shows it: relative to the current folder if it is below that, and
-/// else as it is; by [`escaped_name`].
+/// else as it is; by [`escaped_name`]. Empty for the current folder itself.
 pub fn name_from_here(path: &Path) -> String {
     let here = env::current_dir().ok();
     let below = here.and_then(|here| path.strip_prefix(here).ok());

@@ -5,10 +5,10 @@ use std::env;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
-/// Finds the folder of this project: the first folder with its parts among the current one, the
-/// package that cargo runs, the running program, and the place where this program was compiled, and
-/// all folders above each of these. Returns `None` if none of them has these parts. The answer of
-/// the first call is kept.
+/// Finds the folder of this project: the first folder with its parts, such as `book/notes`, among
+/// the current one, the package that cargo runs, the running program, and the place where this
+/// program was compiled, and all folders above each of these. Returns `None` if none of them has
+/// these parts. The answer of the first call is kept.
 pub fn workspace() -> Option<&'static Path> {
     static WORKSPACE: LazyLock<Option<PathBuf>> = LazyLock::new(|| {
         let starts = [

@@ -20,14 +20,15 @@ pub struct Package {
     says: &'static str,
 }
 
-/// The companion, the program `rtrace`: it judges pictures, watches crates and measures methods.
+/// The package of the companion, the program `rtrace`: it judges pictures, watches crates and
+/// measures methods.
 pub const COMPANION: Package = Package {
     name: "companion",
     program: "rtrace",
     says: "Building the companion, which judges, watches and measures: the first time, about a minute",
 };
 
-/// The weaver, which makes the pages of the book from the notes.
+/// The package of the weaver, the program that makes the pages of the book from the notes.
 pub const WEAVER: Package = Package {
     name: "weave",
     program: "weave",
@@ -91,7 +92,7 @@ pub fn program_name() -> OsString {
     env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
 }
 
-/// The result of a run of cargo.
+/// The result of a run of cargo, successful or not.
 pub struct CargoRun {
     /// The exit status of cargo.
     pub status: ExitStatus,
@@ -103,6 +104,7 @@ pub struct CargoRun {
 
 /// Runs cargo to its end, without input and color. If it compiles or downloads more than a reader's
 /// own crate, prints the line `first` and then each of cargo's lines to standard error as it comes.
+/// A failure of cargo is no error: it shows in [`CargoRun::status`].
 ///
 /// # Errors
 /// If cargo does not start, or its output can't be read.
@@ -124,8 +126,9 @@ pub fn run_cargo(mut cargo: Command, first: &str) -> io::Result<CargoRun> {
     })
 }
 
-/// Reads the standard error of cargo to its end and returns it. From the first line that reports
-/// work, such as `Compiling`, prints each line to standard error, and the line `first` before them.
+/// Reads `errors`, the standard error of cargo, to its end and returns it as text. From the first
+/// line that reports work, such as `Compiling`, prints each line to standard error, and the line
+/// `first` before them; prints nothing if no line does.
 pub fn show_work(errors: impl BufRead, first: &str) -> String {
     listen_for_work(errors, |line, is_first| {
         if is_first {
@@ -135,8 +138,9 @@ pub fn show_work(errors: impl BufRead, first: &str) -> String {
     })
 }
 
-/// Reads the standard error of cargo to its end and returns it. From the first line that reports
-/// work, such as `Compiling`, calls `heard` with each line and with true for the first of them.
+/// Reads `errors`, the standard error of cargo, to its end and returns it as text. From the first
+/// line that reports work, such as `Compiling`, calls `heard` with each line, without its end, and
+/// with true for the first of them.
 pub fn listen_for_work(errors: impl BufRead, mut heard: impl FnMut(&str, bool)) -> String {
     let mut said = String::new();
     let mut is_heard = false;

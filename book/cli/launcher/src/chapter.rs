@@ -8,8 +8,8 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Arg, Command, Error};
 use course::chapter::Chapter;
 
-/// A parser of a command-line argument that names one of these chapters: by its name, its number or
-/// a path whose last part is its name or its folder, such as `normals`, `3` or
+/// A parser of a command-line argument that names one of the listed chapters: by its name, its
+/// number from 0, or a path whose last part is its name or its folder, such as `normals`, `3` or
 /// `chapters/3_normals/`.
 #[derive(Clone)]
 pub struct ChapterParser(pub &'static [Chapter]);
@@ -35,14 +35,15 @@ impl TypedValueParser for ChapterParser {
 /// guessed.
 #[derive(Clone)]
 pub enum ChapterOrPicture {
-    /// A chapter of the book.
+    /// A chapter whose picture is in *Ray Tracing in One Weekend*.
     Chapter(Chapter),
-    /// The path of a picture, or `-` for standard input.
+    /// The path of a picture file, which may be missing, or `-` for standard input.
     Picture(PathBuf),
 }
 
-/// A parser of an argument that names a chapter of the book as [`ChapterParser`] does, or else a
-/// picture: an existing file, a name with an extension, or `-`.
+/// A parser of an argument that names one of [`Chapter::OF_THE_BOOK`] as [`ChapterParser`] does, or
+/// else a picture: an existing file, a name with an extension, or `-`. Any other word is an error
+/// that lists the chapters.
 #[derive(Clone)]
 pub struct ChapterOrPictureParser;
 
@@ -90,8 +91,9 @@ fn is_meant(typed: &OsStr, chapter: Chapter) -> bool {
         .contains(&last)
 }
 
-/// Makes a parser of an argument that turns the name of a thing into the thing; any other word is
-/// an error that lists the names. Of neighbors in `things` that share a name, the first counts.
+/// Makes a parser of an argument that turns a name into the thing beside it in `things`; any other
+/// word is an error that lists the names. Of neighbors in `things` that share a name, the first
+/// counts.
 pub fn parser_of_names<T>(
     things: impl IntoIterator<Item = (&'static str, T)>,
 ) -> impl TypedValueParser<Value = T>

@@ -15,15 +15,17 @@ use course::names::{companion_command, escaped_name, name_from_here};
 use crate::limited;
 use crate::misuse::misuse;
 
-/// The files of a folder, each with its path from that folder, with `/`, and its bytes.
+/// The files of a folder and of all folders below, each with its path from that folder, with `/`,
+/// and its bytes.
 pub type FolderFiles = Vec<(String, Vec<u8>)>;
 
 /// The lines of a manifest, each with the checksum of a file and its name.
 type ManifestLines = BTreeSet<String>;
 
-/// Writes `files` into `folder`, in place of those that an earlier call wrote there. Files that are
-/// not listed in the folder's manifest stay. `kind` names the whole in messages, such as `report`,
-/// and has to be that of the earlier call.
+/// Writes `files` into `folder`, which is made if it is missing. Other files that an earlier call
+/// wrote there are removed, unless they have changed since. Files that are not in the folder's
+/// manifest, the list of what an earlier call wrote, stay. `kind` names the whole in messages, such
+/// as `report`, and has to be that of the earlier call.
 ///
 /// # Errors
 /// If a file that is no longer as it was written, or another program's, is in the way, in which
@@ -113,8 +115,8 @@ fn name(line: &str) -> Option<&str> {
     is_inside.then_some(name)
 }
 
-/// Refuses a folder that [`fill_folder`] would refuse whatever the files are, before these are
-/// computed.
+/// Refuses a folder that [`fill_folder`] would refuse whatever the files are, so that these need
+/// not be computed. `kind` is what [`fill_folder`] would get.
 ///
 /// # Errors
 /// If the folder has files but no manifest of this `kind`, or can't be read. An empty and a missing

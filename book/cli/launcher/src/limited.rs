@@ -5,11 +5,11 @@ use std::fs::OpenOptions;
 use std::io::{self, Read};
 use std::path::Path;
 
-/// The length, in bytes, that no source, manifest, list or scene of these chapters exceeds: 128
-/// KiB.
+/// The greatest length, in bytes, that [`read_text`] accepts: 128 KiB. No source, manifest, list or
+/// scene of these chapters is longer.
 pub const MOST_BYTES: u64 = 1 << 17;
 
-/// Reads a whole file of UTF-8 text that has at most [`MOST_BYTES`].
+/// Reads a whole file of UTF-8 text that has at most [`MOST_BYTES`] bytes.
 ///
 /// # Errors
 /// If `path` leads to something else, such as a folder or a pipe, if the file is longer or is not

@@ -22,8 +22,9 @@ pub fn command_line<Cli: Parser>() -> Cli {
     })
 }
 
-/// Prints `about` to standard error, with a line break at its end. Each character that a terminal
-/// would obey, perhaps from the name of a file, becomes its escape, such as `\u{1b}`.
+/// Prints `about`, one line or several, to standard error, with a line break at its end; prints
+/// nothing if it is empty. Each character that a terminal would obey, perhaps from the name of a
+/// file, becomes its escape, such as `\u{1b}`.
 pub fn complain(about: &str) {
     for line in about.lines() {
         // If even this can't be written, no more can be done.
@@ -44,7 +45,7 @@ impl fmt::Display for Misuse {
 
 impl Error for Misuse {}
 
-/// Makes a [`Misuse`] with this message, to be returned as an error.
+/// Makes a [`Misuse`] with this message, of one line or several, to be returned as an error.
 pub fn misuse(what: &str) -> Box<dyn Error> {
     Misuse(what.to_owned()).into()
 }

@@ -18,7 +18,7 @@ pub enum PictureFormat {
 
 impl PictureFormat {
     /// Returns the format whose extension the path has, in upper or lower case; `None` for any
-    /// other.
+    /// other, and for a path without an extension.
     pub fn of(path: &Path) -> Option<Self> {
         let extension = path.extension()?.to_ascii_lowercase();
         [Self::Png, Self::Ppm]

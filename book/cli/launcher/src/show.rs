@@ -37,8 +37,9 @@ pub struct Arguments {
     open: bool,
 }
 
-/// Draws the picture of a chapter. Then prints it as P3, saves it, opens it in a viewer, or shows
-/// it in the terminal, as the arguments say.
+/// Draws the picture of a chapter, at the book's width unless the arguments have another. Then
+/// prints it as P3, saves it, opens it in a viewer, or shows it in the terminal, as the arguments
+/// say.
 ///
 /// # Errors
 /// If the arguments contradict each other, if there is no terminal with colors to show the picture

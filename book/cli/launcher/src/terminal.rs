@@ -7,14 +7,14 @@ use anstyle::{AnsiColor, Color, RgbColor, Style};
 use common::rtweekend::Picture;
 use supports_color::Stream;
 
-/// The colors that a terminal can show.
+/// The colors that a terminal can show: all of 24 bits, 256 or 16.
 #[derive(Clone, Copy, Debug)]
 pub enum Palette {
-    /// All colors of 24 bits.
+    /// All colors of 24 bits, shown as they are.
     All,
-    /// The 256 colors of xterm.
+    /// The 256 colors of xterm, of which the most similar is shown.
     Xterm,
-    /// The 16 colors that have names.
+    /// The 16 colors that have names in ANSI, of which the most similar is shown.
     Ansi,
 }
 
@@ -70,10 +70,10 @@ pub fn show_picture(picture: &Picture, palette: Palette, out: &mut dyn Write) ->
     Ok(())
 }
 
-/// Returns the picture as lines of colored characters, from the top, without line breaks. It is
-/// reduced to at most `columns` × `rows` pixels, with its aspect ratio kept, and never enlarged. A
-/// character is the upper half block: it shows the upper of two pixels in its own color, the lower
-/// as its background.
+/// Returns the picture as lines of colored characters, from the top, without line breaks; the
+/// colors are escapes of ANSI. It is reduced to at most `columns` × `rows` pixels (0 counts as 1),
+/// with its aspect ratio kept, and never enlarged. A character is the upper half block: it shows
+/// the upper of two pixels in its own color, the lower as its background.
 pub fn picture_lines(picture: &Picture, palette: Palette, columns: u32, rows: u32) -> Vec<String> {
     let pixels = reduced(picture, columns, rows);
     let line = |rows: &[Vec<[u8; 3]>]| {

@@ -9,7 +9,8 @@ use slips::{Chapter, lawful};
 
 /// Lists the files that a reader types in a chapter, in the order in which they are typed. Each has
 /// the chapter's own text with `todo!()` in place of the body of each function to be typed. They
-/// use the reader's own prelude if `own_prelude` is true, or else that of `common`. Empty for
+/// use the reader's own prelude (vectors, rays and the rendering: see [`own_prelude()`]) if
+/// `own_prelude` is true, or else that of the package `common`. Empty for
 /// [`Chapter::SpeedVsAccuracy`].
 pub fn files(chapter: Chapter, own_prelude: bool) -> Vec<SourceFile> {
     let (of_lib, of_others) = if own_prelude {
@@ -56,13 +57,15 @@ fn given(chapter: Chapter) -> &'static [&'static str] {
     }
 }
 
-/// A function of an earlier chapter that a reader's crate for a later chapter begins with.
+/// A function that the reader typed in an earlier chapter, and that is put into the files with
+/// which a crate for a later chapter begins: its skeleton.
 pub struct CarriedFunction {
     /// The name of the function in the earlier chapter.
     pub name: &'static str,
-    /// A piece of text of the skeleton, in one item only: the item that the function is put beside.
+    /// A piece of text that only one item of the skeleton has, such as `fn ray_color`: the function
+    /// is put beside that item.
     pub item: &'static str,
-    /// The place of the function beside that item.
+    /// The place of the function beside the item.
     pub place: CarriedPlace,
 }
 
@@ -77,7 +80,8 @@ pub enum CarriedPlace {
     AboveAsComment,
 }
 
-/// Lists the functions of earlier chapters that go on in `chapter`. Empty if none do.
+/// Lists the functions of earlier chapters with which the reader's crate for `chapter` begins.
+/// Empty if it begins with none.
 pub fn carried_functions(chapter: Chapter) -> Vec<CarriedFunction> {
     use CarriedPlace::{AboveAs, AboveAsComment, Instead};
     let functions: &[_] = match chapter {
@@ -101,13 +105,13 @@ pub fn carried_functions(chapter: Chapter) -> Vec<CarriedFunction> {
     functions.iter().map(carried).collect()
 }
 
-/// The text of a function `sky` with `todo!()` in it, for a reader who types the prelude and has
-/// not typed the sky in chapter 1.
+/// The Rust text of a function `sky` with `todo!()` in it, for a reader who types the prelude
+/// (vectors, rays and the rendering) and has not typed the sky in chapter 1.
 pub const OWN_SKY: &str = include_str!("../files/own/sky.rs");
 
-/// Lists the files of a prelude that the reader types: vectors, rays and the rendering of a
-/// picture. They are in the order in which they are typed, and have `todo!()` in the bodies of the
-/// functions to be typed.
+/// Lists the files of a prelude that the reader types instead of using that of `common`: vectors,
+/// rays and the rendering of a picture. They are in the order in which they are typed, and have
+/// `todo!()` in the bodies of the functions to be typed.
 pub fn own_prelude() -> [SourceFile; 4] {
     [
         ("rtweekend", include_str!("../files/own/rtweekend.rs")),
@@ -127,8 +131,9 @@ pub const EDITOR: &str = r#"{
 }
 "#;
 
-/// Writes the text of `src/main.rs`, a program that prints the chapter's picture as P3. With
-/// `own_prelude`, it prints a picture that is a `String`, and else one of `common`.
+/// Writes the text of `src/main.rs`, a program that prints the chapter's picture as P3, 400 pixels
+/// wide. With `own_prelude`, it prints a picture that is a `String`, and else one of `common`,
+/// whose width its command line can change.
 pub fn main(chapter: Chapter, own_prelude: bool) -> String {
     let name = chapter.name();
     let body = if own_prelude {
@@ -141,9 +146,10 @@ pub fn main(chapter: Chapter, own_prelude: bool) -> String {
     format!("//! Prints the picture: `cargo run > {name}.ppm`\n\n{body}")
 }
 
-/// Writes the text of `Cargo.toml` for the reader's crate `my_CHAPTER`. `workspace` is the path of
-/// this project, absolute or as seen from the crate. `number` becomes part of the version; it has
-/// to be another for each crate, since cargo builds them all in one folder.
+/// Writes the text of `Cargo.toml` for the reader's crate `my_CHAPTER`. With `own_prelude`, it
+/// needs `common` only for its tests. `workspace` is the path of this project, absolute or as seen
+/// from the crate. `number` becomes part of the version; it has to be another for each crate, since
+/// cargo builds them all in one folder.
 pub fn manifest(chapter: Chapter, own_prelude: bool, workspace: &str, number: u64) -> String {
     let name = chapter.name();
     let path = |package: &str| format!("{:?}", format!("{workspace}/{package}"));
@@ -167,7 +173,8 @@ pub fn manifest(chapter: Chapter, own_prelude: bool, workspace: &str, number: u6
 }
 
 /// Writes the text of `tests/laws.rs`, a test that checks the functions of a reader's crate against
-/// the laws. Returns an empty text if no law applies to the chapter.
+/// the laws, properties that a right function has. `own_prelude` is true for a crate with a prelude
+/// of its own. Returns an empty text if no law applies to the chapter.
 pub fn test(chapter: Chapter, own_prelude: bool) -> String {
     let test = match (chapter, own_prelude) {
         (Chapter::HittableList, false) => include_str!("../files/laws/hittable_list.rs"),

@@ -5,21 +5,23 @@ use std::ops::Range;
 use syn::spanned::Spanned;
 use syn::{Block, Ident, ImplItem, Item};
 
-/// An item of a Rust source that has a name, such as a function, a type or an `impl`.
+/// A top-level item of a Rust source that has a name, such as a function, a type, an `impl` or an
+/// import.
 pub struct NamedItem {
-    /// The name; of an `impl`, the name of its type.
+    /// The name; of an `impl`, the name of its type; of an import, its path.
     pub name: String,
-    /// The range of bytes that the item takes in the source, documentation included.
+    /// The range of bytes that the item takes in the source, documentation and attributes included.
     pub place: Range<usize>,
     /// The source at that place.
     pub text: String,
 }
 
-/// Lists the named items of a Rust source, from the top. Imports are named after their paths; other
-/// items without a name are left out.
+/// Lists the named top-level items of a Rust source, from the top. Imports are named after their
+/// paths; other items without a name are left out. Empty for an empty source.
 ///
 /// # Errors
-/// Returns the line at which the source is not Rust, and the reason.
+/// Returns one line: the number, from 1, of the line at which the source is not Rust, and the
+/// reason.
 pub fn items(source: &str) -> Result<Vec<NamedItem>, String> {
     let file = syn::parse_file(source).map_err(|cause| describe_error(&cause))?;
     let named = |item: &Item| {

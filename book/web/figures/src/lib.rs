@@ -42,7 +42,8 @@ pub use style::{CSS, standalone};
 pub use svg::Svg;
 pub use text::{escape, html};
 
-/// The figures of chapters 0 to 5, in reading order. Scripts call a figure by its index here.
+/// The live figures of chapters 0 to 5, which a reader changes on the page, in reading order. The
+/// scripts of the pages call a figure by its index here, from 0.
 pub static LESSON: &[&dyn Movable] = &[
     &backwards::LIVE,
     &arrows::LIVE,
@@ -57,11 +58,12 @@ pub static LESSON: &[&dyn Movable] = &[
     &face_normal::LIVE,
 ];
 
-/// The figure of chapter 6, in a list of its own because drawing it needs all methods and integers
-/// of any size.
+/// The live figure of chapter 6, in a list of its own because drawing it needs all methods and
+/// integers of any size.
 pub static ACCURACY: &[&dyn Movable] = &[&digits::LIVE];
 
-/// Returns all live figures of the book, in reading order.
+/// Returns all live figures of the book in reading order: those of [`LESSON`] and then
+/// [`ACCURACY`].
 pub fn figures() -> impl Iterator<Item = &'static dyn Movable> {
     LESSON.iter().chain(ACCURACY).copied()
 }

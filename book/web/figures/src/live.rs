@@ -73,15 +73,16 @@ pub(crate) type Says = BTreeMap<&'static str, String>;
 /// A figure as drawn for certain parameters, and all that the page says of it.
 #[derive(Clone, Debug)]
 pub struct DrawnFigure {
-    /// The drawing, as SVG to be written.
+    /// The drawing, which [`Svg::finish`] turns into an `<svg>` element.
     pub drawing: Svg,
-    /// A sentence that says what the drawing shows; `*t*` marks a number, `**P**` a vector.
+    /// A sentence that says what the drawing shows, as plain text with marks: `*t*` is a number,
+    /// `**P**` a vector.
     pub sentence: String,
     /// The place of each handle (a spot that a reader can drag), in the order of
     /// [`Movable::handles`]: x to the right, y down, in units of the SVG's viewBox.
     pub handles: Vec<DVec2>,
-    /// Texts by name, such as values of t, that the page puts into its sentences and beside
-    /// listings.
+    /// Plain texts by name, such as values of t, that the page puts into its sentences and beside
+    /// listings; empty if it needs none.
     pub says: BTreeMap<&'static str, String>,
 }
 
@@ -97,8 +98,8 @@ impl DrawnFigure {
     }
 }
 
-/// A figure that a reader can change, whatever its parameters are: callers pass them as a list of
-/// numbers, in the order of [`Movable::parameters`].
+/// A live figure: a drawing with parameters that a reader changes. Whatever these are, callers pass
+/// their values as a list of numbers, in the order of [`Movable::parameters`].
 pub trait Movable: Sync {
     /// Returns the figure's name, title, caption and other words.
     fn figure(&self) -> &Figure;
@@ -107,27 +108,33 @@ pub trait Movable: Sync {
     /// here.
     fn parameters(&self) -> &'static [Parameter];
 
-    /// Returns one list per handle (a spot of the drawing that a reader can drag): the indices of
-    /// the parameters that dragging it changes.
+    /// Returns one list per handle (a spot of the drawing that a reader can drag): the indices, in
+    /// [`Movable::parameters`] from 0, of those that dragging it changes. Empty without handles.
     fn handles(&self) -> Vec<Vec<usize>>;
 
-    /// Returns the label of each button, in the order of [`Movable::act`].
+    /// Returns the label of each button below the drawing; [`Movable::act`] takes its index, from
+    /// 0. Empty without buttons.
     fn actions(&self) -> Vec<&'static str>;
 
-    /// Sets `numbers` as dragging the handle with this index to the point `to` of the drawing does.
-    /// The changed parameters come onto the nearest step of their sliders, within their ranges.
+    /// Sets `numbers` as dragging the handle with this index, from 0, to the point `to` of the
+    /// drawing does (x to the right, y down, in units of the viewBox). The changed parameters come
+    /// onto the nearest step of their sliders, within their ranges.
     ///
     /// # Panics
     /// If there is no such handle, or the list has another length than the parameters.
     fn drag(&self, handle: usize, numbers: &mut [f64], to: DVec2);
 
-    /// Sets `numbers` as pressing the button with this index does, within their ranges.
+    /// Sets `numbers` as pressing the button with this index, from 0, does, within their ranges.
     ///
     /// # Panics
     /// If there is no such button, or the list has another length than the parameters.
     fn act(&self, action: usize, numbers: &mut [f64]);
 
-    /// Draws the figure for these values of its parameters, each within its range.
+    /// Draws the figure for these values of its parameters, each of which has to be within its
+    /// range: [`Movable::confine`] brings it there.
+    ///
+    /// # Panics
+    /// If the list is shorter than that of the parameters.
     fn answer(&self, numbers: &[f64]) -> DrawnFigure;
 
     /// Returns the name by which pages and links call the figure, such as `walk`.
@@ -142,6 +149,9 @@ pub trait Movable: Sync {
 
     /// Brings each number into its parameter's range, and rounds a whole one. NaN and infinity
     /// become the default.
+    ///
+    /// # Panics
+    /// If the list is shorter than that of the parameters.
     fn confine(&self, numbers: &mut [f64]) {
         for (n, number) in self.parameters().iter().enumerate() {
             numbers[n] = number.confine(numbers[n]);
@@ -149,10 +159,10 @@ pub trait Movable: Sync {
         }
     }
 
-    /// Draws the figure and writes all that a script needs, in lines: the `<svg>` element; the
-    /// sentence as HTML; and then, with tabs between fields, `handle`, x, y for each handle;
-    /// `value`, the number, its words, its greatest value for each parameter; and `says`, name,
-    /// text for each text.
+    /// Draws the figure for `numbers` as [`Movable::answer`] does, and writes all that a script
+    /// needs, in lines: the `<svg>` element; the sentence as HTML; and then, with tabs between
+    /// fields, `handle`, x, y for each handle; `value`, the number, its words, its greatest value
+    /// for each parameter; and `says`, name, text for each text.
     fn text(&self, numbers: &[f64]) -> String {
         let answer = self.answer(numbers);
         let mut text = format!("{}\n{}", answer.drawing.finish(), html(&answer.sentence));

@@ -4,8 +4,9 @@ use std::cmp::Ordering;
 
 use common::rtweekend::*;
 
-/// Writes a number with three digits, for a file: 0.41, 158, 1.3e-16. A number that is not finite
-/// becomes `inf`, `-inf` or `NaN`.
+/// Writes a number with three significant digits, for a file: 0.41, 158, 1.3e-16. Numbers from
+/// 0.001 up to a million have no exponent. A number that is not finite becomes `inf`, `-inf` or
+/// `NaN`.
 pub fn three_digits(value: f64) -> String {
     let rounded = format!("{value:.2e}");
     let Some((digits, exponent)) = rounded.split_once('e') else {
@@ -18,7 +19,8 @@ pub fn three_digits(value: f64) -> String {
     }
 }
 
-/// Writes a number with three digits, for a page: −0.41, 158, 1.3·10⁻¹⁶.
+/// Writes a number with three significant digits, for a page, as plain text: −0.41, 158, 1.3·10⁻¹⁶.
+/// A number that is not finite becomes `inf`, `−inf` or `NaN`.
 pub fn printed(value: f64) -> String {
     let text = three_digits(value).replace('-', "−");
     match text.split_once('e') {

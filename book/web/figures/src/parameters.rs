@@ -5,11 +5,12 @@ use common::rtweekend::*;
 use crate::number::spoken;
 use crate::plane::xy;
 
-/// A number of a figure that a reader can change, with its name, range, step and default.
+/// A number that a reader changes in a live figure ([`Movable`](crate::Movable)), with its name,
+/// range, step and default.
 #[derive(Clone, Copy, Debug)]
 pub struct Parameter {
-    /// The name of the struct field that holds the number; the two numbers of a point share one
-    /// field.
+    /// The name of the field that holds the number in the figure's own struct of parameters; the x
+    /// and y of a point or vector share one field.
     pub field: &'static str,
     /// The label of the slider, such as "d, to the right".
     pub name: &'static str,
@@ -17,12 +18,13 @@ pub struct Parameter {
     pub least: f64,
     /// The greatest value that a reader can set, if `most_beside` leaves it.
     pub most: f64,
-    /// The number of steps of the slider in an interval of length 1; 1 for a whole number.
+    /// The number of steps of the slider in an interval of length 1: 20 for steps of 0.05, and 1
+    /// for a number that is always whole.
     pub steps: f64,
     /// The value with which the figure is first shown.
     pub default: f64,
-    /// Returns the greatest value for given values of all parameters, if these may lower it; `None`
-    /// if the greatest value is always `most`.
+    /// Returns the greatest value for the values of all parameters of the figure, in their order,
+    /// if these may lower it below `most`; `None` if the greatest value is always `most`.
     pub most_beside: Option<fn(&[f64]) -> f64>,
     /// True if a greater value is farther down on the drawing, so that the arrow key for down means
     /// more.

@@ -9,17 +9,17 @@ use speed_vs_accuracy::Precision;
 
 use crate::table::{Record, Table};
 
-/// The accuracy of one method on all questions of a regime (a kind of rays and spheres), with t
-/// from 0 to infinity. The regime `book` has each pixel of the book's picture, `book_ball` and
-/// `book_ground` only its rays against one of its two spheres.
+/// The accuracy of one method on all questions of a [regime](speed_vs_accuracy::Regime), a kind of
+/// rays and spheres, with t from 0 to infinity. The regime `book` has each pixel of the book's
+/// picture, `book_ball` and `book_ground` only its rays against one of its two spheres.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Accuracy {
     /// The name of the regime.
     pub regime: String,
-    /// The numbers that the method takes and returns: `f64` or `f32`.
+    /// The number format of what the method takes and returns: `f64` or `f32`.
     #[serde(with = "PrecisionName")]
     pub precision: Precision,
-    /// The name of the method.
+    /// The name of the method, a way to compute t (see [`METHODS`](speed_vs_accuracy::METHODS)).
     pub method: String,
     /// The number of questions, each a ray against a sphere.
     pub cases: usize,
@@ -36,11 +36,11 @@ pub struct Accuracy {
     pub p999_ulps: Option<f64>,
     /// The largest error of t, in ulps; `None` if no hit was right.
     pub largest_ulps: Option<f64>,
-    /// The distance of the point at t from the sphere's surface, in radii, that half of the hits do
-    /// not exceed; `None` if no hit was right.
+    /// The distance from the sphere's surface, in radii, of the point on the ray at the method's t,
+    /// which half of the hits do not exceed; `None` if no hit was right.
     pub surface_median_radii: Option<f64>,
-    /// The largest distance of the point at t from the sphere's surface, in radii; `None` if no
-    /// hit was right.
+    /// The largest distance from the sphere's surface, in radii, of the point on the ray at the
+    /// method's t; `None` if no hit was right.
     pub surface_largest_radii: Option<f64>,
     /// A checksum of the method's first answers, by which a test knows that they have not changed.
     pub answers: u64,
@@ -78,7 +78,7 @@ pub struct Level {
     pub regime: String,
     /// The exponent k: the rays start 10ᵏ radii away from the sphere.
     pub level: i32,
-    /// The numbers that the method takes and returns: `f64` or `f32`.
+    /// The number format of what the method takes and returns: `f64` or `f32`.
     #[serde(with = "PrecisionName")]
     pub precision: Precision,
     /// The name of the method.
@@ -96,12 +96,14 @@ pub struct Level {
     pub answers: u64,
 }
 
-/// The number of pixels that one method gets wrong in the picture of a scene.
+/// The number of pixels that one method gets wrong in the picture of a scene, compared with the
+/// picture that exact arithmetic draws.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct WrongPixels {
     /// The name of the scene.
     pub scene: String,
-    /// The precision of the method, and of the exact picture.
+    /// The number format of what the method takes and returns: `f64` or `f32`. The exact picture is
+    /// the same for both.
     #[serde(with = "PrecisionName")]
     pub precision: Precision,
     /// The name of the method.
@@ -113,7 +115,8 @@ pub struct WrongPixels {
     pub wrong: usize,
 }
 
-/// The time of one ray against one sphere, as the benchmark `clock` measured it.
+/// The time of one ray against one sphere, as the benchmark `clock` of the package `measure`
+/// measured it.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Timing {
     /// The kind of loop that was timed, which says what `name` is:
@@ -128,14 +131,14 @@ pub struct Timing {
     pub what: String,
     /// The method, or another name from the table above.
     pub name: String,
-    /// The numbers of the loop's questions: `f64` or `f32`.
+    /// The number format of the rays and spheres: `f64` or `f32`.
     #[serde(with = "PrecisionName")]
     pub precision: Precision,
     /// The name of the regime of the rays; `all_hits` for those rays of `book` that hit,
     /// `any_range` for rays of `book` in lanes with t from 0.001 on.
     #[serde(rename = "where")]
     pub place: String,
-    /// The number of rays in a round.
+    /// The number of rays in one run of the loop, which is repeated until it fills a round.
     pub n: usize,
     /// The time of a ray in nanoseconds: the median over rounds, rounded no finer than half
     /// the distance of their quartiles.
@@ -149,7 +152,8 @@ pub struct Timing {
 }
 
 impl Table<Timing> {
-    /// Returns the first row with this `what`, `name` and `place`, if there is one.
+    /// Returns the first row, from the top, whose `what`, `name` and `place` are these, or `None`
+    /// if there is none.
     pub fn find(&self, what: &str, name: &str, place: &str) -> Option<&Timing> {
         let same = |row: &&Timing| row.what == what && row.name == name && row.place == place;
         self.rows.iter().find(same)

@@ -4,7 +4,8 @@
 /// dark, and a class for each way to draw.
 pub const CSS: &str = include_str!("../../../theme/figures.css");
 
-/// Makes a complete SVG file of the drawing `svg`: with the style sheet, a background, and colors
+/// Makes the text of a complete SVG file of `svg`, an element that
+/// [`Svg::finish`](crate::Svg::finish) returned: with the style sheet, a background, and colors
 /// that follow the reader's preference for light or dark.
 pub fn standalone(svg: &str) -> String {
     let style = format!(

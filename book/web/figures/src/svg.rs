@@ -5,11 +5,12 @@ use glam::DVec2;
 use crate::number::number;
 use crate::text::{SMALL, TEXT, escape, plain, spans};
 
-/// A drawing while it is made: 400 units wide, x to the right, y down, in units of the viewBox.
+/// A drawing that is made element by element, and then written as SVG by [`Svg::finish`]: 400 units
+/// wide, x to the right, y down, in units of the viewBox.
 ///
 /// The class of an element has two words: the idea that it shows, which gives its color, and the
-/// way it is drawn (`line`, `dashed`, `area`, `label` …). The style sheet defines both, so the
-/// drawing follows the theme of its page.
+/// way it is drawn (`line`, `dashed`, `area`, `label` …). The style sheet [`CSS`](crate::CSS)
+/// defines both, so the drawing follows the theme of its page.
 #[derive(Clone, Debug)]
 pub struct Svg {
     name: String,

@@ -11,16 +11,17 @@ use serde::de::DeserializeOwned;
 
 use crate::number::three_digits;
 
-/// A type of row, all of which stand in one file.
+/// A struct whose values are the rows of one CSV file of the book, with a column for each field.
 pub trait Record: Serialize + DeserializeOwned {
     /// The path of the file from the folder `book/notes`.
     const FILE: &str;
 }
 
-/// A file of numbers: rows of one type, and facts about them.
+/// The content of a CSV file of numbers: rows of one type, and facts about them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table<Row> {
-    /// The facts from the lines `# key: value` at the top of the file, by key.
+    /// The facts from the lines `# key: value` of the file, by key, such as how its numbers were
+    /// measured; empty if it has none.
     pub about: BTreeMap<String, String>,
     /// The rows, from the top.
     pub rows: Vec<Row>,
@@ -34,7 +35,7 @@ impl<Row> From<Vec<Row>> for Table<Row> {
 }
 
 impl<Row: Record> Table<Row> {
-    /// Reads a file from its `text`.
+    /// Reads a table from `text`, the whole text of its file.
     ///
     /// # Errors
     /// A message that names the file and the line that is wrong, or says that there are no rows.
@@ -48,7 +49,8 @@ impl<Row: Record> Table<Row> {
         Ok(Self { about, rows })
     }
 
-    /// Writes the file that [`Table::read`] reads; numbers with a fraction have three digits.
+    /// Returns the text of a file that [`Table::read`] can read: facts, column names and rows.
+    /// Numbers with a fraction have three significant digits.
     ///
     /// # Panics
     /// If a field of a row is a list.
@@ -78,15 +80,16 @@ fn in_few_digits(field: &str) -> String {
     }
 }
 
-/// Makes a CSV reader of `text` that skips lines which begin with `#`.
+/// Makes a CSV reader of `text`, whose first row names the columns. It skips lines that begin with
+/// `#`.
 pub fn reader(text: &str) -> Reader<&[u8]> {
     ReaderBuilder::new()
         .comment(Some(b'#'))
         .from_reader(text.as_bytes())
 }
 
-/// Returns the facts from the lines `# key: value` of `text`, by key. Other lines count for
-/// nothing.
+/// Returns the facts from the lines `# key: value` of `text`, by key; of two with one key, the
+/// later counts. Other lines count for nothing.
 pub fn about(text: &str) -> BTreeMap<String, String> {
     let remarks = text.lines().filter_map(|line| line.strip_prefix("# "));
     remarks

@@ -14,7 +14,8 @@ pub(crate) fn plain(text: &str) -> String {
     text.replace('*', "")
 }
 
-/// Returns a text with marks as HTML: `*t*`, a number, in italics, and `**P**`, a vector, bold.
+/// Returns a plain text with marks as HTML: `*t*`, a number, in italics, and `**P**`, a vector,
+/// bold. The rest is escaped as by [`escape`].
 pub fn html(text: &str) -> String {
     marked(text, ["<i>", "</i>"], ["<b>", "</b>"])
 }
@@ -67,7 +68,7 @@ pub(crate) fn width(label: &str, size: f64) -> f64 {
     size * label.chars().map(advance).sum::<f64>()
 }
 
-/// Replaces the characters that have a meaning in XML and HTML by their entities.
+/// Replaces `&`, `<`, `>` and `"` by their entities, so that `text` can stand in XML and HTML.
 pub fn escape(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")

@@ -15,23 +15,25 @@ const MOST: usize = 8;
 /// Signs that only hold others together: a reader cannot choose them as words to break.
 const GLUE: [&str; 12] = ["(", ")", "[", "]", "{", "}", ".", ",", ";", "::", "?", "|"];
 
-/// A chapter's own text, with all edits that a reader can make in it by choosing a word.
+/// A chapter's own text, with all edits by which a reader can break it on a page: the reader
+/// chooses a word and then an edit, and sees what comes of it.
 pub struct Breakable {
     draft: Draft,
     edits: Vec<WordEdit>,
 }
 
-/// An edit that the page offers for a word: a stretch of one file, and the text for its place.
+/// An edit that the page offers for a word: a range of one file, and the text for its place.
 #[derive(Clone, Debug)]
 pub struct WordEdit {
-    /// The index of the edited file in [`Draft::files`].
+    /// The index of the edited file in [`Draft::files`], from 0.
     pub file: usize,
     /// The range of bytes in that file which the edit replaces: whole words, as few as the change
     /// allows.
     pub at: Range<usize>,
     /// The text that takes the place of the range; empty if the words are deleted.
     pub new: String,
-    /// The name of the known mistake that this edit makes, or `None` for a mistake without a name.
+    /// The name of the known mistake of readers ([`slips::Slip`]) that this edit makes, or `None`
+    /// for a mistake without a name.
     pub slip: Option<&'static str>,
     /// The order in which edits are offered: known slips first, then those that replace the fewest
     /// words.
@@ -41,7 +43,7 @@ pub struct WordEdit {
 /// A word of a chapter's text that a reader can choose to break.
 #[derive(Clone, Debug)]
 pub struct Word {
-    /// The index of the word's file in [`Draft::files`].
+    /// The index of the word's file in [`Draft::files`], from 0.
     pub file: usize,
     /// The range of bytes that the word fills in that file.
     pub at: Range<usize>,
@@ -51,7 +53,8 @@ impl Breakable {
     /// Reads the text of a chapter and finds all edits of its words, each of them once.
     ///
     /// # Panics
-    /// If the interpreter cannot read the chapter's own text.
+    /// If the interpreter cannot read the chapter's own text, or for [`Chapter::SpeedVsAccuracy`],
+    /// which has no text to be typed.
     pub fn new(chapter: Chapter) -> Self {
         let draft = Draft::complete(chapter);
         let program = draft.read().unwrap_or_else(|said| panic!("{}", said.rest));
@@ -96,13 +99,14 @@ impl Breakable {
     }
 
     /// Lists at most eight edits that change `word` and leave a program that compiles: known slips
-    /// first, then those that replace the fewest words. The list is empty if there are none.
+    /// (mistakes of readers) first, then those that replace the fewest words. The list is empty if
+    /// there are none.
     pub fn edits(&self, word: &Word) -> Vec<&WordEdit> {
         let all = self.edits.iter().filter(|it| it.changes(word));
         all.filter(|it| self.is_drawn(it)).take(MOST).collect()
     }
 
-    /// Returns the chapter's text after `edit`.
+    /// Returns the chapter's text after `edit`, which has to be one of this chapter's edits.
     pub fn broken(&self, edit: &WordEdit) -> Draft {
         let mut draft = self.draft.clone();
         let file = &mut draft.files[edit.file].text;
@@ -117,9 +121,9 @@ impl Breakable {
         matches!(fault, None | Some(FaultKind::Stopped))
     }
 
-    /// Returns the words that offer `edit` for `word` in a list: the new text, `old → new` if the
-    /// edit replaces more than `word`, or `without old`; and then the name of a known mistake in
-    /// brackets.
+    /// Returns the words that offer `edit` for `word` in a list, as plain text in one line: the new
+    /// text, `old → new` if the edit replaces more than `word`, or `without old`; and then the name
+    /// of a known mistake in brackets.
     pub fn label(&self, word: &Word, edit: &WordEdit) -> String {
         let text = &self.draft.files[edit.file].text;
         let squeezed = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");

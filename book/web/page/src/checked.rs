@@ -26,15 +26,15 @@ pub struct CheckRequest {
     pub name: String,
     /// The chapter that the picture is said to be of, or `None` if it is to be guessed.
     pub chapter: Option<Chapter>,
-    /// The probe that the reader made: a small change of the chapter's scene that a page proposes.
-    /// `None` for the chapter's own scene.
+    /// The [`Probe`] that the reader drew: a small change of the chapter's scene that shows what
+    /// its own picture hides. `None` for the chapter's own scene.
     pub probe: Option<Probe>,
     /// The only edition of *Ray Tracing in One Weekend* whose picture counts as right, or `None` if
     /// all do.
     pub edition: Option<Edition>,
 }
 
-/// The verdict on a picture, with all that the page shows of it.
+/// The verdict on a picture file, with all that the page shows of it: words, and pixels to compare.
 pub struct CheckResponse {
     /// Three parts, each on a new line: facts for the script, separated by tabs (chapter, probe,
     /// cause, `width height column row` with the first wrong pixel, and the number of wrong
@@ -86,7 +86,7 @@ impl CheckRequest {
     }
 
     /// Judges the bytes of a picture file, as the command `check` does. A file that is no picture
-    /// gets a response that says why.
+    /// gets a response that says why. A probe for which the chapter has no room is ignored.
     pub fn answer(self, bytes: &[u8]) -> CheckResponse {
         match reading::read(bytes) {
             Ok(reading) => self.judged(reading, None),
@@ -94,7 +94,8 @@ impl CheckRequest {
         }
     }
 
-    /// Returns the response to a file that is too large to be read.
+    /// Returns the response to a file that is too large to be read: words that refuse it, and no
+    /// pixels.
     pub fn too_large(self) -> CheckResponse {
         self.refused(Cause::too_large())
     }
@@ -178,8 +179,8 @@ impl CheckRequest {
     }
 }
 
-/// Returns the options of the page's form, one per line, with tabs between the list's name
-/// (`chapter`, `probe` or `edition`), the option's value, and the words that are shown.
+/// Returns the options of the page's form as plain text, one per line, with tabs between the list's
+/// name (`chapter`, `probe` or `edition`), the option's value, and the words that are shown.
 pub fn choices() -> String {
     let chapters = Chapter::OF_THE_BOOK.map(|it| format!("chapter\t{}\t{0}", it.name()));
     let probes = PROBES.map(|it| format!("probe\t{}\t{0}", it.name));
@@ -240,10 +241,11 @@ impl CheckResponse {
         }
     }
 
-    /// Returns the numbers from which a pixel's color comes, one per line, at `column` and `row`
-    /// from the top left: name, right value and, if a known mistake draws the picture, the value
-    /// with that mistake, with tabs between. The last line is `yours` and the reader's levels,
-    /// 0–255. Returns an empty text if there is no picture.
+    /// Returns the numbers from which a pixel's color comes, one per line, at `column` and `row` of
+    /// the picture, from 0 at the top left: name, right value and, if a known mistake draws the
+    /// picture, the value with that mistake, with tabs between. The last line is `yours` and the
+    /// reader's levels, 0–255. Returns an empty text if the response has no right picture to
+    /// compare with.
     pub fn inspect(&self, column: u32, row: u32) -> String {
         let (Some(it), Some(_)) = (&self.traced, &self.pictures) else {
             return String::new();

@@ -6,8 +6,9 @@ use interpreter::SourceFile;
 
 use crate::typed::Draft;
 
-/// Returns a tar archive to be unpacked in the workspace: the reader's crate of the draft's
-/// chapter, in the folder `mine`. `number` makes the crate's name unlike that of any other.
+/// Returns the bytes of a tar archive to be unpacked in the folder of this project: the reader's
+/// crate of the draft's chapter, in `mine/CHAPTER`. `number` becomes part of its version, and has
+/// to be another for each crate.
 pub fn archive(draft: &Draft, number: u64) -> Vec<u8> {
     let chapter = draft.chapter;
     let manifest = skeletons::manifest(chapter, false, "../..", number);

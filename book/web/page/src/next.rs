@@ -4,12 +4,13 @@ use interpreter::SourceFile;
 
 use crate::typed::Draft;
 
-/// The first line of a chapter that a draft lacks, and its place in the draft.
+/// The first line of a chapter that a reader's draft lacks, and its place in the draft.
 #[derive(Debug, PartialEq, Eq)]
 pub struct NextLine {
-    /// The index in [`Draft::files`] of the file that lacks the line.
+    /// The index in [`Draft::files`], from 0, of the file that lacks the line.
     pub file: usize,
-    /// The index, from 0, of the draft's line above which the missing line goes.
+    /// The index, from 0, of the draft's line above which the missing line goes; the number of
+    /// lines if it goes to the end.
     pub above: usize,
     /// The line itself, indented as in the chapter, without an end of line.
     pub text: &'static str,
@@ -18,8 +19,8 @@ pub struct NextLine {
 }
 
 /// Returns the first line of the chapter that the draft lacks, or `None` if it has all. The search
-/// begins in the file with the index `first`, and goes on through the others in their order.
-/// Comments, attributes and empty lines do not count.
+/// begins in the file with the index `first`, from 0, and goes on through all files from the first
+/// one on. Comments, attributes and empty lines do not count.
 pub fn next(yours: &Draft, first: usize) -> Option<NextLine> {
     let files = yours.files.iter().enumerate();
     let mut files = files.clone().skip(first).chain(files);

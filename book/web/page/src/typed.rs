@@ -30,9 +30,10 @@ use crate::typing::Caret;
 pub struct Draft {
     /// The chapter that the reader types.
     pub chapter: Chapter,
-    /// The files in the order in which they are typed: the root last.
+    /// The files in the order in which they are typed: the crate's root, `src/lib.rs`, last. Empty
+    /// for [`Chapter::SpeedVsAccuracy`], whose files are not typed.
     pub files: Vec<SourceFile>,
-    /// The end of the line in which the reader is typing, or `None` if the text counts as finished.
+    /// The line at whose end the reader is typing, or `None` if the text counts as finished.
     pub caret: Option<Caret>,
 }
 
@@ -40,7 +41,7 @@ pub struct Draft {
 #[derive(Debug)]
 pub struct Feedback {
     /// The places in the draft to be underlined, each with the index of its file in
-    /// [`Draft::files`]; empty if no place is at fault.
+    /// [`Draft::files`], from 0; empty if no place is at fault.
     pub places: Vec<SourceSpan>,
     /// The verdict as one line of HTML, without a line break, which the page reads aloud.
     pub headline: String,
@@ -59,9 +60,9 @@ impl Feedback {
     }
 }
 
-/// Returns the texts with which an editor begins: for each file of the chapter three, its name, its
-/// text with empty functions, and its complete text. The last text has the chapter's steps, one per
-/// line.
+/// Returns the plain texts with which an editor begins: for each file of the chapter three, its
+/// name, its text with `todo!()` in its functions, and its complete text. The last text has the
+/// chapter's steps, the instructions to the reader, one per line.
 pub fn beginning(chapter: Chapter) -> Vec<String> {
     let files = Draft::skeleton(chapter).files.into_iter();
     let files = files.zip(Draft::complete(chapter).files);
@@ -75,7 +76,7 @@ pub fn beginning(chapter: Chapter) -> Vec<String> {
 
 impl Draft {
     /// Returns a draft of the chapter's files with `todo!()` as the body of each function to be
-    /// typed.
+    /// typed, and without a caret.
     pub fn skeleton(chapter: Chapter) -> Self {
         Self {
             chapter,
@@ -84,7 +85,7 @@ impl Draft {
         }
     }
 
-    /// Returns a draft that has the chapter's own files, complete.
+    /// Returns a draft that has the chapter's own files, complete, and no caret.
     pub fn complete(chapter: Chapter) -> Self {
         let mut draft = Self::skeleton(chapter);
         for file in &mut draft.files {
@@ -99,6 +100,9 @@ impl Draft {
     ///
     /// # Errors
     /// Returns feedback if a compiler would refuse the text, or if the interpreter can't read it.
+    ///
+    /// # Panics
+    /// If the draft has no files.
     pub fn read(&self) -> Result<interpreter::Program, Feedback> {
         self.parsed().map_err(|faults| self.not_compiled(&faults))
     }
@@ -120,7 +124,8 @@ impl Draft {
         fault.map(|it| it.kind)
     }
 
-    /// Draws the program that was read, `width` pixels wide.
+    /// Draws the picture of `program`, as which [`Draft::read`] has read this draft, `width` pixels
+    /// wide.
     ///
     /// # Errors
     /// Returns the feedback on a program that panics, or that a compiler would refuse.
@@ -131,8 +136,9 @@ impl Draft {
         })
     }
 
-    /// Judges the draft, which was read as `program` and drew `picture`, and lays out the answer.
-    /// While the reader still types a line, the answer says only so.
+    /// Judges the draft, which was read as `program` and drew `picture`, and lays out the answer as
+    /// HTML. While the statement at the caret is the beginning of one of the chapter's, the
+    /// feedback on a wrong draft says only that this line is being typed.
     pub fn judged(&self, program: interpreter::Program, picture: &Picture) -> Feedback {
         let mut answer = self.answer(&program, picture);
         // A line that the picture never runs is run by the laws.
@@ -165,7 +171,8 @@ impl Draft {
     }
 
     /// Judges the draft, which was read as `program` and drew `picture`: compares the picture with
-    /// the right one, tries the laws on its functions, and compares its lines with the chapter's.
+    /// the right one, tries the laws (properties that a right function has) on its functions, and
+    /// compares its lines with the chapter's. The caret counts for nothing.
     pub fn answer(&self, program: &interpreter::Program, picture: &Picture) -> Answer {
         let task = Task::of(self.chapter);
         let asked = ChapterProgram::from_reader(self.chapter, program.clone());

@@ -7,10 +7,10 @@ use interpreter::{Fault, FaultKind};
 
 use crate::typed::Draft;
 
-/// The place of the text cursor at the end of a line in which a reader is typing.
+/// The line of a draft at whose end a reader is typing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Caret {
-    /// The index of the file in [`Draft::files`].
+    /// The index of its file in [`Draft::files`], from 0.
     pub file: usize,
     /// The line, counted from 1.
     pub line: usize,

@@ -34,7 +34,8 @@ use maths::Maths;
 use page::Page;
 use symbols::Symbols;
 
-/// Builds the book in the folder `source`, which has a book.toml, into the empty `folder`.
+/// Builds the book in the folder `source`, which has a book.toml, as HTML pages into the empty
+/// folder `folder`.
 ///
 /// # Errors
 /// If a page cannot be woven, or mdBook gives an error or a warning. The message has all of them.

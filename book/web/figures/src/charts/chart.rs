@@ -16,13 +16,13 @@ pub struct Chart {
     pub description: &'static str,
     /// The caption below the chart on the page, as HTML.
     pub caption: &'static str,
-    /// The names of the chart's panels, from which a reader chooses one to see; empty if the page
-    /// shows all panels at once.
+    /// The names of the chart's panels, in the order of [`DrawnChart::panels`], from which a reader
+    /// chooses one to see; empty if the page shows all panels at once.
     pub choices: &'static [&'static str],
-    /// The files that hold the chart's numbers, as paths from the folder `book/notes`; at least
+    /// The CSV files that hold the chart's numbers, as paths from the folder `book/notes`; at least
     /// one.
     pub files: &'static [&'static str],
-    /// Draws the chart from the texts of `files`, in their order.
+    /// Draws the chart from the texts of `files`, one for each and in their order.
     ///
     /// # Errors
     /// A message that names the file and the line that is wrong.
@@ -39,7 +39,7 @@ pub struct DrawnChart {
 }
 
 impl Chart {
-    /// Draws the chart from its files in the folder `notes`.
+    /// Draws the chart from its files in the folder `notes`, the path of `book/notes`.
     ///
     /// # Errors
     /// A message that names the file that cannot be read, or the file and the line that is wrong.
