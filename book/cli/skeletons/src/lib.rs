@@ -69,12 +69,13 @@ pub struct CarriedFunction {
     pub place: CarriedPlace,
 }
 
-/// The place at which a [`CarriedFunction`] is put into a skeleton, seen from one of its items.
+/// The place at which a [`CarriedFunction`] is put into a skeleton, the files with which a crate
+/// begins: in place of one of its items, or above that.
 #[derive(Clone, Copy)]
 pub enum CarriedPlace {
     /// In place of the item, which is removed from the skeleton.
     Instead,
-    /// Above the item, which stays; the function gets this new name.
+    /// Above the item, which stays; the function is renamed to this name, such as `sky`.
     AboveAs(&'static str),
     /// Above the item, which stays, as a comment: the reader sees the earlier code, and types anew.
     AboveAsComment,

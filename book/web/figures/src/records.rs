@@ -71,12 +71,13 @@ pub struct Tightness {
     pub t_max: f64,
 }
 
-/// The accuracy of one method at one distance of the rays' origin from the sphere.
+/// The accuracy of one method at one level k of the regime `far`: small spheres, and rays that
+/// start 10ᵏ radii away.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Level {
     /// The name of the regime: always `far`.
     pub regime: String,
-    /// The exponent k: the rays start 10ᵏ radii away from the sphere.
+    /// The exponent k, from 1 on: the rays start 10ᵏ radii away from the sphere.
     pub level: i32,
     /// The number format of what the method takes and returns: `f64` or `f32`.
     #[serde(with = "PrecisionName")]

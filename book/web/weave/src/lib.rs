@@ -52,11 +52,11 @@ pub fn weave(source: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
     Err(format!("mdBook warns about the book\n{}", warnings.join("\n")).into())
 }
 
-/// Serves mdBook's own program as a preprocessor: reads a book as JSON from `question`, and writes
-/// the woven book to `answer`.
+/// Serves mdBook's own program as a preprocessor: reads the context and the book from `question`,
+/// as the JSON that mdBook sends, and writes the woven book to `answer` as JSON.
 ///
 /// # Errors
-/// If the input is no book, or a page cannot be woven.
+/// If the input is no book, if a page cannot be woven, or if `answer` can't be written to.
 pub fn preprocess(question: impl Read, answer: impl Write) -> Result<(), Box<dyn Error>> {
     let (context, book) = parse_input(question).map_err(cannot_weave)?;
     let woven = Weaver.run(&context, book).map_err(cannot_weave)?;
