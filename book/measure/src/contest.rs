@@ -44,9 +44,9 @@ impl Effort {
 }
 
 impl Contestant {
-    /// Makes a contestant from a loop over `n` questions. The three texts become the columns
-    /// `what`, `name` and `place` of its row: the kind of question, the method, and the regime or
-    /// the scene.
+    /// Makes a contestant from a loop `run`, which asks `n` questions in each call. The three texts
+    /// become the columns `what`, `name` and `place` of its row: the kind of question, the method,
+    /// and the regime or the scene.
     pub fn new(
         [what, name, place]: [&str; 3],
         precision: Precision,

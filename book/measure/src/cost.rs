@@ -144,9 +144,9 @@ loops! {
     in f32 Single: single, half_b_f32 widened_half_b_q_f32 certified_f32;
 }
 
-/// Makes a loop that calls `answer` with the numbers 0 to `count` − 1, so that the processor may
-/// work at several questions at once. The compiler has to put each answer into memory before it
-/// goes on, and so can't merge questions into vector instructions.
+/// Makes a loop that calls `answer` with the numbers 0 to `count` − 1 whenever it is run, so that
+/// the processor may work at several questions at once. The compiler has to put each answer into
+/// memory before it goes on, and so can't merge questions into vector instructions.
 pub fn loop_over<T>(count: usize, answer: impl Fn(usize) -> T) -> impl FnMut() {
     move || {
         for n in 0..count {

@@ -146,8 +146,8 @@ pub fn grazing(k: RangeInclusive<f64>) -> impl Strategy<Value = Case> {
     aimed(Just(3.0), about_one(k))
 }
 
-/// Makes spheres whose center is about 10ᵏ radii away from the ray's origin, for k in the range;
-/// the line passes the center within 1.2 radii.
+/// Makes rays and spheres whose center is about 10ᵏ radii away from the ray's origin, for k in the
+/// range; the line passes the center within 1.2 radii.
 pub fn far(k: RangeInclusive<f64>) -> impl Strategy<Value = Case> {
     aimed(number(k).prop_map(|k| 10f64.powf(k)), number(0.0..=1.2))
 }

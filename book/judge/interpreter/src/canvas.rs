@@ -46,7 +46,8 @@ impl Program {
     /// Calls the program's `picture` for a picture `width` pixels wide. No pixel is computed yet,
     /// unless `picture` prints the whole picture as text.
     ///
-    /// A program without `picture` is drawn by its `ray_color` and the book's camera.
+    /// A program without `picture` is drawn by its `ray_color` and the book's camera, which makes
+    /// the picture 16:9.
     ///
     /// # Errors
     /// If the program stops, as by a panic; if the compiler would refuse a line that runs; or if
@@ -90,7 +91,7 @@ impl Program {
 }
 
 impl Canvas {
-    /// Returns the width and the height, in pixels.
+    /// Returns the width and the height of the picture, in this order, in pixels.
     pub fn size(&self) -> (u32, u32) {
         self.size
     }

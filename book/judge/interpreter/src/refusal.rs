@@ -39,7 +39,7 @@ pub enum FaultKind {
 /// A place in the files of a program: columns of one line.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct SourceSpan {
-    /// The index of the file in the list that was given to [`read`](crate::read), from 0.
+    /// The index of the file in the list that was given to [`read`](crate::read()), from 0.
     pub file: usize,
     /// The number of the line in the file, from 1.
     pub line: usize,

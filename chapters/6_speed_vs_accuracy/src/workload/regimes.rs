@@ -53,8 +53,8 @@ impl Regime {
         Self { name, levels, case }
     }
 
-    /// Makes `count` random cases, each of a random one of the [`levels`](Self::levels), in numbers
-    /// that `precision` can hold. The same `seed` gives the same cases.
+    /// Makes `count` random cases, each of a random one of the [`levels`](Self::levels()), in
+    /// numbers that `precision` can hold. The same `seed` gives the same cases.
     pub fn cases(&self, precision: Precision, seed: u64, count: usize) -> Vec<Case> {
         let levels = self.levels(precision);
         self.make(precision, seed, count, |random| {
