@@ -16,16 +16,18 @@ use crate::verdict::Verdict;
 pub struct Answer {
     /// The verdict in a sentence.
     pub headline: Headline,
-    /// The explanation of the verdict, the most important row first.
+    /// The explanation of the verdict, the most important row first; empty if the headline says
+    /// all.
     pub rows: Vec<Row>,
     /// The reader's picture and the right one; `None` if there is nothing to compare, as for a file
     /// that can't be read, or if the picture is right only within a tolerance.
     pub pictures: Option<Pictures>,
-    /// The slips that were made, whose pages tell how their lines are right.
+    /// The slips (known mistakes) that were made; the [page](Slip::page) of each tells how its line
+    /// is right. Empty if none was found.
     pub read: Vec<&'static Slip>,
     /// Advice on what to do next, in plain text; empty if there is none, or if the rows give it.
     pub next: String,
-    /// Lines to add to the reader's list of done things.
+    /// Lines to add to the reader's list of done things, in plain text; empty if there are none.
     pub done: Vec<String>,
 }
 
@@ -66,16 +68,17 @@ pub struct Pictures {
     pub right: Picture,
 }
 
-/// A labeled line of an answer.
+/// A labeled line of an answer, such as `should be` with a line of code.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Row {
     /// The kind of the row, which gives its label.
     pub kind: RowKind,
-    /// The text after the label: one line without breaks, of any length.
+    /// The text after the label, in plain text: one line without breaks, of any length.
     pub text: String,
 }
 
-/// The kind of a row, which gives its [`label`](RowKind::label).
+/// The kind of a row: what its text tells, as a wrong line, a reason or an observation. It gives
+/// the [`label`](RowKind::label) before the text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RowKind {
     /// A line as a compiler or a program has printed it, without a label.
@@ -108,7 +111,8 @@ pub enum RowKind {
     First,
     /// The numbers that a right program computes for the pixel of [`First`](Self::First).
     Numbers,
-    /// A clause on the laws, such as the functions for which they hold.
+    /// A clause on the laws, the properties that a function must have: such as the functions for
+    /// which they hold.
     Laws,
     /// The law that a function breaks.
     Law,
@@ -122,14 +126,15 @@ pub enum RowKind {
     Read,
     /// A remark that does not change the verdict.
     Besides,
-    /// A further picture to draw, with the name of its probe; the name is empty for the chapter's
-    /// own picture.
+    /// A further picture to draw, with the name of its [`Probe`](slips::Probe), a changed scene;
+    /// the name is empty for the chapter's own picture.
     Probe(&'static str),
 }
 
 impl Answer {
-    /// Makes an answer of a headline alone: `subject is verdict`, and the rest of the sentence. If
-    /// the subject has no name, the verdict begins the sentence.
+    /// Makes an answer of a headline alone: `subject is verdict`, then `rest`, which begins with
+    /// its own punctuation or blank, as `: 3 of 90 pixels differ.` If `subject` is empty, the
+    /// verdict begins the sentence.
     pub fn of(grade: Grade, subject: &str, verdict: &str, rest: impl Into<String>) -> Self {
         let headline = Headline {
             grade,
@@ -143,18 +148,19 @@ impl Answer {
         }
     }
 
-    /// Makes an answer of a headline that is one whole sentence, all of it colored.
+    /// Makes an answer of a headline alone that is one whole sentence, `verdict`, all of it in the
+    /// color of the grade.
     pub fn sentence(grade: Grade, verdict: impl Into<String>) -> Self {
         Self::of(grade, "", &verdict.into(), "")
     }
 
-    /// Appends rows to the answer.
+    /// Appends rows to the answer, after those that it has.
     pub fn with(mut self, rows: impl IntoIterator<Item = Row>) -> Self {
         self.rows.extend(rows);
         self
     }
 
-    /// Sets the text on what to do next, in place of an earlier one.
+    /// Sets the advice [`next`](Self::next), in plain text, in place of an earlier one.
     pub fn then(self, next: impl Into<String>) -> Self {
         let next = next.into();
         Self { next, ..self }
@@ -190,8 +196,9 @@ impl Pictures {
 }
 
 impl Headline {
-    /// Returns the three parts of the sentence: the text before the verdict, the verdict, and the
-    /// text after it. The first is empty, and the verdict has a capital, if there is no subject.
+    /// Returns the three parts of the sentence, which give it when joined: `subject is` and a blank,
+    /// the verdict, and the text after it. The first is empty, and the verdict has a capital, if
+    /// there is no subject.
     pub fn parts(&self) -> [String; 3] {
         let (before, verdict) = match &*self.subject {
             "" => (String::new(), capital(&self.verdict)),
@@ -215,7 +222,7 @@ fn capital(text: &str) -> String {
 }
 
 impl Row {
-    /// Makes a row of its kind and text.
+    /// Makes a row of its kind and its text, which is one line of plain text.
     pub fn new(kind: RowKind, text: impl Into<String>) -> Self {
         let text = text.into();
         Self { kind, text }
@@ -223,7 +230,8 @@ impl Row {
 }
 
 impl RowKind {
-    /// Returns the label that stands before the text; empty for a line that is printed or goes on.
+    /// Returns the label that stands before the text, such as `should be`; empty for
+    /// [`Printed`](Self::Printed) and [`More`](Self::More).
     pub fn label(self) -> &'static str {
         match self {
             Self::Printed | Self::More => "",

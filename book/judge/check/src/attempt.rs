@@ -11,23 +11,25 @@ use crate::sentences::{law_rows, refused};
 use crate::task::Task;
 use crate::verdict::{Finding, Verdict};
 
-/// The outcome of the laws for the functions that a reader typed.
+/// The outcome of the laws, the properties that a function must have, for the functions that a
+/// reader typed.
 #[derive(Debug)]
 pub enum LawsStatus {
     /// All laws hold.
     Obeyed,
     /// A function of the chapter breaks the law of this report.
     Broken(Box<Report>),
-    /// A function of the reader's own prelude, on which all else stands, breaks the law of this
-    /// report.
+    /// A function of the reader's own prelude, the vectors and rays on which all else stands,
+    /// breaks the law of this report.
     BrokenPrelude(Box<Report>),
     /// A function of the chapter has a `todo!()` at this place, such as `src/lib.rs:12`.
     NotWritten(String),
-    /// A function of the reader's own prelude has a `todo!()` at this place.
+    /// A function of the reader's own prelude (vectors and rays) has a `todo!()` at this place,
+    /// such as `src/ray.rs:12`.
     UnwrittenPrelude(String),
     /// The laws were not tried to the end; the text is the reason, or what was printed instead.
     Unknown(String),
-    /// The laws are still being built.
+    /// The laws are still being built: their outcome will follow.
     Coming,
 }
 
@@ -49,20 +51,21 @@ pub struct Attempt<'a> {
     pub commands: Commands<'a>,
 }
 
-/// The commands that a reader can type next, or their like on a page.
+/// The commands that a reader can type next, or their like on a page, each as one line of plain
+/// text.
 pub struct Commands<'a> {
-    /// Returns the command that judges the chapter's own picture for `None`, or the picture of a
-    /// probe.
+    /// Returns the command that judges the picture of the given probe (a changed scene), or for
+    /// `None` the chapter's own picture.
     pub judge: Box<dyn Fn(Option<Probe>) -> String + 'a>,
-    /// Returns the command that starts another chapter; `None` where no chapter is typed.
+    /// Returns the command that starts the given chapter; `None` where no chapter is typed.
     pub start: Option<Box<dyn Fn(Chapter) -> String + 'a>>,
     /// The command that shows more of a broken law; empty if there is none.
     pub test: &'static str,
 }
 
 impl Commands<'_> {
-    /// Makes the commands for a reader who hands in pictures alone: those of `check`, for the
-    /// chapter of the task.
+    /// Makes the commands for a reader who hands in pictures alone: `judge` gives those of `check`
+    /// for the chapter of the task, `start` is `None` and `test` empty.
     pub fn of_pictures(task: Task) -> Self {
         let judge = move |probe: Option<Probe>| match probe {
             Some(probe) => task.command_with_probe(probe),

@@ -12,17 +12,18 @@ use crate::task::Task;
 /// The picture to draw next, after a right one.
 #[derive(Debug)]
 pub struct NextPicture {
-    /// The task to draw: a probe of the chapter, or the chapter itself if that was drawn smaller
-    /// than in the book.
+    /// The task to draw: the chapter with a probe (a changed scene), or the chapter itself if that
+    /// was drawn smaller than in the book.
     pub task: Task,
     /// The width to draw, in pixels.
     pub width: u32,
-    /// The mistakes that this picture shows and all pictures before it hide, at least one.
+    /// The known mistakes that this picture shows and all pictures before it hide, at least one.
     pub slips: Vec<&'static Slip>,
 }
 
 /// Finds the known mistakes with which the chapter of the task, without its probe, still draws the
-/// right picture `width` pixels wide.
+/// right picture `width` pixels wide; only a sample of its pixels is compared if `width` is not the
+/// book's. Empty if there is none.
 ///
 /// Slips that change no picture and break no law are left out: a program with one of them is
 /// right.

@@ -19,18 +19,19 @@ pub(crate) struct Candidate {
     pub(crate) conversion: Conversion,
 }
 
-/// The treatment of a color component that is no level from 0 to 255.
+/// The treatment of a color component that is no level from 0 to 255: printed, clamped or wrapped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Conversion {
     /// The number is printed as it is, as in C++.
     Printed,
-    /// The number stops at 0 or 255, as in Rust.
+    /// The number becomes 0 or 255, the nearer one, as in Rust.
     Clamped,
     /// The lowest eight bits of the number are kept, as a cast to a byte does in C.
     Wrapped,
 }
 
-/// The pixels of a picture in which a program draws another color.
+/// The pixels of a reader's picture for which the program that explains it gives another color:
+/// their number, and the columns and rows in which they lie.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Unexplained {
     /// Number of pixels that differ at all.

@@ -2,7 +2,7 @@
 
 use common::rtweekend::Picture;
 
-/// The result of comparing two pictures.
+/// The result of comparing two pictures: equal, of different sizes, or different in some pixels.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Comparison {
     /// The pictures have the same size and the same pixels.
@@ -13,7 +13,8 @@ pub enum Comparison {
     Pixels(Difference),
 }
 
-/// The pixels in which two pictures of the same size differ, at least one.
+/// The count, place and size of the differences between two pictures of the same size; at least one
+/// pixel differs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Difference {
     /// Number of pixels that differ in at least one component.
@@ -26,7 +27,8 @@ pub struct Difference {
     pub columns: [u32; 2],
     /// First and last row in which a pixel differs, counted from 0 at the top.
     pub rows: [u32; 2],
-    /// Column and row of the first pixel that differs, row by row from the top.
+    /// Column and row, counted from 0, of the first pixel that differs, row by row from the top
+    /// left.
     pub first: [u32; 2],
 }
 
@@ -37,14 +39,15 @@ pub struct DifferingPixel {
     pub column: u32,
     /// Row, counted from 0 at the top.
     pub row: u32,
-    /// Red, green and blue in the expected picture.
+    /// Red, green and blue in the expected picture, in levels from 0 to 255.
     pub expected: [u8; 3],
-    /// Red, green and blue in the actual picture.
+    /// Red, green and blue in the actual picture, in levels from 0 to 255.
     pub actual: [u8; 3],
 }
 
 impl Comparison {
-    /// Compares two pictures pixel by pixel.
+    /// Compares the right picture with a reader's, pixel by pixel; no pixel is compared if their
+    /// sizes differ.
     pub fn of(expected: &Picture, actual: &Picture) -> Self {
         let sizes = [expected, actual].map(|picture| [picture.width(), picture.height()]);
         if sizes[0] != sizes[1] {
@@ -72,7 +75,8 @@ impl Comparison {
     }
 }
 
-/// Iterates over the pixels in which two pictures of the same size differ, row by row from the top.
+/// Iterates over the pixels in which two pictures of the same size differ, row by row from the top
+/// left; nothing if they are equal. The sizes are not checked.
 pub fn differing_pixels<'a>(
     expected: &'a Picture,
     actual: &'a Picture,

@@ -15,8 +15,8 @@ pub(crate) use crate::sources::LineStatus;
 use crate::sources::{CorrectedLine, Sources};
 use crate::task::Task;
 
-/// A function that compares the answers of the reader's functions with those of a chapter's
-/// program.
+/// A function that compares the answers of the reader's functions with those of the given program,
+/// and counts the answers that differ.
 pub type CompareAnswers<'a> = dyn Fn(&ChapterProgram) -> Mismatch + 'a;
 
 /// All that is known of a reader's program besides its picture; by default nothing.
@@ -25,14 +25,15 @@ pub struct Context<'a> {
     /// The language in which the reader writes; `None` means the book's C++, in the edition of the
     /// task.
     pub language: Option<ReaderLanguage>,
-    /// Tells whether the reader can have made a slip; `None` if every slip is possible.
+    /// Returns true if the reader can have made the given slip (known mistake); `None` if every
+    /// slip is possible.
     pub can_be_made: Option<&'a dyn Fn(&Slip) -> bool>,
     /// The reader's files; empty if they are not known.
     pub sources: Sources,
     /// Compares the answers of the reader's functions with those of a program; `None` if they were
     /// not asked.
     pub answers: Option<&'a CompareAnswers<'a>>,
-    /// The warnings of the compiler, in its words.
+    /// The warnings of the compiler, in its words, as plain text; empty if there are none.
     pub warnings: Vec<String>,
     /// For each step of the chapter in its order, true if the reader has done it before; empty if
     /// no steps are judged.
@@ -52,8 +53,9 @@ impl Context<'_> {
         self.sources.are_of_the_chapter() || self.sources.files().iter().any(has_names)
     }
 
-    /// Returns the wrong line, the right line and the reason of a slip in the chapter of the task,
-    /// in the reader's language.
+    /// Returns the wrong line, the right line and the reason of a slip (known mistake) in the
+    /// chapter of the task, in the reader's language. A reader of Rust gets C++ if the edition of
+    /// the task is older and has another line.
     pub fn slip_text(&self, slip: &Slip, task: &Task) -> SlipText {
         let is_older = task.edition != Edition::V4;
         let language = match self.language {
@@ -68,8 +70,8 @@ impl Context<'_> {
         slip.text_in(language, task.chapter)
     }
 
-    /// Returns true if the reader can have made the slip, as far as is known: its right line does
-    /// not stand in the files.
+    /// Returns true if the reader can have made the slip, as far as is known: the field
+    /// `can_be_made` does not deny it, and its right line does not stand in the files.
     pub fn can_be_made(&self, slip: &Slip, task: &Task) -> bool {
         self.can_be_made.is_none_or(|can_be| can_be(slip))
             && self.line_status(slip, task) != LineStatus::Right

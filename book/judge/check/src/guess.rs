@@ -15,8 +15,9 @@ const LOOK: u32 = 400;
 /// mix edges and levels a little.
 const NEAR: u16 = 2;
 
-/// Guesses the task of a picture: the one whose right program, or program with one slip, draws most
-/// of its pixels alike. Of tasks that draw the same, as chapters 3 and 4 do, the first in the book.
+/// Guesses the task of a picture: the one whose right program, or program with one slip (known
+/// mistake), draws most of its pixels alike. Of tasks that draw the same, as chapters 3 and 4 do,
+/// the first in the book; chapter 1 if no program draws a picture of this size.
 pub fn guess_task(reading: &Reading) -> Task {
     let mut nearest = (usize::MAX, Task::of(Chapter::Gradient));
     for candidates in [right_ones, wrong_ones] {

@@ -4,18 +4,20 @@ use std::fmt;
 
 use crate::answer::{Answer, Grade, Headline, Row, RowKind};
 
-/// The page in which an answer is shown.
+/// The page in which an answer is shown: one of the book, its page for pictures, or a report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HostPage {
     /// A page of the book, with links to its other pages.
     Book,
-    /// The book's page *Check your picture*, with a button that judges the picture of a probe.
+    /// The book's page *Check your picture*, with links as in the book, and a button that judges
+    /// the picture of a probe (a changed scene).
     CheckPage,
     /// A page of its own, as a report, without links.
     Report,
 }
 
-/// Lays out a headline as HTML: the verdict is strong, in a class for its grade.
+/// Lays out a headline as HTML without an element around it: the verdict is strong, in a class for
+/// its grade.
 pub fn headline(headline: &Headline) -> String {
     // The name `right` is taken: mdBook lets what has it float.
     let class = match headline.grade {
@@ -28,8 +30,8 @@ pub fn headline(headline: &Headline) -> String {
     format!("{before}<strong class=\"{class}\">{verdict}</strong>{rest}")
 }
 
-/// Lays out all that follows the headline as HTML: lines that were printed, rows, what to do next,
-/// and links to pages. Empty if there is none of these.
+/// Lays out all that follows the headline, but for the pictures, as HTML: lines that were printed,
+/// rows, what to do next, and links to pages. Empty if there is none of these.
 pub fn details(answer: &Answer, page: HostPage) -> String {
     let is_printed = |it: &&Row| it.kind == RowKind::Printed;
     let (printed, rows): (Vec<&Row>, Vec<&Row>) = answer.rows.iter().partition(is_printed);
@@ -53,7 +55,7 @@ pub fn details(answer: &Answer, page: HostPage) -> String {
     printed.chain([list]).chain(pages).collect()
 }
 
-/// Escapes a text for HTML, between tags and in attributes.
+/// Escapes the characters `&`, `<`, `>` and `"` of a text for HTML, between tags and in attributes.
 pub fn escaped(text: impl fmt::Display) -> String {
     text.to_string()
         .replace('&', "&amp;")

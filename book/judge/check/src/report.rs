@@ -12,22 +12,23 @@ use crate::comparison::{Comparison, differing_pixels};
 use crate::html::escaped;
 use crate::png;
 
-/// The content of a report page.
+/// The content of a report, a page of HTML that shows a reader's picture beside the right one.
 #[derive(Debug)]
 pub struct ReportPage<'a> {
-    /// The title: the name of a chapter, as text.
+    /// The title: the name of a chapter, as plain text, which is escaped.
     pub title: &'a str,
-    /// The headline of the answer, as HTML.
+    /// The headline of the answer, as HTML, which is taken as it is.
     pub headline: &'a str,
     /// The reader's picture and the right one; `None` if the page shows no pictures.
     pub pictures: Option<&'a Pictures>,
-    /// The rest of the answer, below the pictures, as HTML.
+    /// The rest of the answer, below the pictures, as HTML; may be empty.
     pub remarks: &'a str,
 }
 
 impl ReportPage<'_> {
     /// Makes the files of the page, each with its name and its bytes: the pictures that it shows,
-    /// and `index.html`.
+    /// `expected.png`, `yours.png` and, if their sizes are equal, `difference.png`; then
+    /// `index.html`.
     pub fn files(&self) -> Vec<(String, Vec<u8>)> {
         let mut files = Vec::new();
         // What the reader named comes last, so that braces in it are only braces.

@@ -10,8 +10,9 @@ use crate::pixels::{distance, spread};
 use crate::reading::Reading;
 use slips::{Chapter, ChapterProgram, Edition, Probe, ReaderLanguage, Slip, steps, width_line};
 
-/// The picture that a reader was asked to draw: a chapter's, as far as a step of it, with a probe
-/// or without, by one edition of the book.
+/// The picture that a reader was asked to draw: a chapter's, whole or as far as a step of it, with
+/// a [`Probe`] (a changed scene) or without, by one edition of the book, in the chapter's own shape
+/// or in another.
 #[derive(Clone, Copy, Debug)]
 pub struct Task {
     /// The chapter whose program draws the picture.
@@ -31,8 +32,8 @@ pub struct Task {
 }
 
 impl Task {
-    /// Makes the task to draw the whole chapter as the book has it. Version 4 is the edition, but
-    /// the pictures of others count as right, too.
+    /// Makes the task to draw the whole chapter as the book has it, without a probe and in its own
+    /// shape. Version 4 is the edition, but the pictures of others count as right, too.
     pub fn of(chapter: Chapter) -> Self {
         Self {
             chapter,
@@ -44,21 +45,23 @@ impl Task {
         }
     }
 
-    /// Makes the task to draw the whole chapter, with `probe`'s spheres in place of the chapter's
-    /// if one is given. Returns `None` if the chapter can't hold them.
+    /// Makes the task to draw the whole chapter as [`of`](Self::of), with the changes of `probe` if
+    /// one is given. Returns `None` if the chapter draws fewer spheres than the probe has.
     pub fn new(chapter: Chapter, probe: Option<Probe>) -> Option<Self> {
         let task = Self::of(chapter);
         probe.map_or(Some(task), |probe| task.with_probe(probe))
     }
 
-    /// Returns this task by that edition, so that the pictures of other editions are wrong.
+    /// Returns this task by the given edition in place of its own, so that the pictures of editions
+    /// with another [`name`](Edition::name) are wrong.
     pub fn only_by_edition(mut self, edition: Edition) -> Self {
         (self.edition, self.insists) = (edition, true);
         self
     }
 
-    /// Returns this task with that probe, in the chapter's own shape; `None` if the chapter has no
-    /// room for its spheres.
+    /// Returns this task with the given probe in place of an earlier one, and in the chapter's own
+    /// shape; step and edition are kept. `None` if the chapter draws fewer spheres than the probe
+    /// has.
     pub fn with_probe(mut self, probe: Probe) -> Option<Self> {
         (self.probe, self.shape) = (Some(probe), None);
         probe.fits(self.chapter).then_some(self)
@@ -116,8 +119,8 @@ impl Task {
     }
 
     /// Returns instructions for a reader to change the chapter's program so that it draws the task
-    /// `width` pixels wide, one per line; a probe has its own width instead. `language: None` gives
-    /// the names of the book.
+    /// `width` pixels wide, in plain text, one per line; a probe has its own width instead. `None`
+    /// for the language gives the names of the book.
     pub fn change_lines(&self, width: u32, language: Option<ReaderLanguage>) -> String {
         match self.probe {
             Some(probe) => probe.instructions(self.chapter, language),
@@ -125,7 +128,8 @@ impl Task {
         }
     }
 
-    /// Returns the command that checks a picture of this task.
+    /// Returns the command that checks a picture of this task's chapter, with its probe if there is
+    /// one; it ends with `PICTURE`, which stands for the file. Step and edition are not in it.
     pub fn command(&self) -> String {
         let (companion, chapter) = (companion_command(), self.chapter.name());
         match self.probe {
@@ -134,7 +138,8 @@ impl Task {
         }
     }
 
-    /// Returns the command that checks a picture of this chapter with that probe.
+    /// Returns the command that checks a picture of this task's chapter with the given probe in
+    /// place of the task's own; it ends with `PICTURE`, which stands for the file.
     pub fn command_with_probe(&self, probe: Probe) -> String {
         let (companion, chapter) = (companion_command(), self.chapter.name());
         format!("{companion} check {chapter} --probe {} PICTURE", probe.name)
@@ -160,8 +165,9 @@ impl Task {
         !self.insists && self.has_another_shape() && latest.height(width) == height
     }
 
-    /// Returns this task for a picture of `width` × `height` pixels: in the chapter's own shape if
-    /// that has this height, or else in just this shape.
+    /// Returns this task for a picture of `width` × `height` pixels, in place of an earlier shape:
+    /// in the chapter's own shape if that has this height, or else in just this shape. All else is
+    /// kept.
     pub fn fitting(mut self, width: u32, height: u32) -> Self {
         let has_own_height = self.in_own_shape().height(width) == height;
         self.shape = (!has_own_height).then_some((width, height));
@@ -179,8 +185,9 @@ impl Task {
         self.shape.is_some()
     }
 
-    /// Returns the program that draws the task, with these slips made in it: edition and shape come
-    /// first, then step, probe and slips.
+    /// Returns the program that draws the task, with these slips (known mistakes) made in it; the
+    /// right program for none. Edition and shape come first, then step, probe and slips; a slip
+    /// that can't be made changes nothing.
     pub fn program(&self, slips: &[&Slip]) -> ChapterProgram {
         let right = || self.kept("", || self.right_program());
         let with = |slip: &Slip| self.kept(slip.name, || slip.applied_to(&right()));
@@ -240,7 +247,8 @@ impl Task {
         }
     }
 
-    /// Iterates over the slips that are possible in the chapter.
+    /// Iterates over the slips (known mistakes) with a name that are possible in the chapter, in
+    /// the order of [`slips::all`].
     pub fn slips(&self) -> impl Iterator<Item = &'static Slip> + use<> {
         let chapter = self.chapter;
         slips::all().filter(move |slip| slip.is_possible_in(chapter))
@@ -257,8 +265,8 @@ impl Task {
             .right_picture(width, height)
     }
 
-    /// Draws the right picture in `width` × `height` pixels, in that shape if it is not the
-    /// chapter's.
+    /// Draws the right picture `width` pixels wide: in the chapter's own shape if that has this
+    /// `height`, or else in the shape of `width` × `height` pixels, with a viewport of this shape.
     pub fn right_picture(&self, width: u32, height: u32) -> Picture {
         let fitting = self.fitting(width, height);
         if fitting.is_as_compiled() {

@@ -16,9 +16,10 @@ pub struct Style {
 /// The most lines of an answer, so that it is read at one glance.
 pub const MOST_LINES: usize = 12;
 
-/// Lays out an answer in at most `most` lines of `width` characters: the headline, as many rows as
-/// there is room for, the pages to read, and what to do next. A `…` stands for rows that are left
-/// out. The headline, the pages and the advice are never cut, even if they need more lines.
+/// Lays out an answer in at most `most` lines of `width` characters for a terminal: the headline,
+/// as many rows as there is room for, the pages to read, and what to do next. A `…` stands for rows
+/// that are left out. The headline, the pages and the advice are never cut, even if they need more
+/// lines.
 pub fn answer_lines(answer: &Answer, style: Style, width: usize, most: usize) -> Vec<String> {
     let mut lines = headline(&answer.headline, style, width);
     let read = answer.read.iter().map(|slip| {
@@ -50,8 +51,8 @@ pub fn headline(headline: &Headline, style: Style, width: usize) -> Vec<String> 
     said.lines().map(str::to_owned).collect()
 }
 
-/// Wraps a text into lines of `width` characters, with `first` before the first line and `rest`
-/// before the others. A longer word is not broken.
+/// Wraps a text into lines of at most `width` characters, with line breaks between them, and with
+/// `first` before the first line and `rest` before the others. A longer word is not broken.
 pub fn filled(text: &str, width: usize, first: &str, rest: &str) -> String {
     let options = Options::new(width)
         .initial_indent(first)
@@ -108,12 +109,12 @@ fn labeled(label: &str, text: &str, style: Style, width: usize) -> Vec<String> {
 const LABEL: usize = 9;
 
 impl Style {
-    /// Makes a text bold; returns it as it is in a plain style.
+    /// Makes a text bold by a terminal's codes around it; returns it as it is in a plain style.
     pub fn bold(self, text: &str) -> String {
         self.in_code("1", text)
     }
 
-    /// Makes a text pale; returns it as it is in a plain style.
+    /// Makes a text pale by a terminal's codes around it; returns it as it is in a plain style.
     pub fn dim(self, text: &str) -> String {
         self.in_code("2", text)
     }

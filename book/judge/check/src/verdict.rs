@@ -13,7 +13,8 @@ use crate::reading::Cause;
 use crate::search::{DrawingMutants, Repair};
 use crate::task::Task;
 
-/// The verdict on a picture.
+/// The verdict on a picture: right, almost right, wrong, another task's, of a wrong shape, or no
+/// picture at all.
 #[derive(Debug)]
 pub enum Verdict {
     /// The picture is right, to the last bit or within the tolerance.
@@ -33,7 +34,8 @@ pub enum Verdict {
     },
     /// Width and height of the picture are not those of the task.
     WrongShape {
-        /// Names the size or the width that is expected, and slips that give this size.
+        /// Names the size or the width that is expected, and slips (known mistakes) that give this
+        /// size.
         cause: Cause,
         /// The explanation of the pixels; `None` for more than 2²⁰ pixels in a shape that is not
         /// the chapter's.
@@ -64,8 +66,8 @@ pub struct RightPicture {
     pub off: usize,
     /// Largest difference of a color component, in levels; at most the tolerance.
     pub levels: u8,
-    /// Slips that give the picture its shape, if that is not the chapter's: the shape is either
-    /// the reader's choice or the work of one of these.
+    /// Slips (known mistakes) that give the picture its shape, if that is not the chapter's: the
+    /// shape is either the reader's choice or the work of one of these. Empty if there are none.
     pub shape_given_by: Vec<&'static Slip>,
 }
 
@@ -105,7 +107,8 @@ pub struct Finding {
     pub is_answered: bool,
 }
 
-/// Mistakes that draw the same picture.
+/// The known mistakes of readers, each of which alone draws the reader's picture, exactly or
+/// nearly.
 #[derive(Clone, Debug)]
 pub struct Mistakes {
     /// The task in whose program the mistakes are made.
@@ -113,14 +116,16 @@ pub struct Mistakes {
     /// The mistakes, at least one; each is one slip, or two that are made together. The likeliest
     /// is the first.
     pub all: Vec<Vec<&'static Slip>>,
-    /// The treatment of numbers that are no levels, with which the mistakes draw the picture.
+    /// The treatment of numbers that are no levels from 0 to 255, with which the mistakes draw the
+    /// picture.
     pub conversion: Conversion,
     /// True if the wrong lines stand in the reader's files, or no file is known.
     pub is_in_text: bool,
-    /// The pixels that the mistakes don't explain; none if they draw exactly the picture.
+    /// The pixels that the mistakes don't explain; its counts are 0 if they draw exactly the
+    /// picture.
     pub unexplained: Unexplained,
-    /// The probe that tells most of the mistakes apart; `None` if there is only one mistake, or no
-    /// probe does.
+    /// The probe (a changed scene) that tells most of the mistakes apart; `None` if there is only
+    /// one mistake, or no probe does.
     pub telling: Option<Probe>,
 }
 

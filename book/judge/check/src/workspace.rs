@@ -8,8 +8,8 @@ use slips::Slip;
 
 use crate::names;
 
-/// Returns the path of the page that explains a slip, with its heading as `#…`, as seen from the
-/// current folder; `None` if the book was not woven in this workspace.
+/// Returns the path of the page that explains a slip (known mistake), with its heading as `#…`, as
+/// seen from the current folder; `None` if there is no workspace, or the book was not woven in it.
 pub fn page(slip: &Slip) -> Option<String> {
     let path = workspace()?.join("target/book").join(slip.page_link());
     let (file, _) = path.to_str()?.rsplit_once('#')?;
@@ -18,8 +18,8 @@ pub fn page(slip: &Slip) -> Option<String> {
         .then(|| names::name_from_here(&path))
 }
 
-/// Returns the path of the source that has the slip's line right, as seen from the current folder;
-/// `None` if there is no such file.
+/// Returns the path of the source that has the line of a slip (known mistake) right, as seen from
+/// the current folder; `None` if there is no such file.
 pub fn source(slip: &Slip) -> Option<String> {
     let path = workspace()?.join(slip.source_path()?);
     path.is_file().then(|| names::name_from_here(&path))

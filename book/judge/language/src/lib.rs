@@ -44,7 +44,7 @@ pub enum Language {
     Swift,
 }
 
-/// The name and the length of a function in Rust.
+/// The name and the length, in tokens, of a function in Rust.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FunctionSize<'a> {
     /// The name of the function, without that of a type.
@@ -54,7 +54,7 @@ pub struct FunctionSize<'a> {
     pub tokens: usize,
 }
 
-/// Measures the functions of a source text in Rust, in their order. Empty if it has none.
+/// Measures the functions of a source text in Rust, in the order of the text. Empty if it has none.
 pub fn function_sizes(text: &str) -> Vec<FunctionSize<'_>> {
     let tokens = tokens::tokens(text, Language::Rust);
     let parts = tokens.split(|it| it.text == "fn").skip(1);

@@ -22,11 +22,12 @@ pub struct Match<'t> {
     /// The part of the searched expression that equals the pattern.
     pub tree: &'t Tree,
     /// The variables of the pattern, each once, with the names that they have in the searched
-    /// expression.
+    /// expression; empty if the pattern has none.
     pub renames: Vec<Rename>,
 }
 
-/// The names that one variable has in two programs. Both are [`canonical`](crate::canonical).
+/// The names that one variable has in two programs, that of a [`Pattern`] and the one that was
+/// searched. Both are [`canonical`](crate::canonical).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Rename {
     /// The name in the program of the [`Pattern`].
@@ -54,7 +55,8 @@ impl Pattern {
         &self.tree
     }
 
-    /// Returns true if a canonical name is one of the program that the pattern is from.
+    /// Returns true if a [`canonical`](crate::canonical) name is among the `known` ones of
+    /// [`new`](Self::new), those of the program that the pattern is from.
     pub fn knows(&self, name: &str) -> bool {
         self.known.iter().any(|it| it == name)
     }
@@ -72,9 +74,10 @@ impl Pattern {
         nodes.iter().filter(counts).count() < SMALL
     }
 
-    /// Searches an expression in [`normal()`] form for the pattern, and returns its first occurrence,
-    /// the whole before its parts. A [small](Self::is_small) pattern is compared only with the
-    /// whole, and with the operands of `&&`, `||`, `!` and choices in it.
+    /// Searches an expression in [`normal()`] form for the pattern, and returns its first
+    /// occurrence, the whole before its parts; `None` if there is none. A [small](Self::is_small)
+    /// pattern is compared only with the whole, and with the operands of `&&`, `||`, `!` and
+    /// choices in it.
     pub fn find<'t>(&self, tree: &'t Tree) -> Option<Match<'t>> {
         let nodes = match self.is_small() {
             true => parts_of_a_condition(tree),

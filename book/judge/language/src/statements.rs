@@ -9,7 +9,8 @@ use crate::parse::{Parser, is_keyword};
 use crate::tokens::{Token, TokenKind};
 use crate::tree::{Op, Tree};
 
-/// The purpose of an expression in a [`Statement`].
+/// The purpose of an expression in a [`Statement`]: the value of a name, a condition, a result, the
+/// list of a loop, or an effect.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Role {
     /// The value that the variable, field or named argument of this name is given.
@@ -38,8 +39,9 @@ pub struct Statement {
     pub at: Range<usize>,
 }
 
-/// Parses a source text into statements, in their order. Code that is not understood is skipped,
-/// and comments, declarations of types and heads of functions are no statements.
+/// Parses a source text into statements, in their order; empty if it has none. Code that is not
+/// understood is skipped, and comments, declarations of types and heads of functions are no
+/// statements.
 pub fn statements(text: &str, language: Language) -> Vec<Statement> {
     let mut all = Vec::new();
     let mut parser = Parser::new(text, language);

@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-/// The operation at the root of a [`Tree`], whose operands are the tree's parts.
+/// The operation at the root of a [`Tree`], a name, a literal, a call or an operator, whose
+/// operands are the [`parts`](Tree::parts) of the tree.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Op {
     /// A variable or a constant, by name. Without parts.
@@ -34,7 +35,7 @@ pub enum Op {
     Reciprocal,
 }
 
-/// The syntax tree of an expression in any of ten languages.
+/// The syntax tree of an expression in any of the ten [languages](crate::Language).
 #[derive(Clone, Debug)]
 pub struct Tree {
     /// The operation at the root.
@@ -71,7 +72,8 @@ impl Tree {
         Self::new(Op::Number(value, false), Vec::new())
     }
 
-    /// Returns the tree with another range of bytes; the ranges of its parts stay.
+    /// Returns the tree with this range of bytes in the source text in place of its own; the ranges
+    /// of its parts stay.
     pub fn placed_at(self, at: Range<usize>) -> Self {
         Self { at, ..self }
     }
@@ -92,7 +94,7 @@ impl Tree {
         }
     }
 
-    /// Returns true if the root is an [`Op::Call`] of this name.
+    /// Returns true if the root is an [`Op::Call`] of exactly this name, however many parts it has.
     pub fn is_call(&self, name: &str) -> bool {
         matches!(&self.op, Op::Call(it) if it == name)
     }

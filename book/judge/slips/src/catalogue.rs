@@ -20,8 +20,8 @@ pub fn all() -> impl Iterator<Item = &'static Slip> {
     SLIPS.iter().filter(|slip| !slip.name.is_empty())
 }
 
-/// Lists the slips that have no name: they are found only by the answers of a function under the
-/// laws.
+/// Lists the slips (known mistakes) that have no name for commands and tables; pictures and the
+/// answers of functions are compared with them, too.
 pub fn unnamed() -> impl Iterator<Item = &'static Slip> {
     SLIPS.iter().filter(|slip| slip.name.is_empty())
 }

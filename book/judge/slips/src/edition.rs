@@ -88,7 +88,8 @@ impl Edition {
     }
 
     /// Describes the differences from version 4 in a line of words and code, first for the chapters
-    /// with rays, then for the build test. Version 4 has `nothing` for both.
+    /// with rays, then for the build test, the first picture of the book. Version 4 has `nothing`
+    /// for both.
     pub fn differs_by(self) -> [&'static str; 2] {
         self.facts().differs_by
     }
@@ -149,7 +150,8 @@ impl Edition {
     /// Returns the right program of a chapter in this edition, for pictures of another shape.
     ///
     /// `size` is the width and the height of a picture in pixels: the program draws pictures with
-    /// this ratio, and the build test with this height. `None` keeps the shape of the edition.
+    /// this ratio, and the build test (the picture before there are rays) with this height. `None`
+    /// keeps the shape of the edition.
     ///
     /// # Panics
     /// If the chapter is not one of [`Chapter::OF_THE_BOOK`].

@@ -15,8 +15,8 @@ const VECTORS: &str = include_str!("text/vectors.rs");
 /// The dot product, for chapters that use it.
 const DOT: &str = include_str!("text/dot.rs");
 
-/// Returns the source files of a chapter's package, as a reader of the chapter should type them.
-/// Names are relative to the package: `src/lib.rs`.
+/// Returns the source files in Rust of a chapter's package, as a reader of the chapter should type
+/// them. Names are relative to the package: `src/lib.rs`.
 pub fn typed_files(chapter: Chapter) -> Vec<SourceFile> {
     let files = chapter.files().iter();
     files

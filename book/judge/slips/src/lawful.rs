@@ -81,7 +81,8 @@ pub fn explain(report: &mut Report, chapter: Chapter, language: ReaderLanguage) 
     });
 }
 
-/// Returns the outcome of a trial; the report of a broken law is extended as [`explain`] does.
+/// Returns the outcome of a trial as it is, but for the report of a broken law: [`explain`] fills
+/// its list of known mistakes with the same answers.
 ///
 /// # Errors
 /// If the outcome is an error.
@@ -92,9 +93,9 @@ pub fn explained(mut outcome: Outcome, chapter: Chapter, language: ReaderLanguag
     outcome
 }
 
-/// Compares answers of a reader's functions with those of a program: counts the answers, and those
-/// that the program gives otherwise, but at most `most` of them. Both are 0 if the program is of
-/// another chapter than `chapter`.
+/// Compares recorded answers of a reader's functions with those of a program: counts the answers,
+/// and those that the program gives otherwise, but at most `most` of them. `chapter` is the
+/// reader's; both counts are 0 if the program is of another one.
 pub fn mismatch_with(
     answers: &Answers,
     chapter: Chapter,
@@ -122,8 +123,8 @@ pub fn questions(chapter: Chapter) -> Vec<Question> {
     others.concat()
 }
 
-/// Returns the scene whose colors the `ray_color` of a chapter has to return; the sky for the build
-/// test, which has no such function.
+/// Returns the scene (sky, disc, ball or list of spheres) whose colors the `ray_color` of a chapter
+/// has to return; the sky for the build test, chapter 0, which has no such function.
 pub fn scene(chapter: Chapter) -> ChapterScene {
     match chapter {
         Chapter::BuildTest | Chapter::Gradient => ChapterScene::Sky,
@@ -134,8 +135,8 @@ pub fn scene(chapter: Chapter) -> ChapterScene {
 }
 
 impl ChapterProgram {
-    /// Tests the functions that the program's chapter introduces against their laws: the
-    /// intersection with a sphere, then `ray_color`.
+    /// Tests the functions that the program's chapter introduces against their laws, properties
+    /// that must hold for every ray: the intersection with a sphere, then `ray_color`.
     ///
     /// # Errors
     /// If a function breaks a law; only the first one is reported.

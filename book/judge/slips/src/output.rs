@@ -122,8 +122,8 @@ impl Output {
         }
     }
 
-    /// Returns true if the ray of the `n`th pixel hits a sphere: `ray_color` returns before its
-    /// last expression, the sky.
+    /// Returns true if the ray of the `n`th pixel, from 0, hits a sphere: `ray_color` returns
+    /// before its last expression, the sky.
     pub fn hits(&self, n: u32) -> bool {
         match (&self.canvas, self.place(n)) {
             (Some(canvas), Some((i, j))) => canvas.returns_early("ray_color", i, j),

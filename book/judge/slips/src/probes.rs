@@ -11,7 +11,7 @@ use crate::reader_language::ReaderLanguage;
 /// a program: mistakes that the book's picture hides become visible in the changed one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Probe {
-    /// The name of the probe on the command line.
+    /// The name of the probe on the command line: `off-axis`.
     pub name: &'static str,
     /// The width, in pixels, at which the changed picture has to be drawn.
     pub width: u32,
@@ -94,13 +94,14 @@ pub const PROBES: [Probe; 8] = [
     },
 ];
 
-/// Finds a probe by its [`name`](Probe::name).
+/// Finds a probe by its [`name`](Probe::name); `None` if no probe has it.
 pub fn find(name: &str) -> Option<Probe> {
     PROBES.into_iter().find(|probe| probe.name == name)
 }
 
 impl Probe {
-    /// Returns true if the program of a chapter can draw all spheres of the probe.
+    /// Returns true if the program of a chapter can draw all spheres of the probe; always if the
+    /// probe keeps the chapter's own.
     pub fn fits(&self, chapter: Chapter) -> bool {
         let count = self.spheres.map_or(0, <[Ball]>::len);
         match chapter.sphere_count() {
@@ -164,9 +165,9 @@ impl Probe {
         edits
     }
 
-    /// Returns the instructions for a reader to make the change, one per line: the width, the focal
-    /// length unless it is 1, and the spheres. `language` is that of the reader; `None` gives the
-    /// names of the book.
+    /// Returns the instructions for a reader to make the change, in plain text, one per line: the
+    /// width, the focal length unless it is 1, and the spheres if they change. `language` is that
+    /// of the reader; `None` gives the names of the book.
     pub fn instructions(&self, chapter: Chapter, language: Option<ReaderLanguage>) -> String {
         let mut lines = vec![width_line(self.width, language)];
         if self.focal_length != 1.0 {
@@ -196,8 +197,8 @@ fn of_ball(ball: &Ball) -> [String; 2] {
     ]
 }
 
-/// Returns the code that draws a picture `width` pixels wide: `picture(227)` in Rust, where the
-/// package of a chapter has such a function, else `image_width = 227`.
+/// Returns the code, on one line, that draws a picture `width` pixels wide: `picture(227)` in Rust,
+/// where the package of a chapter has such a function, else `image_width = 227`, also for `None`.
 pub fn width_line(width: u32, language: Option<ReaderLanguage>) -> String {
     match language {
         Some(ReaderLanguage::Rust) => format!("picture({width})"),

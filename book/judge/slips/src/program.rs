@@ -35,7 +35,8 @@ impl ChapterProgram {
         right.get_or_init(|| Self::read(chapter)).clone()
     }
 
-    /// Makes the program of a chapter from the code that a reader typed for it.
+    /// Makes the program of a chapter from the code that a reader typed for it, and that the
+    /// interpreter has read. Nothing is run or checked.
     pub fn from_reader(chapter: Chapter, code: interpreter::Program) -> Self {
         Self {
             chapter,
@@ -52,7 +53,7 @@ impl ChapterProgram {
     }
 
     /// Returns the program with all of these edits made, one after the other, each in every place
-    /// where its right code occurs.
+    /// where its right code occurs; a copy for no edits.
     ///
     /// Returns `None` if the right code of an edit occurs nowhere, or if the interpreter can't read
     /// an edited function.
@@ -149,8 +150,8 @@ impl ChapterProgram {
         }
     }
 
-    /// Returns this program with the changes of `other` made, too; both were made from the program
-    /// `from`. `None` if both have changed the same function.
+    /// Returns this program with the changes of `other` made, too; both have to be changed copies
+    /// of the program `from`. `None` if both have changed the same function.
     pub fn merged_with(&self, other: &Self, from: &Self) -> Option<Self> {
         let code = self.code.merged_with(&other.code, &from.code)?;
         Some(Self {
@@ -159,8 +160,8 @@ impl ChapterProgram {
         })
     }
 
-    /// Lists the functions of the program as pairs of name and text. A method has the name of its
-    /// type: `Sphere::hit`.
+    /// Lists the functions of the program as pairs of name and text, which goes from `fn` to the
+    /// last brace. A method has the name of its type before its own: `Sphere::hit`.
     pub fn functions(&self) -> impl Iterator<Item = (&str, &str)> {
         self.code.functions()
     }

@@ -3,7 +3,7 @@
 use crate::chapter::Chapter;
 use crate::edition::Edition;
 
-/// The programming language in which lines of code are shown to a reader.
+/// The programming language in which lines of code are shown to a reader: C++, Rust or Python.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ReaderLanguage {
     /// The C++ of an edition of the book, also for readers of languages with a similar syntax.
@@ -23,7 +23,8 @@ impl ReaderLanguage {
         }
     }
 
-    /// Translates a line of a chapter's Rust to this language, without `Some(…)` around it.
+    /// Translates a line of Rust, which `chapter` has, to this language, without `Some(…)` around
+    /// it. Rust stays as it is but for that.
     ///
     /// The line is rewritten phrase by phrase: Rust that no chapter has may stay as it is.
     pub fn translate_line(self, line: &str, chapter: Chapter) -> String {

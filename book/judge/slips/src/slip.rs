@@ -26,10 +26,10 @@ const HIDDEN: &str = include_str!("../tests/pictures/snapshots/pictures__hidden.
 #[derive(Clone, Debug, Default)]
 pub struct Slip {
     /// The name of the slip on the command line and in tables, `minus-h`; it never changes. Empty
-    /// for a slip that only the laws look for.
+    /// for a slip that is not shown there, one of [`unnamed`](crate::unnamed).
     pub name: &'static str,
-    /// The page of the book, and the heading there, that explain the right code, as the end of an
-    /// address: `half_b_sphere#two-observations`.
+    /// The page of this workspace's book, and the heading there, that explain the right code, as
+    /// the end of an address: `half_b_sphere#two-observations`.
     pub page: &'static str,
     /// A sentence about the effect of the slip on the picture, and its reason.
     pub why: &'static str,
@@ -56,16 +56,17 @@ pub struct Slip {
 /// The explanation of a slip, with its line of code in the language of a reader.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SlipText {
-    /// The line of code with the slip in it.
+    /// The line of code with the slip in it; empty if the slip leaves it out, or where
+    /// [`Slip::text_in`] finds none.
     pub wrong: Cow<'static, str>,
-    /// The line of code as it should be.
+    /// The line of code as it should be; empty where [`Slip::text_in`] finds none.
     pub right: Cow<'static, str>,
     /// A sentence about the effect of the slip on the picture, and its reason.
     pub why: &'static str,
 }
 
-/// The reason why a slip changes neither the picture of a chapter nor that of a
-/// [`Probe`](crate::Probe).
+/// The reason why a [`Slip`] (known mistake) changes neither the picture of a chapter nor that of a
+/// [`Probe`](crate::Probe), a changed scene: no scene shows it, or only a law does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unseen {
     /// The program with the slip draws the right pictures for any scene. The text proves this.
@@ -139,8 +140,9 @@ impl Slip {
         known.entry(key).or_insert_with(statement).clone()
     }
 
-    /// Returns true if a programming language lets the slip be made. Not every language accepts a
-    /// number as a condition, for instance, or a function that returns −1.0 for a miss.
+    /// Returns true if a programming language lets the slip be made, as all do if the catalogue
+    /// names none. Not every language accepts a number as a condition, for instance, or a function
+    /// that returns −1.0 for a miss.
     pub fn is_possible_in_language(&self, language: ReaderLanguage) -> bool {
         let language = match language {
             ReaderLanguage::Rust => "Rust",
@@ -166,7 +168,8 @@ impl Slip {
         older.right == own.wrong
     }
 
-    /// Returns the number of issues in which people report that they made the slip.
+    /// Returns the number of issues in which people report that they made the slip; 0 if none is
+    /// known.
     pub fn report_count(&self) -> usize {
         self.reported
             .split(", ")
@@ -174,8 +177,8 @@ impl Slip {
             .count()
     }
 
-    /// Returns the edits that make the slip in all chapters. In one chapter only those can be made
-    /// whose right code occurs in its text.
+    /// Returns the edits of all chapters' texts that make the slip. In one chapter only those can
+    /// be made whose right code occurs in its text.
     pub fn edits(&self) -> &[Edit] {
         &self.edits
     }
@@ -198,7 +201,7 @@ impl Slip {
         self.statement(chapter, Edition::V4).is_some()
     }
 
-    /// Lists the chapters in which the slip can be made, in reading order.
+    /// Lists the chapters of the book, 0 to 5, in which the slip can be made, in reading order.
     pub fn chapters(&self) -> impl Iterator<Item = Chapter> {
         let chapters = Chapter::OF_THE_BOOK.into_iter();
         chapters.filter(|&chapter| self.is_possible_in(chapter))
@@ -231,15 +234,15 @@ impl Slip {
         self.applied_to(&ChapterProgram::right(chapter))
     }
 
-    /// Returns a program with this slip made in it; the program as it is if the slip can't be made
-    /// there.
+    /// Returns a program with this slip made in it, besides mistakes that it already has; the
+    /// program as it is if the slip can't be made there.
     pub fn applied_to(&self, program: &ChapterProgram) -> ChapterProgram {
         let made = program.with_any(&self.edits);
         made.unwrap_or_else(|| program.clone())
     }
 
-    /// Returns the reason why nothing shows the slip in a chapter; `None` if the chapter's picture
-    /// or a probe shows it, or if it can't be made in the chapter.
+    /// Returns the reason why no picture shows the slip in a chapter; `None` if the chapter's
+    /// picture or a probe (a changed scene) shows it, or if it can't be made in the chapter.
     pub fn why_unseen_in(&self, chapter: Chapter) -> Option<Unseen> {
         let is_seen = !self.revealing_probes(chapter)?.is_empty();
         (!is_seen).then_some(if self.law.is_empty() {
@@ -249,9 +252,9 @@ impl Slip {
         })
     }
 
-    /// Returns the names of the probes that show the slip in a chapter whose own picture hides it,
-    /// in the order of [`PROBES`]; empty if no probe does. `None` if the chapter's picture shows
-    /// the slip, or if the slip can't be made in the chapter.
+    /// Returns the names of the probes (changed scenes) that show the slip in a chapter whose own
+    /// picture hides it, in the order of [`PROBES`]; empty if no probe does. `None` if the
+    /// chapter's picture shows the slip, or if the slip can't be made in the chapter.
     pub fn revealing_probes(&self, chapter: Chapter) -> Option<Vec<&'static str>> {
         let mut rows = kept(HIDDEN).map(str::split_whitespace);
         rows.find_map(|mut row| {

@@ -7,7 +7,8 @@ use crate::program::ChapterProgram;
 /// A step of a chapter: a few lines that a reader types, after which the program draws a new
 /// picture.
 pub struct ChapterStep {
-    /// A sentence or two that tell what to type, and what the picture will show.
+    /// A sentence or two, in plain text with code in backticks, that tell what to type, and what
+    /// the picture will show.
     pub instruction: &'static str,
     /// A description of the picture, for those who can't see it.
     pub description: &'static str,

@@ -5,7 +5,8 @@ use interpreter::{TracedValue, format_number};
 
 use crate::output::Output;
 
-/// A row in the [trace](Output::trace) of a pixel: a label and a value.
+/// A row in the [trace](Output::trace) of a pixel, the values from which its color is computed: a
+/// label and a value.
 pub struct TraceRow {
     /// The name of the variable, `oc`, then `oc, again` and `oc, again 2` when it gets a value for
     /// the second and third time; or the name of a step around these, such as `levels`.
@@ -70,9 +71,9 @@ fn labeled(values: Vec<TracedValue>) -> Vec<TraceRow> {
     rows
 }
 
-/// Lays several traces out as a table: a line for each label, in the order in which the traces
-/// first have them, with the label and the value of each trace between tabs. The value is `none`
-/// where a trace lacks the label. Empty without traces.
+/// Lays several traces out as a table in plain text: a line for each label, in the order in which
+/// the traces first have them, with the label and the value of each trace between tabs. The value
+/// is `none` where a trace lacks the label. Empty without traces.
 pub fn trace_table(traces: &[Vec<TraceRow>]) -> String {
     let mut labels: Vec<&str> = Vec::new();
     for row in traces.iter().flatten() {

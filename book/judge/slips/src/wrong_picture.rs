@@ -12,7 +12,8 @@ use crate::catalogue::find;
 use crate::chapter::Chapter;
 use crate::slip::Slip;
 
-/// A wrong picture of a chapter, and all slips whose programs draw exactly this picture.
+/// A wrong picture of a chapter, and all slips (known mistakes) whose programs draw exactly this
+/// picture.
 pub struct WrongPicture {
     /// The kind of difference from the right picture, in a word, as `Gone` where no sphere is left.
     pub look: &'static str,

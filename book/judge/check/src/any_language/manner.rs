@@ -9,20 +9,21 @@ use laws::record::RecordedHit;
 use laws::strategies::{ordinary, ordinary_with_interval};
 use laws::{Case, IntervalCase};
 
-/// A difference between a function's answers and those of version 4 that no picture of these
-/// chapters shows.
+/// A difference between a function's answers and those of version 4 of the book that no picture of
+/// these chapters shows: another treatment of ends, tangents or spheres behind the eye.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Manner {
-    /// A root at an end of the range counts as a hit.
+    /// A root at an end of the range `t_min` to `t_max` counts as a hit.
     EndsCount,
-    /// A tangent is a miss.
+    /// A ray that only touches the sphere, with two equal roots, misses it.
     TangentsMiss,
     /// A root behind the eye is a miss.
     NothingBehind,
 }
 
 impl Manner {
-    /// Returns the clause that describes the manner and names its origin.
+    /// Returns the clause, in plain text, that describes the manner and names its origin: `a
+    /// tangent is a miss, as in version 1 of the book`.
     pub fn description(self) -> &'static str {
         match self {
             Self::EndsCount => "a root at an end of the range counts, as in version 3 of the book",

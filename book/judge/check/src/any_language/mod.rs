@@ -18,7 +18,8 @@ use manner::right_record;
 /// and no root that is asked for is as far away.
 const FAR: f64 = 1e300;
 
-/// The kind of a chapter's function, by its answer about one ray and one sphere.
+/// The kind of a chapter's function, by its answer about one ray and one sphere: yes or no, a root,
+/// or a record of the hit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FunctionKind {
     /// A function that decides whether the line meets the sphere, as in chapter 2.
@@ -29,21 +30,23 @@ pub enum FunctionKind {
     Record,
 }
 
-/// A function that asks a program for the nearest hit; only a [`FunctionKind::Record`] heeds the
-/// range of the question.
+/// A function that asks a program the question of a ray and a sphere, and returns the nearest hit,
+/// `None` for a miss. Only a [`FunctionKind::Record`] heeds the range of the question.
 pub type AskProgram<'a> = dyn Fn(&IntervalCase) -> Option<RecordedHit> + 'a;
 
-/// The verdict of the laws on a function in any language.
+/// The verdict of the laws, the properties that an intersection must have, on a function in any
+/// language.
 pub struct FunctionVerdict {
     /// The outcome of the laws, with answers that differ only by a manner taken as right.
     pub outcome: Outcome,
-    /// The manners in which some of the function's answers differ from version 4 of the book.
+    /// The manners in which some of the function's answers differ from version 4 of the book; empty
+    /// if none do.
     pub manners: Vec<Manner>,
     /// The questions about the smallest case that breaks a law, each once; empty if none is broken.
     pub questions: Vec<IntervalCase>,
 }
 
-/// The reason why a line is no answer.
+/// The reason why a line that a program printed is no answer: a decimal comma, or anything else.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoAnswer {
     /// A number has a comma where the decimal point should be.
@@ -54,8 +57,8 @@ pub enum NoAnswer {
 
 impl FunctionKind {
     /// Writes a question as a line for the program: center, radius, origin, direction, and for a
-    /// record the range, as decimal numbers that read back to the same bits. An infinite end of the
-    /// range is written as ±1e300.
+    /// record `t_min` and `t_max`, as decimal numbers with blanks between them that read back to
+    /// the same bits. An infinite end of the range is written as ±1e300.
     pub fn question_line(self, asked: &IntervalCase) -> String {
         let range = [asked.t_min, asked.t_max].map(|end| end.clamp(-FAR, FAR));
         let range = range.into_iter().filter(|_| self == Self::Record);

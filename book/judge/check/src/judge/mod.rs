@@ -15,7 +15,8 @@ use crate::reading::{self, Reading};
 use crate::task::Task;
 use crate::verdict::{Finding, RightPicture, Verdict};
 
-/// Judges the picture in the bytes of a file, PPM or PNG, as [`judge`] does.
+/// Judges the picture in the bytes of a file, PPM or PNG, as [`judge`] does. Bytes that can't be
+/// read get the verdict [`Verdict::NotAPicture`].
 pub fn judge_file(task: &Task, bytes: &[u8], tolerance: u8, context: &Context) -> Verdict {
     match reading::read(bytes) {
         Ok(reading) => judge(task, &reading, tolerance, context),
@@ -29,9 +30,9 @@ pub fn judge_file(task: &Task, bytes: &[u8], tolerance: u8, context: &Context) -
 /// Judges a picture that was read: whether it fulfills the task, and if not, what explains that.
 ///
 /// The picture is right if an edition of the book draws it with every color component at most
-/// `tolerance` levels off, unless the reader's functions answer otherwise than the chapter's and a
-/// mistake or a repair explains that. Files that follow version 4, as `context` tells, are judged
-/// by that edition alone.
+/// `tolerance` levels off (0 asks for equality), unless the reader's functions answer otherwise
+/// than the chapter's and a mistake or a repair explains that. Files that follow version 4, as
+/// `context` tells, are judged by that edition alone.
 pub fn judge(task: &Task, reading: &Reading, tolerance: u8, context: &Context) -> Verdict {
     let newest = task.only_by_edition(Edition::V4);
     let task = match context.follows_version_4() {

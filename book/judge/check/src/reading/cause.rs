@@ -11,12 +11,13 @@ pub struct Cause {
     pub name: &'static str,
     /// A sentence on what is wrong and where, without capital and full stop.
     pub problem: String,
-    /// Sentences on what to do about the problem.
+    /// Sentences on what to do about the problem, in plain text.
     pub fix: String,
 }
 
 impl Cause {
-    /// Makes a cause from the texts of its three fields, which are taken as they are.
+    /// Makes a cause from its name for programs, the problem without capital and full stop, and the
+    /// sentences of the fix; the texts are taken as they are.
     pub fn new(name: &'static str, problem: impl Into<String>, fix: impl Into<String>) -> Self {
         Self {
             name,
@@ -25,7 +26,7 @@ impl Cause {
         }
     }
 
-    /// Refuses a file of more than [`MOST_BYTES`] bytes.
+    /// Makes the cause, `too-large`, for refusing a file of more than [`MOST_BYTES`] bytes.
     pub fn too_large() -> Self {
         Self::new(
             "too-large",

@@ -26,9 +26,9 @@ pub struct Reading {
 pub struct InvalidLevels {
     /// Number of pixels with at least one such number, at least 1.
     pub count: usize,
-    /// Column and row of the first such pixel, from the left and from the top.
+    /// Column and row of the first such pixel, counted from 0 at the top left, row by row.
     pub first: [u32; 2],
-    /// Red, green and blue of that pixel.
+    /// Red, green and blue of that pixel, as the file has them.
     pub pixel: [i16; 3],
     /// The lowest number of the whole picture.
     pub lowest: i16,
@@ -37,7 +37,7 @@ pub struct InvalidLevels {
 }
 
 impl Reading {
-    /// Returns the reading of a file that holds this picture.
+    /// Returns the reading of a file without a flaw that holds this picture.
     pub fn of(picture: &Picture) -> Self {
         let (pixels, _) = picture.rgb().as_chunks::<3>();
         Self {

@@ -7,7 +7,8 @@ use interpreter::{Program, SourceFile};
 use super::functions::functions;
 use super::mutation::mutations;
 
-/// A replacement in a file of a program, like the mistakes that people make when they type.
+/// A replacement of text in a file of a program, which makes a mistake that people make when they
+/// type.
 #[derive(Clone, Debug)]
 pub struct FileEdit {
     /// The index of the file in the list that was given to [`edits_everywhere`].

@@ -18,7 +18,8 @@ use crate::sources::{SourceLine, Sources};
 use crate::task::Task;
 
 /// A set of changes that makes a reader's wrong program right. In Rust it was tried: the changed
-/// program draws the right picture and, but for a probe, its functions answer as the chapter's do.
+/// program draws the right picture and, unless a [`Probe`](slips::Probe) is drawn, its functions
+/// answer as the chapter's do.
 #[derive(Clone, Debug)]
 pub struct Repair {
     /// The lines to change, function by function and in each from the top; never empty.
@@ -42,7 +43,8 @@ pub struct LineChange {
     pub correction: Correction,
 }
 
-/// The correction of a wrong [`line`](LineChange::line). Code of several lines is joined to one.
+/// The correction of a wrong [`line`](LineChange::line): code in its place, code above it, or none.
+/// Code of several lines is joined to one.
 #[derive(Clone, Debug)]
 pub enum Correction {
     /// Code in Rust that replaces the line.

@@ -235,8 +235,9 @@ impl CorrectedLine {
     }
 }
 
-/// Lists the parts of a report on a broken law: the law, what was found and what is allowed, known
-/// mistakes with the same answers, and where the law is explained.
+/// Lists the parts of a report on a broken law, a property that a function must have: the law, what
+/// was found and what is allowed, known mistakes with the same answers if there are any, and where
+/// the law is explained.
 pub fn law_rows(report: &Report) -> Vec<Row> {
     let broken = &report.broken;
     let kinds = iter::once(RowKind::SameAs).chain(iter::repeat(RowKind::More));
@@ -254,8 +255,8 @@ pub fn law_rows(report: &Report) -> Vec<Row> {
         .collect()
 }
 
-/// Makes a row of each line that a compiler or a program has printed. Control characters, which a
-/// terminal would obey, are escaped.
+/// Makes a row [`Printed`](RowKind::Printed) of each line that a compiler or a program has printed;
+/// none for an empty text. Control characters, which a terminal would obey, are escaped.
 pub fn printed_rows(text: &str) -> Vec<Row> {
     let lines = text.lines();
     lines

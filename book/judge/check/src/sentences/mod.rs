@@ -17,12 +17,14 @@ pub(crate) use explanations::ONLY_SKY;
 pub use explanations::{law_rows, printed_rows};
 pub use verdicts::{broken_so_far, not_compiled, not_written, refused};
 
-/// Returns the line of the reader's list of done things for a step of a chapter, counted from 1.
+/// Returns the line of the reader's list of done things for a step of a chapter, counted from 1, in
+/// plain text: `normals: step 1 shows what it should`.
 pub fn step_done_line(chapter: Chapter, step: usize) -> String {
     format!("{}: step {step} shows what it should", chapter.name())
 }
 
-/// Returns the line of the reader's list of done things for the right picture of a chapter.
+/// Returns the line of the reader's list of done things for the right picture of a chapter, in
+/// plain text: `normals: the picture is right, to the last bit`.
 pub fn picture_done_line(chapter: Chapter) -> String {
     format!("{}: the picture is right, to the last bit", chapter.name())
 }
@@ -80,8 +82,8 @@ impl Unexplained {
     }
 }
 
-/// Joins the names of slips that are made together by `and`. A slip without a name is called by its
-/// wrong line in Rust.
+/// Joins the names of slips (known mistakes) that are made together by `and`; empty for none. A
+/// slip without a name is called by its wrong line in Rust.
 pub fn mistake_name(mistake: &[&'static Slip]) -> String {
     let name = |slip: &&'static Slip| match slip.name {
         "" => {

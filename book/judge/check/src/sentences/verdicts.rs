@@ -194,8 +194,9 @@ fn right_but(laws: &LawsStatus, subject: &str, test: &str) -> Answer {
 /// The end of a sentence about a right picture whose program breaks a law.
 const BUT_A_LAW: &str = ", but your program breaks a law, which must hold for every ray.";
 
-/// Answers that what is called `name` is no picture or not the right one: `name is verdict`, with
-/// the problem and its fix. The answer is graded wrong if the verdict is the word `wrong`.
+/// Answers that what is called `name`, such as a file, is no picture or not the right one: `name is
+/// verdict`, with the problem, and its fix as what to do next. The answer is graded wrong if the
+/// verdict is the word `wrong`, else as no picture.
 pub fn refused(name: &str, verdict: &str, cause: &Cause) -> Answer {
     let grade = match verdict {
         "wrong" => Grade::Wrong,
@@ -205,8 +206,8 @@ pub fn refused(name: &str, verdict: &str, cause: &Cause) -> Answer {
     Answer::of(grade, name, verdict, rest).then(&cause.fix)
 }
 
-/// Answers that the compiler refuses the text: how many errors it found, at least 1, and the rows
-/// about the first.
+/// Answers that the compiler refuses the program. `errors` is the number of errors that it found,
+/// at least 1, and `first` are the rows about the first of them.
 pub fn not_compiled(errors: usize, first: Vec<Row>) -> Answer {
     let more = match errors {
         1 => String::new(),
@@ -216,7 +217,8 @@ pub fn not_compiled(errors: usize, first: Vec<Row>) -> Answer {
 }
 
 /// Answers that the program stopped at the `todo!()` in `place`, such as `src/lib.rs:12`. Names the
-/// functions that obey the laws so far, and the first step of the chapter.
+/// functions that obey the laws so far, `obeyed`, if there are any, and the first step of the
+/// chapter as what to do next.
 pub fn not_written(chapter: Chapter, place: &str, obeyed: &[String]) -> Answer {
     let so_far = format!("hold so far for {}", obeyed.join(", "));
     let step = steps::of_chapter(chapter).first();
@@ -226,7 +228,8 @@ pub fn not_written(chapter: Chapter, place: &str, obeyed: &[String]) -> Answer {
         .then(step.map_or(String::new(), |step| step_says(0, step)))
 }
 
-/// Answers that a program that stopped at the `todo!()` in `place` breaks a law before that.
+/// Answers that a program that stopped at the `todo!()` in `place`, such as `src/lib.rs:12`, breaks
+/// the law of the report before that.
 pub fn broken_so_far(report: &Report, place: &str) -> Answer {
     let verdict = "A function that is written so far breaks a law.";
     Answer::sentence(Grade::Wrong, verdict)

@@ -25,7 +25,7 @@ pub(crate) use lines::{CorrectedLine, LineComparison, StatementDiff};
 pub(crate) use transplant::Transplant;
 
 /// The source files of a reader's program, in any of ten languages, beside those of the chapter
-/// that the reader follows.
+/// that the reader follows; by default none.
 #[derive(Clone, Debug, Default)]
 pub struct Sources {
     yours: Vec<SourceFile>,
@@ -152,7 +152,7 @@ impl Sources {
     }
 
     /// Takes the files of a reader who types a chapter's own files in Rust; the right ones are
-    /// added.
+    /// added to compare with.
     pub fn of_chapter(yours: Vec<SourceFile>, chapter: Chapter) -> Self {
         Self::new(yours, slips::typed_files(chapter))
     }
