@@ -95,8 +95,7 @@ pub fn any_case() -> impl Strategy<Value = Case> {
     ]
 }
 
-/// Makes pixels of pictures that are 1 to 400 pixels wide, with the aspect ratio 16:9; each pixel
-/// lies in its picture.
+/// Makes pixels that lie in pictures 1 to 400 pixels wide with the aspect ratio 16:9.
 pub fn pixels() -> impl Strategy<Value = CameraPixel> {
     (1..=400_u32, any::<[u32; 2]>()).prop_map(|(width, [i, j])| CameraPixel {
         width,
@@ -105,8 +104,7 @@ pub fn pixels() -> impl Strategy<Value = CameraPixel> {
     })
 }
 
-/// Makes rays that the book's camera casts in pictures 1 to 400 pixels wide, each with one of the
-/// two spheres of chapter 5.
+/// Makes rays of the book's camera, each with one of the two spheres of chapter 5.
 pub fn book_rays() -> impl Strategy<Value = Case> {
     let ball = (Point3::new(0.0, 0.0, -1.0), 0.5);
     let ground = (Point3::new(0.0, -100.5, -1.0), 100.0);
@@ -305,8 +303,8 @@ pub fn with_interval(cases: impl Strategy<Value = Case>) -> impl Strategy<Value 
     })
 }
 
-/// Makes lists of one to three spheres around the eye, with a ray from the eye, of whole numbers
-/// that can be checked by hand. The interval is from 0 to infinity.
+/// Makes lists of one to three spheres near the ray's origin, which is (0, 0, 0), of whole numbers
+/// that can be checked by hand. The interval is the open one from 0 to infinity.
 pub fn whole_worlds() -> impl Strategy<Value = World> {
     let radius = (1..=3).prop_map(f64::from);
     (vec((whole_vector(4), radius), 1..4), whole_vector(3)).prop_map(|(spheres, direction)| World {

@@ -51,8 +51,8 @@ pub fn headline(headline: &Headline, style: Style, width: usize) -> Vec<String> 
     said.lines().map(str::to_owned).collect()
 }
 
-/// Wraps a text into lines of at most `width` characters, with line breaks between them, and with
-/// `first` before the first line and `rest` before the others. A longer word is not broken.
+/// Wraps a text into lines of at most `width` characters, the prefixes included: `first` before the
+/// first line and `rest` before the others. A longer word is not broken.
 pub fn filled(text: &str, width: usize, first: &str, rest: &str) -> String {
     let options = Options::new(width)
         .initial_indent(first)

@@ -33,8 +33,9 @@ const PROBE: Probe = Probe {
     shows: "",
 };
 
-/// All probes, those first that need the smallest change. The pictures of probes with spheres of
-/// their own are exactly 16:9, so that the rounding of the height plays no part.
+/// All probes, which show what a chapter's own picture hides: first those for which a reader changes
+/// least. The pictures of probes with spheres of their own are exactly 16:9, so that the rounding of
+/// the height plays no part.
 pub const PROBES: [Probe; 8] = [
     Probe {
         name: "odd-width",

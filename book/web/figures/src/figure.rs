@@ -12,7 +12,7 @@ pub struct Figure {
     pub title: String,
     /// A description in sentences, for a reader who cannot see the drawing.
     pub description: String,
-    /// The caption below the figure.
+    /// The caption below the figure, in which `*t*` marks a number and `**P**` a vector.
     pub caption: String,
     /// A question to the reader about the figure, and then what to do with it.
     pub question: String,

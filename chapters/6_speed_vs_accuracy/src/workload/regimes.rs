@@ -203,7 +203,7 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// Returns a random whole number from 0 to `end` − 1; `end` must not be 0.
+    /// Returns a random integer from 0 to `end` − 1, all equally likely up to 2⁻³²; 0 if `end` is 0.
     pub fn below(&mut self, end: u32) -> u32 {
         ((u64::from(end) * (self.bits() >> 32)) >> 32) as u32
     }
