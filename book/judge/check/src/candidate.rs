@@ -58,12 +58,12 @@ pub(crate) struct SampleComparison {
 
 /// The size of the sample that is compared before all pixels are.
 const GLANCE: u32 = 100;
-/// How many pixels of the sample may differ by chance beyond twice the expected number.
+/// The number of pixels of the sample that may differ by chance, beyond twice the expected number.
 const CHANCE: usize = 4;
 
-/// A mistake explains most of a picture if it leaves at most one in so many wrong pixels.
+/// A mistake explains most of a picture if it leaves at most 1 wrong pixel in `MOST`.
 const MOST: usize = 4;
-/// A mistake explains nearly all of a picture if it leaves at most one in so many wrong pixels.
+/// A mistake explains nearly all of a picture if it leaves at most 1 wrong pixel in `NEARLY_ALL`.
 const NEARLY_ALL: usize = 100;
 
 impl Candidate {

@@ -37,21 +37,21 @@ pub(crate) struct Fit {
     pub(crate) is_in_text: bool,
 }
 
-/// A program with a mistake may leave one pixel in so many unexplained.
+/// A program with a mistake explains a picture if it leaves at most 1 pixel in `FEW` unexplained.
 const FEW: usize = 200;
-/// A right program may leave one pixel in so many unexplained: with more, the picture is another.
+/// A right program explains a picture if it leaves at most 1 pixel in `MANY` unexplained.
 const MANY: usize = 20;
-/// A program with a mistake may leave one pixel in so many if all are one level off, as in single
-/// precision.
+/// If all unexplained pixels are one level off, as in single precision, the limit is not [`FEW`] but
+/// 1 pixel in `ROUNDED`.
 const ROUNDED: usize = 4;
 /// The size of the sample of pixels in which candidates are compared first.
 const SAMPLE: u32 = 2000;
 /// How many more pixels of the sample than the best candidate another one may have wrong, to be
 /// compared as a whole.
 const NEARLY: usize = 3;
-/// A picture is like a right one if that draws one in so many of its pixels.
+/// A picture resembles a right one if more than 1 pixel of the sample in `PART` is equal.
 const PART: usize = 8;
-/// How many pairs of mistakes may draw the picture, to be an explanation.
+/// The most pairs of mistakes that are named: if more draw the picture, none explains it.
 const PAIRS: usize = 4;
 
 /// Explains the picture by the first of these that draws it: the right program; another task whose
