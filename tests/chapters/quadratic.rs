@@ -10,7 +10,7 @@ use laws::camera::CameraPixel;
 use laws::nearer_root::{Solver, obeys_every_law};
 use laws::prelude::Prelude;
 use laws::{Case, ChapterScene, IntervalCase, Outcome, Trial, functions_of_a_list, holds};
-use slips::{Chapter, ReaderLanguage, lawful};
+use slips::{Chapter, Languages, lawful};
 
 use crate::more;
 
@@ -64,7 +64,7 @@ functions_of_a_list!(hittable_list, Ray, identity, identity, identity);
 
 /// Fails with the first law that is broken, and says where there is more to see.
 fn assert_lawful(chapter: Chapter, attempt: impl Fn(&Trial) -> Outcome) {
-    let outcome = lawful::explained(attempt(&Trial::default()), chapter, ReaderLanguage::Rust);
+    let outcome = lawful::explained(attempt(&Trial::default()), chapter, Languages::Rust);
     if let Err(complaint) = outcome {
         panic!(
             "\n\nChapter `{}` breaks a law.\n\n{complaint}\n\n{}",

@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 use laws::answers::Answers;
 use laws::{Complaint, Question, Report, Trial};
 use rayon::prelude::*;
-use slips::{Chapter, ChapterProgram, ReaderLanguage, Slip, Unseen, lawful};
+use slips::{Chapter, ChapterProgram, Languages, Slip, Unseen, lawful};
 
 #[test]
 fn every_slip_is_caught() {
@@ -94,7 +94,7 @@ pub(crate) fn first_report(program: &ChapterProgram) -> Option<Box<Report>> {
         ..Trial::default()
     };
     let outcome = program.try_all_laws(&trial);
-    match lawful::explained(outcome, program.chapter, ReaderLanguage::Rust) {
+    match lawful::explained(outcome, program.chapter, Languages::Rust) {
         Err(Complaint::Broken(report)) => Some(report),
         _ => None,
     }

@@ -2,7 +2,7 @@
 //! answers are those of a known one.
 
 use laws::{ChapterScene, Report, Trial};
-use slips::{Chapter, ReaderLanguage, Slip, lawful};
+use slips::{Chapter, Languages, Slip, lawful};
 
 use crate::caught::{OUTCOMES, first_report};
 use suite::slip;
@@ -11,9 +11,7 @@ use suite::slip;
 /// among four that give the same answer to every question.
 #[test]
 fn the_first_broken_law_names_the_slip() {
-    let in_rust = OUTCOMES
-        .iter()
-        .filter(|it| it.slip.is_possible_in_language(ReaderLanguage::Rust));
+    let in_rust = OUTCOMES.iter().filter(|it| it.slip.is_possible_in_rust());
     let reported = in_rust.filter_map(|it| Some((it, it.report.as_deref()?)));
     let (named, missed): (Vec<_>, Vec<_>) = reported.partition(|(outcome, report)| {
         let mut mistakes = mistakes(report, outcome.chapter).into_iter();
@@ -45,7 +43,7 @@ fn a_mistake_without_a_name_is_found_too() {
 }
 
 fn mistakes(report: &Report, chapter: Chapter) -> Vec<&'static Slip> {
-    lawful::mistakes_with_answers(&report.answers, chapter, ReaderLanguage::Rust)
+    lawful::mistakes_with_answers(&report.answers, chapter, Languages::Rust)
 }
 
 /// A step on the way, for example, has another color on purpose.

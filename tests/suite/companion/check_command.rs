@@ -4,7 +4,7 @@ use std::fs::{self, File};
 
 use check::reading::read;
 use insta::assert_snapshot;
-use slips::{Chapter, PROBES};
+use slips::{Chapter, Languages, PROBES};
 use suite::command::{run, text};
 use suite::desk::Desk;
 use suite::drawn::p3;
@@ -140,7 +140,7 @@ fn every_probe_is_listed_with_what_to_change() {
     let desk = Desk::default();
     let probes = text(&desk.run("rtrace probes").stdout);
     for probe in PROBES {
-        let lines = probe.instructions(Chapter::HittableList, None);
+        let lines = probe.instructions(Chapter::HittableList, Languages::Both);
         let mut parts = lines.lines().chain([probe.name]);
         assert!(parts.all(|part| probes.contains(part)), "{probes}");
     }

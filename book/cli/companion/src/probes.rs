@@ -7,8 +7,7 @@ use check::names::companion_command;
 use check::task::Task;
 use clap::Args;
 use common::engine::output;
-use slips::Chapter;
-use slips::PROBES;
+use slips::{Chapter, Languages, PROBES};
 
 use crate::chapter::ChapterParser;
 
@@ -34,7 +33,9 @@ pub(crate) fn list(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     );
     for probe in PROBES {
         if Task::new(chapter, Some(probe)).is_some() {
-            let lines = probe.instructions(chapter, None).replace('\n', "\n    ");
+            let lines = probe
+                .instructions(chapter, Languages::Both)
+                .replace('\n', "\n    ");
             write!(text, "\n{}\n  {}\n    {lines}\n", probe.name, probe.shows)?;
         }
     }

@@ -96,6 +96,8 @@ pub enum RowKind {
     Or,
     /// A continuation of the row before, without a label.
     More,
+    /// The wrong line of the row before in Rust.
+    InRust,
     /// The right line in the place of the wrong one before.
     ShouldBe,
     /// A line that the reader's text lacks.
@@ -240,6 +242,7 @@ impl RowKind {
             Self::Probably => "probably",
             Self::Perhaps => "perhaps",
             Self::Or => "or",
+            Self::InRust => "in Rust",
             Self::ShouldBe => "should be",
             Self::Missing => "missing",
             Self::Why => "why",
@@ -266,6 +269,7 @@ impl RowKind {
                 | Self::Probably
                 | Self::Perhaps
                 | Self::Or
+                | Self::InRust
                 | Self::ShouldBe
                 | Self::Missing
         )

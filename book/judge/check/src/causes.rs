@@ -1,7 +1,7 @@
 //! The causes for which a picture is refused before its pixels are judged: its shape, its numbers,
 //! and what it shows.
 
-use slips::{ChapterProgram, Edition, ReaderLanguage, Slip};
+use slips::{ChapterProgram, Edition, Languages, Slip};
 
 use crate::reading::{Cause, Reading};
 use crate::task::Task;
@@ -122,9 +122,9 @@ pub(crate) fn invalid_levels(reading: &Reading) -> Option<Cause> {
 }
 
 /// Names the other task whose right picture this is, of `others`, at least one of one chapter.
-pub(crate) fn another(wanted: &Task, others: &[Task], language: Option<ReaderLanguage>) -> Cause {
+pub(crate) fn another(wanted: &Task, others: &[Task], languages: Languages) -> Cause {
     match others[0].chapter == wanted.chapter {
-        true => another_probe(wanted, others, language),
+        true => another_probe(wanted, others, languages),
         false => another_chapter(wanted, &others[0]),
     }
 }
@@ -148,7 +148,7 @@ fn another_chapter(wanted: &Task, other: &Task) -> Cause {
 }
 
 /// Names the probe whose picture this is, or the chapter itself, where a probe's was asked for.
-fn another_probe(wanted: &Task, others: &[Task], language: Option<ReaderLanguage>) -> Cause {
+fn another_probe(wanted: &Task, others: &[Task], languages: Languages) -> Cause {
     let own = wanted.chapter.name();
     let (problem, fix) = match (wanted.probe, others[0].probe) {
         (Some(probe), None) => (
@@ -159,7 +159,7 @@ fn another_probe(wanted: &Task, others: &[Task], language: Option<ReaderLanguage
             format!(
                 "change your program: {}; then {}",
                 wanted
-                    .change_lines(probe.width, language)
+                    .change_lines(probe.width, languages)
                     .replace('\n', "; "),
                 wanted.command()
             ),

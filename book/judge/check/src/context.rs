@@ -3,9 +3,8 @@
 
 use std::cell::OnceCell;
 
-use interpreter::SourceFile;
 use laws::Mismatch;
-use slips::{ChapterProgram, Edition, Probe, ReaderLanguage, Slip, SlipText};
+use slips::{ChapterProgram, Edit, Languages, Probe, Slip};
 
 use crate::blind_spots;
 use crate::candidate::Candidate;
@@ -22,9 +21,8 @@ pub type CompareAnswers<'a> = dyn Fn(&ChapterProgram) -> Mismatch + 'a;
 /// All that is known of a reader's program besides its picture; by default nothing.
 #[derive(Default)]
 pub struct Context<'a> {
-    /// The language in which the reader writes; `None` means the book's C++, in the edition of the
-    /// task.
-    pub language: Option<ReaderLanguage>,
+    /// The languages in which lines are shown.
+    pub languages: Languages,
     /// Returns true if the reader can have made the given slip (known mistake); `None` if every
     /// slip is possible.
     pub can_be_made: Option<&'a dyn Fn(&Slip) -> bool>,
@@ -45,29 +43,10 @@ pub struct Context<'a> {
 const REFUTING: usize = 50;
 
 impl Context<'_> {
-    /// Returns true if the reader's files follow version 4 of the book, as the chapters do: they
-    /// are a chapter's, or have names that no earlier version has.
-    pub(crate) fn follows_version_4(&self) -> bool {
-        let has_names =
-            |it: &SourceFile| it.text.contains("pixel_delta") || it.text.contains("pixel00");
-        self.sources.are_of_the_chapter() || self.sources.files().iter().any(has_names)
-    }
-
-    /// Returns the wrong line, the right line and the reason of a slip (known mistake) in the
-    /// chapter of the task, in the reader's language. A reader of Rust gets C++ if the edition of
-    /// the task is older and has another line.
-    pub fn slip_text(&self, slip: &Slip, task: &Task) -> SlipText {
-        let is_older = task.edition != Edition::V4;
-        let language = match self.language {
-            Some(ReaderLanguage::Python(_)) => ReaderLanguage::Python(task.edition),
-            // In Rust there are the lines of our chapters, which follow version 4.
-            Some(ReaderLanguage::Rust) if is_older && slip.has_older_line(task.chapter) => {
-                ReaderLanguage::Cpp(task.edition)
-            }
-            Some(language) => language,
-            None => ReaderLanguage::Cpp(task.edition),
-        };
-        slip.text_in(language, task.chapter)
+    /// Returns the line of a slip (known mistake), wrong and right, in the chapter of the task: in the
+    /// book's C++ and in Rust, or in Rust alone.
+    pub(crate) fn slip_lines(&self, slip: &Slip, task: &Task) -> Vec<Edit> {
+        slip.lines_in(self.languages, task.chapter)
     }
 
     /// Returns true if the reader can have made the slip, as far as is known: the field
@@ -80,7 +59,7 @@ impl Context<'_> {
     /// Returns true if the slip's line is wrong in the reader's files and right once they are
     /// repaired.
     pub(crate) fn is_mended(&self, slip: &Slip, task: &Task, repair: &Repair) -> bool {
-        let repaired = Sources::new(repair.files.clone(), Vec::new());
+        let repaired = Sources::of_chapter(repair.files.clone(), task.chapter);
         self.sources.slip_line(slip, task).status == LineStatus::Wrong
             && repaired.slip_line(slip, task).status == LineStatus::Right
     }

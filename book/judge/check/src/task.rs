@@ -8,7 +8,7 @@ use common::rtweekend::Picture;
 use crate::names::companion_command;
 use crate::pixels::{distance, spread};
 use crate::reading::Reading;
-use slips::{Chapter, ChapterProgram, Edition, Probe, ReaderLanguage, Slip, steps, width_line};
+use slips::{Chapter, ChapterProgram, Edition, Languages, Probe, Slip, steps, width_line};
 
 /// The picture that a reader was asked to draw: a chapter's, whole or as far as a step of it, with
 /// a [`Probe`] (a changed scene) or without, by one edition of the book, in the chapter's own shape
@@ -119,12 +119,11 @@ impl Task {
     }
 
     /// Returns instructions for a reader to change the chapter's program so that it draws the task
-    /// `width` pixels wide, in plain text, one per line; a probe has its own width instead. `None`
-    /// for the language gives the names of the book.
-    pub fn change_lines(&self, width: u32, language: Option<ReaderLanguage>) -> String {
+    /// `width` pixels wide, in plain text, one per line; a probe has its own width instead.
+    pub fn change_lines(&self, width: u32, languages: Languages) -> String {
         match self.probe {
-            Some(probe) => probe.instructions(self.chapter, language),
-            None => width_line(width, language),
+            Some(probe) => probe.instructions(self.chapter, languages),
+            None => width_line(width, languages),
         }
     }
 

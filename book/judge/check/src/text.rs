@@ -14,7 +14,7 @@ pub struct Style {
 }
 
 /// The most lines of an answer, so that it is read at one glance.
-pub const MOST_LINES: usize = 12;
+pub const MOST_LINES: usize = 16;
 
 /// Lays out an answer in at most `most` lines of `width` characters for a terminal: the headline,
 /// as many rows as there is room for, the pages to read, and what to do next. A `…` stands for rows

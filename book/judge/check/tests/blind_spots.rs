@@ -8,7 +8,7 @@ use check::png;
 use check::task::Task;
 use check::verdict::Verdict;
 use slips::Chapter;
-use slips::{self, PROBES, Probe, Slip, Unseen};
+use slips::{self, Languages, PROBES, Probe, Slip, Unseen};
 
 /// The width of a probe at which the height is rounded.
 const WIDTH: u32 = 227;
@@ -85,7 +85,9 @@ fn a_forgotten_change_is_recognized() {
             panic!("{} in {chapter:?}: {verdict:?}", probe.name);
         };
         assert_eq!(tasks[0].probe, None);
-        let lines = probe.instructions(chapter, None).replace('\n', "; ");
+        let lines = probe
+            .instructions(chapter, Languages::Both)
+            .replace('\n', "; ");
         assert!(cause.fix.contains(&lines), "{cause}");
     }
 }

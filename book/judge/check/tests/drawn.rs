@@ -5,9 +5,9 @@ use check::answer::{Row, RowKind};
 use check::context::Context;
 use check::judge;
 use check::reading::Reading;
-use check::sources::{SourceFile, Sources};
+use check::sources::Sources;
 use check::task::Task;
-use slips::{Chapter, ChapterProgram, Edit, ReaderLanguage};
+use slips::{Chapter, ChapterProgram, Edit, Languages};
 
 const GRADIENT: Chapter = Chapter::Gradient;
 const RED_SPHERE: Chapter = Chapter::RedSphere;
@@ -77,31 +77,16 @@ fn the_edit_that_draws_a_picture_is_among_at_most_three_that_are_named() {
 /// Many mistakes draw only sky: the one whose line stands in the file is named.
 #[test]
 fn of_all_edits_that_draw_only_sky_the_one_that_was_typed_is_named() {
-    const TYPED: &str = "\
-function hitSphere(center, radius, r) {
-  const oc = sub(center, r.origin);
-  const a = dot(r.direction, r.direction);
-  const b = -2.0 * dot(r.direction, oc);
-  const c = dot(oc, oc) - radius * radius;
-  const discriminant = b * b - 4 * a * c;
-  return discriminant >= 0;
-}
-";
-    for (right, wrong, line) in [
-        (
-            "oc.dot(oc) - radius",
-            "oc.dot(oc) + radius",
-            "dot(oc, oc) + radius * radius",
-        ),
-        ("b * b - 4.0 * a", "b / b - 4.0 * a", "b / b - 4 * a * c"),
+    for (right, wrong) in [
+        ("oc.dot(oc) - radius", "oc.dot(oc) + radius"),
+        ("b * b - 4.0 * a", "b / b - 4.0 * a"),
     ] {
-        let typed = match wrong {
-            "b / b - 4.0 * a" => TYPED.replace("b * b", "b / b"),
-            _ => TYPED.replace("oc) - radius", "oc) + radius"),
-        };
-        let sources = Sources::new(vec![SourceFile::new("red.js", typed)], Vec::new());
+        let mut files = slips::typed_files(RED_SPHERE);
+        // A function that is missing can't be run, so that no repair is tried.
+        files[0].text = files[0].text.replace(right, wrong) + "fn more() { missing() }";
+        let sources = Sources::of_chapter(files, RED_SPHERE);
         let rows = rows(RED_SPHERE, &picture(RED_SPHERE, right, wrong), sources);
-        assert!(rows[0].text.contains(line), "{rows:#?}");
+        assert!(rows[0].text.contains(wrong), "{rows:#?}");
     }
 }
 
@@ -112,7 +97,7 @@ fn picture(chapter: Chapter, right: &'static str, wrong: &'static str) -> Readin
 
 fn rows(chapter: Chapter, reading: &Reading, sources: Sources) -> Vec<Row> {
     let context = Context {
-        language: Some(ReaderLanguage::Rust),
+        languages: Languages::Rust,
         sources,
         ..Context::default()
     };

@@ -11,10 +11,10 @@ use check::reading::Reading;
 use check::sources::{SourceFile, Sources};
 use check::task::Task;
 use check::verdict::Verdict;
-use slips::{Chapter, ChapterProgram, ReaderLanguage, steps};
+use slips::{Chapter, ChapterProgram, Languages, steps};
 
 /// Right programs, each with a piece of its text and the wrong text that replaces it.
-const MISTAKES: [(Text, &str, &str); 56] = [
+const MISTAKES: [(Text, &str, &str); 52] = [
     (GRADIENT, "unit_direction.y + 1.0", "unit_direction.y - 1.0"),
     (GRADIENT, "unit_direction.y + 1.0", "unit_direction.z + 1.0"),
     (GRADIENT, "+ a * blue", "+ blue"),
@@ -69,10 +69,6 @@ const MISTAKES: [(Text, &str, &str); 56] = [
         "2.0 * ray.direction.dot(oc)",
     ),
     (HALF_B_SPHERE, "discriminant < 0.0", "discriminant > 0.0"),
-    (OWN_PRELUDE, "h * h - a * c", "h * h - a"),
-    (OWN_PRELUDE, "0.5 * (ray.direction", "(ray.direction"),
-    (OWN_PRELUDE, "+ self.y * other.y", "- self.y * other.y"),
-    (OWN_PRELUDE, "(right + down)", "(right - down)"),
     (
         HITTABLE_LIST,
         "ray.direction.dot(outward_normal) < 0.0",
@@ -152,18 +148,13 @@ struct Text {
     other: Option<&'static str>,
     /// The color of the sphere after a step; `None` for the whole chapter.
     color: Option<&'static str>,
-    /// True if the prelude is the reader's own, too.
-    has_a_prelude: bool,
 }
-
-const PRELUDE: &str = include_str!("../../interpreter/tests/texts/own_prelude.rs");
 
 const fn own(chapter: Chapter) -> Text {
     Text {
         chapter,
         other: None,
         color: None,
-        has_a_prelude: false,
     }
 }
 
@@ -172,7 +163,6 @@ const fn other(chapter: Chapter, text: &'static str) -> Text {
         chapter,
         other: Some(text),
         color: None,
-        has_a_prelude: false,
     }
 }
 
@@ -190,10 +180,6 @@ const GRAY_NORMALS: Text = Text {
 };
 const OTHER_NORMALS: Text = other(Chapter::Normals, include_str!("forms/normals.rs"));
 const HALF_B_SPHERE: Text = own(Chapter::HalfBSphere);
-const OWN_PRELUDE: Text = Text {
-    has_a_prelude: true,
-    ..HALF_B_SPHERE
-};
 const HITTABLE_LIST: Text = own(Chapter::HittableList);
 const OTHER_LIST: Text = other(
     Chapter::HittableList,
@@ -243,7 +229,7 @@ fn missed(&(text, right, wrong): &(Text, &str, &str)) -> Option<String> {
 
 #[test]
 fn a_right_program_in_another_form_gets_no_remark() {
-    for text in [OTHER_GRADIENT, OTHER_NORMALS, OTHER_LIST, OWN_PRELUDE] {
+    for text in [OTHER_GRADIENT, OTHER_NORMALS, OTHER_LIST] {
         assert_eq!(
             said(text.chapter, &text.files(), false),
             [Row::new(RowKind::Laws, "right")]
@@ -260,11 +246,6 @@ impl Text {
         if let Some(color) = self.color {
             let text = files[0].text.replace("0.5 * (normal + Vec3::ONE)", color);
             files[0].text = text.replace("let normal = (ray.at(t) - center).normalize();", "");
-        }
-        if self.has_a_prelude {
-            let import = "mod rtweekend;\nuse crate::rtweekend";
-            files[0].text = files[0].text.replace("use common::rtweekend", import);
-            files.push(SourceFile::new("src/rtweekend.rs", PRELUDE));
         }
         files
     }
@@ -286,7 +267,7 @@ fn said(chapter: Chapter, files: &[SourceFile], is_wrong: bool) -> Vec<Row> {
     };
     let context = Context {
         answers: is_hidden.then_some(&compare),
-        language: Some(ReaderLanguage::Rust),
+        languages: Languages::Rust,
         sources: Sources::of_chapter(files.to_vec(), chapter),
         // As in a crate of `start`, in which each step on the way is judged.
         steps: vec![false; steps::of_chapter(chapter).len()],

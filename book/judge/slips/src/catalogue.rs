@@ -51,10 +51,8 @@ fn read(paragraph: &'static str) -> Slip {
             Some(("only in", languages)) => slip.only_in = languages,
             Some(("equivalent", proof)) => slip.equivalent = proof,
             Some(("law", law)) => slip.law = law,
-            Some(("Rust", edit)) => slip.rust = Some(Edit::parse(edit)),
-            Some(("C++", edit)) => slip.cpp = Some(Edit::parse(edit)),
-            Some(("Python", edit)) => slip.python = Some(Edit::parse(edit)),
-            Some(("older", edit)) => slip.older = Some(Edit::parse(edit)),
+            Some((label, line)) if label.starts_with("Rust") => slip.rust.add(label, line),
+            Some((label, line)) if label.starts_with("C++") => slip.cpp.add(label, line),
             _ if line.contains('→') => slip.edits.push(Edit::parse(line)),
             _ => panic!("the catalogue says \"{line}\" of {name}"),
         }

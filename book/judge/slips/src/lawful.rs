@@ -21,9 +21,9 @@ use laws::{
 };
 
 use crate::chapter::Chapter;
+use crate::edit::Edit;
 use crate::program::ChapterProgram;
-use crate::reader_language::ReaderLanguage;
-use crate::slip::{Slip, SlipText};
+use crate::slip::{Languages, Slip};
 use crate::{all, unnamed};
 
 /// The most mistakes that a message names: a root can lose its sign in four places.
@@ -33,15 +33,15 @@ const NAMED: usize = 4;
 /// with this one slip gives all of these answers. At most four, those first that most people
 /// reported.
 ///
-/// Empty if the right program gives the answers, too, or if no slip does. Slips that `language`
-/// makes impossible are left out.
+/// Empty if the right program gives the answers, too, or if no slip does. If only
+/// Rust is shown, slips that it makes impossible are left out.
 ///
 /// # Panics
 /// If the chapter is not one of [`Chapter::OF_THE_BOOK`].
 pub fn mistakes_with_answers(
     answers: &Answers,
     chapter: Chapter,
-    language: ReaderLanguage,
+    languages: Languages,
 ) -> Vec<&'static Slip> {
     let gives_all = |program: &ChapterProgram| {
         answers.last_is_given_by(program) && answers.mismatch_with(program, 1).differing == 0
@@ -51,7 +51,8 @@ pub fn mistakes_with_answers(
     }
     let mut mistakes: Vec<&'static Slip> = all()
         .chain(unnamed())
-        .filter(|slip| slip.is_possible_in(chapter) && slip.is_possible_in_language(language))
+        .filter(|slip| slip.is_possible_in(chapter))
+        .filter(|slip| languages == Languages::Both || slip.is_possible_in_rust())
         .filter(|slip| gives_all(&slip.program(chapter)))
         .collect();
     mistakes.sort_by_key(|slip| Reverse(slip.report_count()));
@@ -60,20 +61,23 @@ pub fn mistakes_with_answers(
 }
 
 /// Fills [`Report::same_as`] with the slips that explain the function's answers: one line of text
-/// for each with its wrong and right code in `language`, then a line that says that each of them
+/// for each with its wrong and right code in each language, then a line that says that each of them
 /// gives every answer. Leaves the list empty if there is no such slip.
-pub fn explain(report: &mut Report, chapter: Chapter, language: ReaderLanguage) {
-    let mistakes = mistakes_with_answers(&report.answers, chapter, language);
-    let in_a_line = |slip: &&Slip| {
-        let SlipText { wrong, right, .. } = slip.text_in(language, chapter);
+pub fn explain(report: &mut Report, chapter: Chapter, languages: Languages) {
+    let mistakes = mistakes_with_answers(&report.answers, chapter, languages);
+    let in_lines = |slip: &&'static Slip| {
         let name = match slip.name {
             "" => String::new(),
             name => format!("{name}: "),
         };
-        let wrong = wrong.trim_end_matches(';');
-        format!("{name}{wrong}; should be: {right}")
+        let lines = slip.lines_in(languages, chapter).into_iter();
+        let begun = [name, "in Rust: ".to_owned()].into_iter().zip(lines);
+        begun.map(|(begin, Edit { right, wrong })| {
+            let wrong = wrong.trim_end_matches(';');
+            format!("{begin}{wrong}; should be: {right}")
+        })
     };
-    report.same_as = mistakes.iter().map(in_a_line).collect();
+    report.same_as = mistakes.iter().flat_map(in_lines).collect();
     report.same_as.extend(match mistakes.len() {
         0 => None,
         1 => Some("this mistake gives your answer to every question".to_owned()),
@@ -86,9 +90,9 @@ pub fn explain(report: &mut Report, chapter: Chapter, language: ReaderLanguage) 
 ///
 /// # Errors
 /// If the outcome is an error.
-pub fn explained(mut outcome: Outcome, chapter: Chapter, language: ReaderLanguage) -> Outcome {
+pub fn explained(mut outcome: Outcome, chapter: Chapter, languages: Languages) -> Outcome {
     if let Err(Complaint::Broken(report)) = &mut outcome {
-        explain(report, chapter, language);
+        explain(report, chapter, languages);
     }
     outcome
 }

@@ -5,7 +5,7 @@ use interpreter::Ball;
 use super::program::ChapterProgram;
 use crate::chapter::{Chapter, SphereCount};
 use crate::edit::Edit;
-use crate::reader_language::ReaderLanguage;
+use crate::slip::Languages;
 
 /// A small change of a chapter, of its width, spheres or focal length, that a reader makes to test
 /// a program: mistakes that the book's picture hides become visible in the changed one.
@@ -167,10 +167,9 @@ impl Probe {
     }
 
     /// Returns the instructions for a reader to make the change, in plain text, one per line: the
-    /// width, the focal length unless it is 1, and the spheres if they change. `language` is that
-    /// of the reader; `None` gives the names of the book.
-    pub fn instructions(&self, chapter: Chapter, language: Option<ReaderLanguage>) -> String {
-        let mut lines = vec![width_line(self.width, language)];
+    /// width, the focal length unless it is 1, and the spheres if they change.
+    pub fn instructions(&self, chapter: Chapter, languages: Languages) -> String {
+        let mut lines = vec![width_line(self.width, languages)];
         if self.focal_length != 1.0 {
             lines.push(format!("focal_length = {}", self.focal_length));
         }
@@ -198,11 +197,11 @@ fn of_ball(ball: &Ball) -> [String; 2] {
     ]
 }
 
-/// Returns the code, on one line, that draws a picture `width` pixels wide: `picture(227)` in Rust,
-/// where the package of a chapter has such a function, else `image_width = 227`, also for `None`.
-pub fn width_line(width: u32, language: Option<ReaderLanguage>) -> String {
-    match language {
-        Some(ReaderLanguage::Rust) => format!("picture({width})"),
-        _ => format!("image_width = {width}"),
+/// Returns the code, on one line, that draws a picture `width` pixels wide: `picture(227)` in Rust
+/// alone, where the package of a chapter has such a function, else `image_width = 227`.
+pub fn width_line(width: u32, languages: Languages) -> String {
+    match languages {
+        Languages::Rust => format!("picture({width})"),
+        Languages::Both => format!("image_width = {width}"),
     }
 }

@@ -1,17 +1,14 @@
 //! Mutation operators: known mistakes, here called slips, as edits of the chapters' texts, each
 //! with its explanation.
 
-use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::sync::{LazyLock, Mutex, PoisonError};
 
 use crate::chapter::Chapter;
 use crate::edit::Edit;
-use crate::edition::Edition;
 use crate::files::{path_in_workspace, program_files};
 use crate::probes::PROBES;
 use crate::program::ChapterProgram;
-use crate::reader_language::{ReaderLanguage, in_cpp, in_python};
 use crate::wrong_picture::kept;
 
 /// A line for each chapter and slip where the wrong picture equals the right one at the book's
@@ -37,32 +34,30 @@ pub struct Slip {
     pub(super) edits: Vec<Edit>,
     /// The issues that report the slip, with `, ` between them.
     pub(super) reported: &'static str,
-    /// The languages that let the slip be made, with `, ` between them; empty if all do.
+    /// The languages that let the slip be made, with `, ` between them; empty if Rust does, too.
     pub(super) only_in: &'static str,
     /// The proof that no picture shows the slip, or empty.
     pub(super) equivalent: &'static str,
     /// The law that shows the slip where no picture does, or empty.
     pub(super) law: &'static str,
-    /// The line in Rust, if not the chapter's.
-    pub(super) rust: Option<Edit>,
-    /// The line in C++, if it can't be translated.
-    pub(super) cpp: Option<Edit>,
-    /// The line in Python, if it can't be translated.
-    pub(super) python: Option<Edit>,
-    /// The line in editions before version 4, if it is another.
-    pub(super) older: Option<Edit>,
+    /// The line in Rust, where the statement that the edits change does not show it.
+    pub(super) rust: ChapterLines,
+    /// The line in C++, where it is not that in Rust.
+    pub(super) cpp: ChapterLines,
 }
 
-/// The explanation of a slip, with its line of code in the language of a reader.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct SlipText {
-    /// The line of code with the slip in it; empty if the slip leaves it out, or where
-    /// [`Slip::text_in`] finds none.
-    pub wrong: Cow<'static, str>,
-    /// The line of code as it should be; empty where [`Slip::text_in`] finds none.
-    pub right: Cow<'static, str>,
-    /// A sentence about the effect of the slip on the picture, and its reason.
-    pub why: &'static str,
+/// A line of code, right and wrong, by the chapters that have it.
+#[derive(Clone, Debug, Default)]
+pub(super) struct ChapterLines(Vec<(usize, Edit)>);
+
+/// The languages in which the line of a slip is shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Languages {
+    /// The book's C++ and Rust, to a reader whose language is not known.
+    #[default]
+    Both,
+    /// Only Rust, to a reader who types the chapters as they are here.
+    Rust,
 }
 
 /// The reason why a [`Slip`] (known mistake) changes neither the picture of a chapter nor that of a
@@ -76,96 +71,54 @@ pub enum Unseen {
     OnlyByLaw(&'static str),
 }
 
+impl ChapterLines {
+    /// Adds a line of the catalogue: `label` is `C++`, or `C++ 4` for chapter 4 and those after it.
+    pub(super) fn add(&mut self, label: &str, line: &'static str) {
+        let first = label.split_once(' ').map_or("0", |it| it.1);
+        let first = first
+            .parse()
+            .expect("a line begins with the number of a chapter");
+        self.0.push((first, Edit::parse(line)));
+    }
+
+    /// Returns the line of a chapter; `None` if the catalogue has none.
+    fn of(&self, chapter: Chapter) -> Option<&Edit> {
+        let mut lines = self.0.iter().rev();
+        lines.find(|it| it.0 <= chapter as usize).map(|it| &it.1)
+    }
+}
+
 impl Slip {
-    /// Returns the explanation for a reader who made the slip in a chapter, with its line in the
-    /// reader's language.
-    ///
-    /// Both lines are empty if the slip can't be made in the chapter and has no line of its own.
+    /// Returns the line of the slip, wrong and right, in a chapter: in the C++ of the book's version
+    /// 4 and in Rust, or in one of them where both are the same or only Rust is asked for.
     ///
     /// # Panics
-    /// If the chapter is not one of [`Chapter::OF_THE_BOOK`], and the slip has no line of its own.
-    pub fn text_in(&self, language: ReaderLanguage, chapter: Chapter) -> SlipText {
-        let Edit { right, wrong } = self.line(language, chapter);
-        SlipText {
-            wrong,
-            right,
-            why: self.why,
-        }
+    /// If the slip can't be made in the chapter.
+    pub fn lines_in(&self, languages: Languages, chapter: Chapter) -> Vec<Edit> {
+        let made = || self.statement(chapter).expect("the slip can be made there");
+        let rust = self.rust.of(chapter).cloned().unwrap_or_else(made);
+        let cpp = self
+            .cpp
+            .of(chapter)
+            .filter(|_| languages == Languages::Both);
+        cpp.cloned().into_iter().chain([rust]).collect()
     }
 
-    /// Returns the line of the slip, right and wrong, in a reader's language.
-    fn line(&self, language: ReaderLanguage, chapter: Chapter) -> Edit {
-        let edition = language.edition();
-        let own = match language {
-            _ if edition != Edition::V4 && self.older.is_some() => &self.older,
-            ReaderLanguage::Rust => &self.rust,
-            ReaderLanguage::Cpp(_) => &self.cpp,
-            ReaderLanguage::Python(_) => &self.python,
-        };
-        let of_chapter = || {
-            let statement = self.statement(chapter, edition);
-            let statement = statement.or_else(|| self.statement(chapter, Edition::V4));
-            self.rust.clone().or(statement).unwrap_or_default()
-        };
-        let made =
-            |line: Edit, to: &dyn Fn(&str) -> String| Edit::new(to(&line.right), to(&line.wrong));
-        let translated = || match language {
-            ReaderLanguage::Rust => of_chapter(),
-            ReaderLanguage::Cpp(_) => made(of_chapter(), &|line| in_cpp(line, chapter)),
-            ReaderLanguage::Python(_) => {
-                made(self.line(ReaderLanguage::Cpp(edition), chapter), &in_python)
-            }
-        };
-        match own {
-            Some(line) if line.right.is_empty() => {
-                Edit::new(translated().right, line.wrong.clone())
-            }
-            Some(line) if matches!(language, ReaderLanguage::Python(_)) => {
-                made(line.clone(), &in_python)
-            }
-            Some(line) => line.clone(),
-            None => translated(),
-        }
-    }
-
-    /// Finds the statement that the slip changes in an edition's text of a chapter, right and wrong,
-    /// each on one line.
-    fn statement(&self, chapter: Chapter, edition: Edition) -> Option<Edit> {
+    /// Finds the statement that the slip changes in a chapter, right and wrong, each on one line.
+    fn statement(&self, chapter: Chapter) -> Option<Edit> {
         /// Statements that were found, by the slip's name and reason, since some have no name.
-        type Known = BTreeMap<(&'static str, &'static str, Chapter, Edition), Option<Edit>>;
+        type Known = BTreeMap<(&'static str, &'static str, Chapter), Option<Edit>>;
         static KNOWN: LazyLock<Mutex<Known>> = LazyLock::new(Mutex::default);
         let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
-        let statement = || edition.program(chapter).statement_with(&self.edits);
-        let key = (self.name, self.why, chapter, edition);
+        let statement = || ChapterProgram::right(chapter).statement_with(&self.edits);
+        let key = (self.name, self.why, chapter);
         known.entry(key).or_insert_with(statement).clone()
     }
 
-    /// Returns true if a programming language lets the slip be made, as all do if the catalogue
-    /// names none. Not every language accepts a number as a condition, for instance, or a function
-    /// that returns −1.0 for a miss.
-    pub fn is_possible_in_language(&self, language: ReaderLanguage) -> bool {
-        let language = match language {
-            ReaderLanguage::Rust => "Rust",
-            ReaderLanguage::Cpp(_) => "C++",
-            ReaderLanguage::Python(_) => "Python",
-        };
-        self.only_in.is_empty() || self.only_in.split(", ").any(|it| it == language)
-    }
-
-    /// Returns true if the line of the slip in a chapter's C++ is different in editions before
-    /// version 4.
-    pub fn has_older_line(&self, chapter: Chapter) -> bool {
-        let [older, own] =
-            [Edition::V3, Edition::V4].map(|it| self.line(ReaderLanguage::Cpp(it), chapter));
-        older != own
-    }
-
-    /// Returns true if the wrong line of a chapter's C++ is the right one in editions before
-    /// version 4.
-    pub fn is_of_another_edition(&self, chapter: Chapter) -> bool {
-        let line = |edition| self.line(ReaderLanguage::Cpp(edition), chapter);
-        let [older, own] = [Edition::V3, Edition::V4].map(line);
-        older.right == own.wrong
+    /// Returns true if Rust lets the slip be made. It accepts no number as a condition, for
+    /// instance, as C++ does.
+    pub fn is_possible_in_rust(&self) -> bool {
+        self.only_in.is_empty()
     }
 
     /// Returns the number of issues in which people report that they made the slip; 0 if none is
@@ -198,7 +151,7 @@ impl Slip {
     /// # Panics
     /// If the chapter is not one of [`Chapter::OF_THE_BOOK`].
     pub fn is_possible_in(&self, chapter: Chapter) -> bool {
-        self.statement(chapter, Edition::V4).is_some()
+        self.statement(chapter).is_some()
     }
 
     /// Lists the chapters of the book, 0 to 5, in which the slip can be made, in reading order.

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use check::{FileEdit, edits_everywhere};
 use interpreter::FaultKind;
-use slips::{Chapter, ReaderLanguage};
+use slips::Chapter;
 
 use crate::typed::Draft;
 use crate::words::words;
@@ -173,9 +173,7 @@ impl WordEdit {
 /// Lists the known slips that are one edit of one place of the chapter's text, each as an edit of a
 /// whole file, with the slip's name.
 fn known(chapter: Chapter, draft: &Draft) -> Vec<(FileEdit, Option<&'static str>)> {
-    let is_typed = |slip: &&slips::Slip| {
-        slip.is_typed_in(chapter) && slip.is_possible_in_language(ReaderLanguage::Rust)
-    };
+    let is_typed = |slip: &&slips::Slip| slip.is_typed_in(chapter) && slip.is_possible_in_rust();
     let edits = slips::all().filter(is_typed).filter_map(|slip| {
         let edit = slip.only_edit(chapter)?;
         let files = draft.files.iter().enumerate();

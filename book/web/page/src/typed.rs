@@ -20,7 +20,7 @@ use common::rtweekend::*;
 use interpreter::{Fault, FaultKind, SourceFile, SourceSpan};
 use laws::answers::Answers;
 use laws::{Complaint, Trial};
-use slips::{Chapter, ChapterProgram, ReaderLanguage, Slip, lawful, steps};
+use slips::{Chapter, ChapterProgram, Languages, Slip, lawful, steps};
 
 use crate::habits;
 use crate::typing::Caret;
@@ -181,11 +181,10 @@ impl Draft {
         let compare = |program: &ChapterProgram| {
             lawful::mismatch_with(&answers, self.chapter, program, MOST_UNLIKE)
         };
-        let can_be_made = |slip: &Slip| {
-            slip.is_possible_in_language(ReaderLanguage::Rust) && slip.is_typed_in(self.chapter)
-        };
+        let can_be_made =
+            |slip: &Slip| slip.is_possible_in_rust() && slip.is_typed_in(self.chapter);
         let context = Context {
-            language: Some(ReaderLanguage::Rust),
+            languages: Languages::Rust,
             can_be_made: Some(&can_be_made),
             sources: Sources::of_chapter(self.files.clone(), self.chapter),
             answers: laws.is_some().then_some(&compare),
@@ -335,7 +334,7 @@ fn laws_of(program: &ChapterProgram) -> Option<LawsStatus> {
     };
     let outcome = program.try_laws(&trial);
     Some(
-        match lawful::explained(outcome, program.chapter, ReaderLanguage::Rust) {
+        match lawful::explained(outcome, program.chapter, Languages::Rust) {
             Ok(()) => LawsStatus::Obeyed,
             Err(Complaint::Broken(report)) => LawsStatus::Broken(report),
             Err(Complaint::NotWritten(place)) => LawsStatus::NotWritten(place),

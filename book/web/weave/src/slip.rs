@@ -7,7 +7,7 @@ use base64::prelude::{BASE64_STANDARD, Engine as _};
 use check::png;
 use common::rtweekend::Picture;
 use rayon::prelude::*;
-use slips::{Chapter, Edition, ReaderLanguage, Slip, SlipText, Unseen, WrongPicture};
+use slips::{Chapter, Edit, Edition, Languages, Slip, Unseen, WrongPicture};
 
 use crate::ground::{escaped, read, split};
 
@@ -21,10 +21,9 @@ pub(crate) fn slip(name: &str, chapter: &str) -> Result<String, String> {
         .filter(|chapter| slip.is_possible_in(*chapter))
         .ok_or_else(|| format!("`{name}` can't be made in a chapter `{chapter}`"))?;
     let picture = slip.program(chapter).run(chapter.book_width()).picture();
-    let why = slip.text_in(ReaderLanguage::Cpp(Edition::V4), chapter).why;
     Ok(format!(
         "<figure>{}<figcaption><a href=\"{PAGE}.html#{name}\">{name}</a> in <code>{}</code></figcaption></figure>",
-        image(&picture, &format!("What {name} draws: {why}")),
+        image(&picture, &format!("What {name} draws: {}", slip.why)),
         chapter.name()
     ))
 }
@@ -192,10 +191,16 @@ fn id(slip: &Slip, wrong: &WrongPicture) -> String {
 fn item(slip: &Slip, id: &str) -> String {
     let name = slip.name;
     let first = slip.chapters().next().unwrap_or(Chapter::HittableList);
-    let SlipText { wrong, right, why } = slip.text_in(ReaderLanguage::Cpp(Edition::V4), first);
+    let lines = slip.lines_in(Languages::Both, first).into_iter();
+    let begun = ["", "; in Rust "].into_iter().zip(lines);
+    let lines = begun.map(|(begin, Edit { right, wrong })| match &*wrong {
+        "" => format!("{begin}`{right}` is left out"),
+        _ => format!("{begin}`{wrong}` should be `{right}`"),
+    });
+    let (lines, why) = (lines.collect::<String>(), slip.why);
     let (page, heading) = slip.page_and_heading();
     format!(
-        "* `{wrong}` should be `{right}`. {why} \
+        "* {lines}. {why} \
          <span id=\"{id}\">*{name}*</span>, see [{page}]({page}.md#{heading})"
     )
 }

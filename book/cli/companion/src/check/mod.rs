@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
 
-use check::answer::{Answer, Row, RowKind};
+use check::answer::Answer;
 use check::attempt::Attempt;
 use check::context::Context;
 use check::html::{self, HostPage};
@@ -21,15 +21,14 @@ use check::{guess, judge, judge_guessed};
 use clap::Args;
 use clap::builder::TypedValueParser;
 use common::engine::output;
-use slips::{Chapter, Edition, PROBES, Probe, Slip};
+use slips::{Chapter, Edition, PROBES, Probe};
 
 use input::PictureInput;
 
 use crate::chapter::{ChapterOrPicture, ChapterOrPictureParser, parser_of_names};
+use crate::files;
 use crate::misuse::complain;
-use crate::sources::FoundSources;
 use crate::wrap::lay_out;
-use crate::{files, sources};
 
 /// The arguments of `cargo rtrace check`.
 #[derive(Args)]
@@ -85,28 +84,11 @@ fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
         files::refuse_strangers(folder, REPORT)?;
     }
     let task = chapter.map(|chapter| arguments.task(chapter)).transpose()?;
-    // What a program is made of may lie beside it.
-    let found = match source {
-        PictureInput::File(picture) => sources::beside_picture(picture),
-        PictureInput::Stdin => FoundSources::default(),
-        PictureInput::Program(words) => sources::of_program(words, Path::new(".")),
-    };
-    let language = found.reader_language();
-    let can_be_made =
-        |slip: &Slip| language.is_none_or(|language| slip.is_possible_in_language(language));
-    let context = Context {
-        language,
-        sources: found.sources,
-        can_be_made: Some(&can_be_made),
-        ..Context::default()
-    };
+    let context = Context::default();
     let (attempt, verdict) = arguments.judged(task, &source, &context)?;
     let chapter = attempt.task.chapter;
     let code = verdict.exit_code();
-    let why_none = found.why_none.filter(|_| verdict.finding().is_some());
     let answer = attempt.answer(verdict);
-    let why_none = why_none.map(|why| Row::new(RowKind::Besides, why));
-    let answer = answer.with(why_none);
     let page = arguments.report.as_deref();
     let page = page.map(|folder| report(folder, chapter, &answer));
     let mut said = lay_out(&answer);

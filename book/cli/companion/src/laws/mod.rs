@@ -18,13 +18,11 @@ use check::names;
 use clap::Args;
 use common::engine::output;
 use common::rtweekend::*;
-use language::Language;
-use slips::{Chapter, Edition, ReaderLanguage, lawful};
+use slips::{Chapter, Languages, lawful};
 
 use crate::chapter::ChapterParser;
 use crate::check::parse_seconds;
 use crate::reader_crates::shell_word;
-use crate::sources;
 use dialogue::{Dialogue, DialogueFailure};
 
 /// The arguments of `cargo rtrace laws`.
@@ -130,18 +128,6 @@ impl<'a> Interview<'a> {
         }
     }
 
-    /// Returns the language in which mistakes are shown: that of the source file that the command
-    /// names, or else C++.
-    fn reader_language(&self) -> ReaderLanguage {
-        let mut words = self.arguments.program.iter();
-        let named = words.find_map(|word| sources::language(word.as_ref()));
-        match named {
-            Some(Language::Rust) => ReaderLanguage::Rust,
-            Some(Language::Python) => ReaderLanguage::Python(Edition::V4),
-            _ => ReaderLanguage::Cpp(Edition::V4),
-        }
-    }
-
     /// Asks two easy questions first: a ray from the eye past the ball, which shows the program's
     /// word for a miss, and one to the ball. Both are short enough to be typed by hand. Returns the
     /// last question.
@@ -228,7 +214,7 @@ impl<'a> Interview<'a> {
                 .answers
                 .given
                 .retain(|it| !self.may_be_both(&it.question));
-            lawful::explain(&mut report, self.arguments.chapter, self.reader_language());
+            lawful::explain(&mut report, self.arguments.chapter, Languages::Both);
         }
         let mut rows = report.rows();
         if let Some(besides) = &besides {

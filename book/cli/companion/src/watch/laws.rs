@@ -8,7 +8,7 @@ use std::time::Duration;
 use ::laws::answers::{ANSWERS_VARIABLE, AnswerFile, Answers, FunctionOutcome};
 use ::laws::{Complaint, Outcome};
 use check::attempt::LawsStatus;
-use slips::{Chapter, ReaderLanguage, lawful};
+use slips::{Chapter, Languages, lawful};
 
 use crate::limited;
 use crate::subprocess::{self, ProgramEnd};
@@ -74,7 +74,7 @@ pub(super) fn run_laws_test(
         outcome: match worst(complaints) {
             Some(it) => of_first(
                 &it.function,
-                lawful::explained(it.outcome, chapter, ReaderLanguage::Rust),
+                lawful::explained(it.outcome, chapter, Languages::Rust),
             ),
             None if status.success() => LawsStatus::Obeyed,
             None => LawsStatus::Unknown(errors),

@@ -27,7 +27,7 @@ use check::task::Task;
 use clap::Args;
 use common::engine::output;
 use common::rtweekend::Picture;
-use slips::{Chapter, ChapterProgram, Probe, ReaderLanguage, Slip, lawful, steps};
+use slips::{Chapter, ChapterProgram, Languages, Probe, Slip, lawful, steps};
 
 use crate::chapter::ChapterParser;
 use crate::check::{parse_seconds, probe_parser};
@@ -255,11 +255,10 @@ impl WatchedProgram {
     ) -> Result<Answer, NoVerdict> {
         let chapter = self.task.chapter;
         let is_crate = built.is_some();
-        let (sources, language) = self.sources_and_language();
         let has_own_prelude = self.folder.join("src/rtweekend.rs").exists();
         let can_be_made = |slip: &Slip| {
-            language.is_none_or(|language| slip.is_possible_in_language(language))
-                && (!is_crate || has_own_prelude || slip.is_typed_in(chapter))
+            let is_typed = has_own_prelude || slip.is_typed_in(chapter);
+            !is_crate || slip.is_possible_in_rust() && is_typed
         };
         let warnings = built.map_or_else(Vec::new, |it| it.warnings);
         let asks = is_crate && !self.is_before_the_laws(bytes);
@@ -269,9 +268,15 @@ impl WatchedProgram {
             |program: &ChapterProgram| lawful::mismatch_with(answers, chapter, program, MOST_UNLIKE)
         });
         let context = Context {
-            language,
+            languages: match is_crate {
+                true => Languages::Rust,
+                false => Languages::Both,
+            },
             can_be_made: Some(&can_be_made),
-            sources,
+            sources: match is_crate {
+                true => sources::of_crate(&self.folder, chapter),
+                false => Sources::default(),
+            },
             answers: compare.as_ref().map(|compare| compare as _),
             warnings,
             steps: self.done_steps(),
@@ -293,17 +298,6 @@ impl WatchedProgram {
             answer.rows.push(laws_hint(chapter));
         }
         Ok(answer)
-    }
-
-    /// Finds the reader's source files, and the language in which an answer shows lines.
-    fn sources_and_language(&self) -> (Sources, Option<ReaderLanguage>) {
-        if self.program.is_empty() {
-            let sources = sources::of_crate(&self.folder, self.task.chapter);
-            return (sources, Some(ReaderLanguage::Rust));
-        }
-        let found = sources::of_program(&self.program, &self.folder);
-        let language = found.reader_language();
-        (found.sources, language)
     }
 
     /// Returns for each step of the chapter true if it is on the list of done things; empty for a

@@ -69,11 +69,6 @@ impl Finding {
         if self.task.step() != step || is_exact(&self) && self.is_answered {
             return self;
         }
-        // A slip's line in another language is said in that.
-        let is_found = |slip: &&Slip| context.wrong_line(slip, &self.task).is_some();
-        if sources.in_rust().is_empty() && self.only_mistake().iter().any(is_found) {
-            return self;
-        }
         let Some(repair) = evidence.repair().cloned() else {
             return self;
         };

@@ -31,13 +31,13 @@ pub fn judge_file(task: &Task, bytes: &[u8], tolerance: u8, context: &Context) -
 ///
 /// The picture is right if an edition of the book draws it with every color component at most
 /// `tolerance` levels off (0 asks for equality), unless the reader's functions answer otherwise
-/// than the chapter's and a mistake or a repair explains that. Files that follow version 4, as
-/// `context` tells, are judged by that edition alone.
+/// than the chapter's and a mistake or a repair explains that. A reader's files are judged by
+/// version 4 alone.
 pub fn judge(task: &Task, reading: &Reading, tolerance: u8, context: &Context) -> Verdict {
     let newest = task.only_by_edition(Edition::V4);
-    let task = match context.follows_version_4() {
-        true => &newest,
-        false => task,
+    let task = match context.sources.is_empty() {
+        true => task,
+        false => &newest,
     };
     if let Some(cause) = causes::invalid_levels(reading) {
         let finding = Finding::of(task, reading, context).ok();
@@ -62,7 +62,7 @@ pub fn judge(task: &Task, reading: &Reading, tolerance: u8, context: &Context) -
         },
         shape => match Finding::of(task, reading, context) {
             Err(tasks) => Verdict::Another {
-                cause: causes::another(task, &tasks, context.language),
+                cause: causes::another(task, &tasks, context.languages),
                 tasks,
             },
             Ok(finding) => match (shape, &finding.almost_right) {

@@ -14,7 +14,7 @@ use super::mutation;
 use super::tree::squeezed;
 use crate::pixels::{distance, spread};
 use crate::reading::Reading;
-use crate::sources::{CorrectedLine, LineComparison, LineStatus, StatementDiff, Transplant};
+use crate::sources::{CorrectedLine, LineComparison, LineStatus, StatementDiff};
 
 /// The number of wrong pixels, and of right ones, that are compared first.
 const FIRST: u32 = 24;
@@ -80,24 +80,6 @@ pub(super) struct PictureSearch<'a> {
 }
 
 impl<'a> PictureSearch<'a> {
-    /// Finds the reader's line that makes the chapter's program draw the picture when it is put
-    /// there. Of several, as where only sky is drawn, one that has the purpose of the chapter's
-    /// line; `None` if that does not decide.
-    pub(super) fn transplanted(&self) -> Option<CorrectedLine> {
-        let all = self.lines.transplants().into_iter();
-        let found: Vec<_> = all.filter(|it| self.is_drawn_with(it)).collect();
-        let is_one = |all: &[Transplant]| all.iter().all(|it| it.yours.line == all[0].yours.line);
-        let mut same = found.iter().filter(|it| it.has_same_role);
-        let only = || found.first().filter(|_| is_one(&found));
-        same.next().or_else(only).map(|it| it.yours.clone())
-    }
-
-    /// Returns true if the program with a transplant draws the picture.
-    fn is_drawn_with(&self, it: &Transplant) -> bool {
-        let program = self.right.with_function(&it.function, &it.text);
-        program.is_some_and(|it| self.may_draw(&it) && self.draws(&it))
-    }
-
     /// Finds the single edits that draw the picture and that the reader's lines do not rule out.
     ///
     /// Where no lines are known, the search ends once so many are found that they tell nothing.
@@ -113,8 +95,7 @@ impl<'a> PictureSearch<'a> {
             if !seen.insert((&function.name, text.clone())) {
                 continue;
             }
-            let change =
-                StatementDiff::of([(&*function.name, &*function.text, &*text)].into_iter());
+            let change = StatementDiff::of([(&*function.text, &*text)].into_iter());
             let said = self.lines.status(&change);
             if said == LineStatus::Right {
                 continue;

@@ -11,20 +11,16 @@ use slips::{Chapter, lawful};
 
 use crate::pixels::spread;
 use crate::reading::Reading;
-use crate::task::Task;
 
 /// The number of wrong pixels, and of right ones, that are compared first.
 pub(super) const LOOKED: u32 = 100;
 /// The most pixels of a picture that a repaired program has to draw; of a larger picture they are a
 /// sample.
 pub(super) const DRAWN: u32 = 100_000;
-/// The width in pixels of the picture that the reader's own loop draws for each text that is tried.
-const SMALL: u32 = 24;
 /// One in so many questions of [`lawful::questions`] is asked.
 const ASKED: usize = 3;
 
-/// The test that a right program passes: pixels, answers, and maybe a small picture by its own
-/// loop.
+/// The test that a right program passes: pixels, and answers.
 pub(super) struct Goal {
     /// The width of the picture in pixels.
     width: u32,
@@ -36,9 +32,6 @@ pub(super) struct Goal {
     chapter: Chapter,
     /// The answers of the right program; empty if no questions are asked.
     answers: Answers,
-    /// The picture that the reader's own loop has to draw, [`SMALL`] pixels wide; `None` if it need
-    /// not.
-    small: Option<Picture>,
 }
 
 /// Returns true if a program draws a picture, judged by `count` of its pixels.
@@ -89,14 +82,7 @@ impl Goal {
             all: spread(DRAWN, total).map(pixel).collect(),
             chapter,
             answers: Answers::default(),
-            small: None,
         }
-    }
-
-    /// Adds that the reader's own loop over all pixels has to draw a small picture of the task.
-    pub(super) fn looping(self, task: &Task) -> Self {
-        let small = Some(task.right_picture(SMALL, task.height(SMALL)));
-        Self { small, ..self }
     }
 
     /// Adds that questions have to be answered as by this right program.
@@ -113,15 +99,10 @@ impl Goal {
         self.answers.mismatch_with(&program, 1).differing == 0
     }
 
-    /// Returns true if a program reaches the goal: it draws the pixels, gives the answers, and
-    /// draws the small picture by its own loop if there is one.
+    /// Returns true if a program reaches the goal: it draws the pixels and gives the answers.
     pub(super) fn is_met_by(&self, program: &Program) -> bool {
         let has = |pixels: &[ExpectedPixel]| has_pixels(program, self.width, pixels);
-        let loops = |small: &Picture| program.draw(SMALL).is_ok_and(|it| it == *small);
-        has(&self.sample)
-            && self.small.as_ref().is_none_or(loops)
-            && self.is_answered_by(program)
-            && has(&self.all)
+        has(&self.sample) && self.is_answered_by(program) && has(&self.all)
     }
 }
 

@@ -19,18 +19,15 @@ mod repair;
 mod roots;
 mod tree;
 
-use std::cmp::Reverse;
-
-use slips::Edition;
-
 use crate::reading::Reading;
-use crate::sources::{LineComparison, Sources};
+use crate::sources::Sources;
 use crate::task::Task;
 pub use everywhere::{FileEdit, edits_everywhere};
 use forwards::PictureSearch;
 pub(crate) use forwards::{DrawingMutants, Mutant};
 use functions::functions;
 pub(crate) use repair::{Correction, LineChange, Repair};
+pub(crate) use tree::squeezed;
 
 /// The most pixels of a picture for which edits are searched, since each edit has to draw it.
 const LARGEST: usize = 500_000;
@@ -41,34 +38,13 @@ pub(crate) fn drawn(task: &Task, reading: &Reading, sources: &Sources) -> Drawin
     if task.probe.is_some() || reading.pixels.len() > LARGEST {
         return DrawingMutants::default();
     }
-    searched(task, reading, sources, |it| Some(it.mutants())).unwrap_or_default()
-}
-
-/// Runs a search on the program of the edition whose statements the reader's files have most of;
-/// without files on the task's own program.
-fn searched<T>(
-    task: &Task,
-    reading: &Reading,
-    sources: &Sources,
-    search: impl Fn(&PictureSearch) -> Option<T>,
-) -> Option<T> {
-    let programs = match sources.typed().is_empty() {
-        true => vec![task.program(&[])],
-        false => [Edition::V4, Edition::V3]
-            .map(|it| it.program(task.chapter))
-            .to_vec(),
-    };
-    let functions: Vec<_> = programs.iter().map(|it| functions(it.code())).collect();
-    let lines = programs
-        .iter()
-        .map(|it| LineComparison::new(it.functions(), sources.typed()));
-    let all = programs.iter().zip(&functions).zip(lines);
-    let ((right, functions), lines) = all.min_by_key(|(_, lines)| Reverse(lines.count()))?;
-    search(&PictureSearch {
-        right,
+    let right = task.program(&[]);
+    let search = PictureSearch {
         reading,
-        functions,
-        lines: &lines,
-        places: forwards::places(right, reading),
-    })
+        functions: &functions(right.code()),
+        lines: &sources.beside(&right),
+        places: forwards::places(&right, reading),
+        right: &right,
+    };
+    search.mutants()
 }

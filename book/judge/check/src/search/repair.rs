@@ -11,20 +11,19 @@ use interpreter::{Program, SourceFile};
 use super::backwards::{Fix, RepairSearch};
 use super::functions::{RustFn, functions, with};
 use super::goal::{self, Goal};
-use super::searched;
 use super::tree::squeezed;
 use crate::reading::Reading;
 use crate::sources::{SourceLine, Sources};
 use crate::task::Task;
 
-/// A set of changes that makes a reader's wrong program right. In Rust it was tried: the changed
-/// program draws the right picture and, unless a [`Probe`](slips::Probe) is drawn, its functions
+/// A set of changes that makes a reader's wrong program right. It was tried: the changed program
+/// draws the right picture and, unless a [`Probe`](slips::Probe) is drawn, its functions
 /// answer as the chapter's do.
 #[derive(Clone, Debug)]
 pub struct Repair {
     /// The lines to change, function by function and in each from the top; never empty.
     pub changes: Vec<LineChange>,
-    /// The reader's files with all changes, without `main.rs`; empty if the program is not in Rust.
+    /// The reader's files with all changes, without `main.rs`.
     pub(crate) files: Vec<SourceFile>,
     /// True if the picture was right before, and hid the mistake.
     pub(crate) is_hidden: bool,
@@ -47,16 +46,12 @@ pub struct LineChange {
 /// Code of several lines is joined to one.
 #[derive(Clone, Debug)]
 pub enum Correction {
-    /// Code in Rust that replaces the line.
+    /// Code that replaces the line.
     Instead(String),
-    /// Code in Rust to insert above the line, which stays as it is.
+    /// Code to insert above the line, which stays as it is.
     Above(String),
     /// An instruction to delete the line.
     LeaveOut,
-    /// Code that replaces the line, in the reader's language, which is not Rust. It was tried in
-    /// another way: the chapter's program draws the reader's wrong picture with the reader's line
-    /// in it.
-    InOwnLanguage(String),
 }
 
 impl Repair {
@@ -66,39 +61,20 @@ impl Repair {
         changes.all(|it| matches!(it.correction, Correction::Instead(_)))
     }
 
-    /// Finds the line, in another language than Rust, that makes the chapter's program draw the
-    /// picture.
-    fn transplanted(task: &Task, reading: &Reading, sources: &Sources) -> Option<Self> {
-        let found = searched(task, reading, sources, |it| it.transplanted())?;
-        Some(Self {
-            changes: vec![LineChange {
-                line: found.line,
-                correction: Correction::InOwnLanguage(found.right),
-            }],
-            files: Vec::new(),
-            is_hidden: false,
-            step: None,
-        })
-    }
-
     /// Finds the smallest change of the reader's files that makes the program right, which now
     /// draws this picture, for the task or for one of the first `steps` steps on the way to it.
     ///
-    /// Of files in other languages than Rust a line is tried in the chapter's program. Returns
-    /// `None` if no file is known, or if the program can't be read, draws another picture, is
-    /// right, or becomes right by no edit that was tried.
+    /// Returns `None` if no file is known, or if the program can't be read, has vectors and rays of
+    /// its own, draws another picture, is right, or becomes right by no edit that was tried.
     pub(crate) fn find(
         task: &Task,
         reading: &Reading,
         sources: &Sources,
         steps: usize,
     ) -> Option<Self> {
-        let files = sources.in_rust();
-        if sources.is_empty() || files.is_empty() && task.probe.is_some() {
-            return None;
-        }
+        let files = sources.of_the_library();
         if files.is_empty() {
-            return Self::transplanted(task, reading, sources);
+            return None;
         }
         let reader = ReaderProgram::read(&files, reading)?;
         let right = slips::ChapterProgram::right(task.chapter);
@@ -106,8 +82,8 @@ impl Repair {
         let (task, goal) = match reader.step(task, reading, &chapter, steps) {
             Some(found) => found,
             // No questions are known about the scene of a probe.
-            None if task.probe.is_some() => (*task, reader.goal(task, reading)),
-            None => (*task, reader.goal(task, reading).asking(right.code())),
+            None if task.probe.is_some() => (*task, goal_of(task, reading)),
+            None => (*task, goal_of(task, reading).asking(right.code())),
         };
         let is_hidden = right_picture(&task, reading) == reading.picture();
         if is_hidden && goal.is_answered_by(&reader.program) {
@@ -137,40 +113,31 @@ fn right_picture(task: &Task, reading: &Reading) -> Picture {
     task.right_picture(reading.width, task.height(reading.width))
 }
 
+/// Makes the goal of a task: to draw its right picture.
+fn goal_of(task: &Task, reading: &Reading) -> Goal {
+    Goal::new(task.chapter, &right_picture(task, reading), reading)
+}
+
 /// A reader's program that draws the picture that is judged.
 struct ReaderProgram {
     /// The program as the interpreter runs it.
     program: Program,
     /// The functions of the program.
     functions: Vec<RustFn>,
-    /// True if the files have a loop over all pixels, and the interpreter can run it.
-    has_own_loop: bool,
 }
 
 impl ReaderProgram {
     /// Reads the program of these files, if it draws this picture.
     fn read(files: &[SourceFile], reading: &Reading) -> Option<Self> {
+        // A prelude of the reader's own is left to its laws.
+        if files.iter().any(|it| it.text.contains("struct Ray")) {
+            return None;
+        }
         let program = interpreter::read(files).ok()?;
-        let has_a_loop = files.iter().any(|it| it.text.contains("struct Ray"));
-        let draws = || {
-            let picture = program.draw(reading.width);
-            picture.is_ok_and(|it| it == reading.picture())
-        };
-        let is_it = goal::draws(&program, reading, goal::LOOKED) || has_a_loop && draws();
-        is_it.then(|| Self {
+        goal::draws(&program, reading, goal::LOOKED).then(|| Self {
             functions: functions(&program),
-            has_own_loop: has_a_loop && program.draw(1).is_ok(),
             program,
         })
-    }
-
-    /// Makes the goal of a task: to draw its right picture, also by the reader's own loop.
-    fn goal(&self, task: &Task, reading: &Reading) -> Goal {
-        let goal = Goal::new(task.chapter, &right_picture(task, reading), reading);
-        match self.has_own_loop {
-            true => goal.looping(task),
-            false => goal,
-        }
     }
 
     /// Finds the first of so many steps on the way to a task that the program is meant to be: with
@@ -185,9 +152,9 @@ impl ReaderProgram {
     ) -> Option<(Task, Goal)> {
         (0..steps).find_map(|step| {
             let task = task.at_step(step);
-            let goal = self.goal(&task, reading);
+            let goal = goal_of(&task, reading);
             let there = self.with_one_of(chapter).filter(|it| goal.is_met_by(it));
-            let mut goals = there.map(|it| self.goal(&task, reading).asking(&it));
+            let mut goals = there.map(|it| goal_of(&task, reading).asking(&it));
             Some((task, goals.find(|goal| !goal.is_met_by(&self.program))?))
         })
     }

@@ -281,7 +281,7 @@ impl BoundName {
 pub(super) const ATOM: u8 = 9;
 
 /// Writes code on one line, without comments, and with blanks where rustfmt has them.
-pub(super) fn squeezed(text: &str) -> String {
+pub(crate) fn squeezed(text: &str) -> String {
     let code = text
         .lines()
         .map(|line| line.split("//").next().unwrap_or(line));

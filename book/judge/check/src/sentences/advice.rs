@@ -49,7 +49,7 @@ impl Attempt<'_> {
         // A program may have its height as a number.
         let line = format!("image_width = {width}");
         let both = format!("{line}, so that image_height is {}", task.height(*width));
-        let change = task.change_lines(*width, self.context.language);
+        let change = task.change_lines(*width, self.context.languages);
         let change = change.replace('\n', "; ").replacen(&line, &both, 1);
         let (name, what) = match task.probe {
             Some(probe) => (probe.name, format!("the probe {}", probe.name)),
@@ -64,7 +64,7 @@ impl Attempt<'_> {
     /// does.
     pub(super) fn to_tell_apart(&self, finding: &Finding) -> Option<Row> {
         let probe = finding.mistakes.as_ref()?.telling?;
-        let change = probe.instructions(finding.task.chapter, self.context.language);
+        let change = probe.instructions(finding.task.chapter, self.context.languages);
         let change = change.replace('\n', "; ");
         let (name, judge) = (probe.name, (self.commands.judge)(Some(probe)));
         let said = format!(
@@ -76,7 +76,7 @@ impl Attempt<'_> {
     /// Advises on a shape that is not the book's: it may be a choice, or the work of these slips.
     pub(super) fn shape_is(&self, task: &Task, slips: &[&Slip]) -> String {
         let said = |slip: &&Slip| {
-            let wrong = self.context.slip_text(slip, task).wrong;
+            let wrong = self.context.slip_lines(slip, task).swap_remove(0).wrong;
             format!("{} ({wrong})", slip.name)
         };
         let slips: Vec<String> = slips.iter().map(said).collect();

@@ -4,7 +4,7 @@
 use std::iter;
 
 use laws::Report;
-use slips::{ReaderLanguage, Slip};
+use slips::Slip;
 
 use super::{alternatives, line_and_right, mistake_name, row};
 use crate::answer::{Row, RowKind};
@@ -13,7 +13,6 @@ use crate::context::Context;
 use crate::names;
 use crate::search::{Correction, DrawingMutants, LineChange, Mutant, Repair};
 use crate::sources::CorrectedLine;
-use crate::task::Task;
 use crate::verdict::{Finding, Mistakes};
 
 /// How many mistakes that draw the same picture are named at most.
@@ -30,7 +29,7 @@ impl Finding {
     pub fn rows(&self, context: &Context) -> Vec<Row> {
         if let Some(repair) = &self.repair {
             let slip = self.only_mistake().first();
-            let why = slip.map_or("", |slip| context.slip_text(slip, &self.task).why);
+            let why = slip.map_or("", |slip| slip.why);
             return repair.rows().chain(row(RowKind::Why, why)).collect();
         }
         if self.almost_right.is_some() {
@@ -52,7 +51,7 @@ impl Finding {
                 return rows.chain(row(RowKind::More, many)).collect();
             }
             Some(it) => return it.rows(context, self.total()),
-            None if self.drawn.is_informative() => return self.drawn.rows(context, &self.task),
+            None if self.drawn.is_informative() => return self.drawn.rows(),
             None => {}
         }
         let seen = self
@@ -60,7 +59,7 @@ impl Finding {
             .iter()
             .map(|it| Row::new(RowKind::Seen, it));
         let seen = seen.chain(self.first_pixel.iter().cloned());
-        let drawn = self.drawn.rows(context, &self.task);
+        let drawn = self.drawn.rows();
         let unknown =
             (drawn.is_empty() && self.observations.len() != 1).then(|| self.nothing_known(context));
         seen.chain(drawn).chain(unknown).collect()
@@ -91,34 +90,48 @@ impl Mistakes {
         rows.into_iter().chain([tried]).collect()
     }
 
-    /// Lists the wrong line, the right line and the reason of each slip of a mistake.
+    /// Lists the wrong line, the right line and the reason of each slip of a mistake, and below them
+    /// the lines in Rust that stand for those in C++.
     fn in_full(&self, mistake: &[&'static Slip], context: &Context) -> Vec<Row> {
         let rows = mistake.iter().flat_map(|slip| {
-            let words = context.slip_text(slip, &self.task);
+            let said = &context.slip_lines(slip, &self.task)[0];
             let kind = match self.is_in_text {
                 true => RowKind::Probably,
                 false => RowKind::Perhaps,
             };
             let lines = match context.wrong_line(slip, &self.task) {
                 Some(found) => found.rows(),
-                None => line_and_right(kind, &words.wrong, &words.right),
+                None => line_and_right(kind, &said.wrong, &said.right),
             };
-            let lines = lines.into_iter().filter(|it| !it.text.is_empty());
-            lines.chain(row(RowKind::Why, words.why))
+            lines.into_iter().chain(row(RowKind::Why, slip.why))
         });
+        let in_rust = mistake.iter().flat_map(|slip| {
+            let lines = context.slip_lines(slip, &self.task);
+            let line = lines.into_iter().nth(1).unwrap_or_default();
+            line_and_right(RowKind::InRust, &line.wrong, &line.right)
+        });
+        let rows = rows.chain(in_rust).filter(|it| !it.text.is_empty());
         rows.collect()
     }
 
-    /// Lists the wrong lines of the first few mistakes, in the reader's language.
+    /// Lists the wrong lines of the first few mistakes, each in C++ and in Rust.
     fn perhaps(&self, context: &Context) -> impl Iterator<Item = Row> {
-        let wrong = |mistake: &Vec<&'static Slip>| {
-            let words = mistake
-                .iter()
-                .map(|slip| context.slip_text(slip, &self.task));
-            let wrong: Vec<String> = words.map(|words| words.wrong.into_owned()).collect();
-            format!("{}  ({})", wrong.join("; "), mistake_name(mistake))
+        let wrong = |mistake: &Vec<&'static Slip>, n: usize| {
+            let lines = mistake.iter().map(|slip| {
+                let mut lines = context.slip_lines(slip, &self.task);
+                let n = n.min(lines.len() - 1);
+                lines.swap_remove(n).wrong.into_owned()
+            });
+            lines.collect::<Vec<_>>().join("; ")
         };
-        alternatives(self.all.iter().take(NAMED).map(wrong))
+        let first = |it: &Vec<&'static Slip>| format!("{}  ({})", wrong(it, 0), mistake_name(it));
+        let all: Vec<_> = self.all.iter().take(NAMED).collect();
+        let rows = alternatives(all.iter().map(|it| first(it)));
+        let rows = rows.zip(&all).flat_map(|(line, mistake)| {
+            let in_rust = Some(wrong(mistake, 1)).filter(|it| *it != wrong(mistake, 0));
+            iter::once(line).chain(in_rust.map(|it| Row::new(RowKind::InRust, it)))
+        });
+        rows.collect::<Vec<_>>().into_iter()
     }
 
     /// Says how well the mistakes explain a picture of so many `pixels`, and whether their lines
@@ -158,24 +171,20 @@ impl Mistakes {
 }
 
 impl DrawingMutants {
-    /// Lists the likeliest edits of the chapter that draw the picture, in the reader's language,
-    /// and how they were tried; nothing if there is none.
-    fn rows(&self, context: &Context, task: &Task) -> Vec<Row> {
-        let language = context
-            .language
-            .unwrap_or(ReaderLanguage::Cpp(task.edition));
-        let typed = |line: &str| language.translate_line(line, task.chapter);
+    /// Lists the likeliest edits of the chapter that draw the picture, in Rust, and how they were
+    /// tried; nothing if there is none.
+    fn rows(&self) -> Vec<Row> {
         let said = |it: &Mutant| match (&*it.wrong, &it.yours) {
             (_, Some(yours)) => yours.line.to_string(),
-            ("", None) => format!("{}  left out", typed(&it.right)),
-            (wrong, None) => typed(wrong),
+            ("", None) => format!("{}  left out", it.right),
+            (wrong, None) => wrong.to_owned(),
         };
         let mut rows = match &self.likeliest[..] {
             [] => return Vec::new(),
             [it] if self.count == 1 => match (&*it.wrong, &it.yours) {
-                ("", _) => vec![Row::new(RowKind::Missing, typed(&it.right))],
+                ("", _) => vec![Row::new(RowKind::Missing, &*it.right)],
                 (_, Some(yours)) => yours.rows(),
-                (wrong, None) => line_and_right(RowKind::Perhaps, &typed(wrong), &typed(&it.right)),
+                (wrong, None) => line_and_right(RowKind::Perhaps, wrong, &it.right),
             },
             all => alternatives(all.iter().map(said)).collect(),
         };
@@ -200,13 +209,9 @@ impl Repair {
             1 => "with this change",
             _ => "with these changes",
         };
-        let is_spelled = |it: &LineChange| matches!(it.correction, Correction::InOwnLanguage(_));
-        let tried = if self.changes.iter().all(is_spelled) {
-            "the chapter with your line in its place draws your picture".to_owned()
-        } else if self.is_hidden {
-            format!("{with} your functions answer as the chapter's do")
-        } else {
-            format!("{with} your program draws the picture")
+        let tried = match self.is_hidden {
+            true => format!("{with} your functions answer as the chapter's do"),
+            false => format!("{with} your program draws the picture"),
         };
         let changes = self.changes.iter().flat_map(LineChange::rows);
         changes.chain(row(RowKind::Tried, &tried))
@@ -221,7 +226,7 @@ impl LineChange {
                 let above = format!("above {}:{}  {line}", self.line.file, self.line.number);
                 return vec![Row::new(RowKind::Missing, above)];
             }
-            Correction::Instead(line) | Correction::InOwnLanguage(line) => line,
+            Correction::Instead(line) => line,
             Correction::LeaveOut => "left out",
         };
         line_and_right(RowKind::Yours, &self.line.to_string(), right)

@@ -7,7 +7,7 @@ mod verdicts;
 
 use std::iter;
 
-use slips::{Chapter, Edition, ReaderLanguage, Slip, steps};
+use slips::{Chapter, Edition, Languages, Slip, steps};
 
 use crate::answer::{Row, RowKind};
 use crate::candidate::Unexplained;
@@ -88,7 +88,7 @@ pub fn mistake_name(mistake: &[&'static Slip]) -> String {
     let name = |slip: &&'static Slip| match slip.name {
         "" => {
             let chapter = slip.chapters().next().unwrap_or(Chapter::HittableList);
-            slip.text_in(ReaderLanguage::Rust, chapter).wrong
+            slip.lines_in(Languages::Rust, chapter).swap_remove(0).wrong
         }
         name => name.into(),
     };

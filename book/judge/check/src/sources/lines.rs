@@ -1,24 +1,43 @@
-//! Tree comparison: the statements of a reader's files, in any language, beside those of a chapter.
+//! Comparison word by word: the statements of a reader's files beside those of a chapter.
 
-use language::{Op, Role, Tree, canonical};
+use std::ops::Range;
 
-use super::chapter_statement::{ChapterStatement, chapter_statements};
-use super::transplant::Transplant;
-use super::{LineStatus, SourceLine, TypedStatement};
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
-/// Above this [likeness](super::likeness()) a line is one of the chapter's with a mistake in it.
+use super::{LineStatus, SourceFile, SourceLine, likeness};
+use crate::search::squeezed;
+
+/// Above this [likeness](likeness()) a line is one of the chapter's with a mistake in it.
 const MISTAKEN: f64 = 0.75;
+
+/// A statement of Rust, or the head of a block.
+#[derive(Clone, Debug)]
+struct Statement {
+    /// The words, without `let`, `return`, `Some(…)` around the rest, and types.
+    words: Vec<String>,
+    /// The bytes of the text from the first of these words to the last.
+    at: Range<usize>,
+    /// The code of these bytes on one line.
+    text: String,
+}
+
+/// A statement of a reader's file.
+#[derive(Clone, Debug)]
+pub(super) struct TypedStatement {
+    statement: Statement,
+    line: SourceLine,
+}
 
 /// A chapter's statements beside those that a reader typed.
 pub(crate) struct LineComparison<'a> {
-    chapter: Vec<ChapterStatement>,
+    chapter: Vec<Statement>,
     typed: &'a [TypedStatement],
 }
 
 /// The statements that an edit takes from functions of a chapter, and those that it adds.
 pub(crate) struct StatementDiff {
-    lost: Vec<ChapterStatement>,
-    added: Vec<ChapterStatement>,
+    lost: Vec<Statement>,
+    added: Vec<Statement>,
 }
 
 /// A reader's line with a mistake, and what should be in its place.
@@ -26,21 +45,18 @@ pub(crate) struct StatementDiff {
 pub(crate) struct CorrectedLine {
     /// The line as it is.
     pub(crate) line: SourceLine,
-    /// The right text in the reader's language and names; empty where nothing should be.
+    /// The line as it should be; empty where nothing should be.
     pub(crate) right: String,
 }
 
 impl<'a> LineComparison<'a> {
-    /// Takes a chapter's functions, each by its name and text, and a reader's statements.
-    pub(crate) fn new<'f>(
-        functions: impl Iterator<Item = (&'f str, &'f str)>,
+    /// Takes the texts of a chapter's functions, and a reader's statements.
+    pub(super) fn new<'f>(
+        functions: impl Iterator<Item = &'f str>,
         typed: &'a [TypedStatement],
     ) -> Self {
-        let chapter = functions.flat_map(|(name, text)| chapter_statements(name, text));
-        Self {
-            chapter: chapter.collect(),
-            typed,
-        }
+        let chapter = functions.flat_map(statements).collect();
+        Self { chapter, typed }
     }
 
     /// Returns true if the reader's statements are not known.
@@ -48,142 +64,161 @@ impl<'a> LineComparison<'a> {
         self.typed.is_empty()
     }
 
-    /// Counts the chapter's statements that the reader has typed too.
-    pub(crate) fn count(&self) -> usize {
-        let is_typed = |it: &&ChapterStatement| self.times_typed(it) > 0;
-        self.chapter.iter().filter(is_typed).count()
-    }
-
     /// Tells whether the reader has made an edit of the chapter. The edit is made if a statement
     /// that it adds is typed more often than it occurs in the chapter, and not made if one that it
     /// takes is typed as often as there; or, if it adds none, a similar one is typed in the place.
     pub(crate) fn status(&self, edit: &StatementDiff) -> LineStatus {
-        let stands = |it: &ChapterStatement| {
-            let stands = |own: &&ChapterStatement| {
-                it.is_said_by(&own.role, own.pattern.tree(), &self.chapter)
-            };
-            self.chapter.iter().filter(stands).count()
-        };
+        let stands = |it: &Statement| self.chapter.iter().filter(|own| own.is_same(it)).count();
         let is_right =
-            |it: &ChapterStatement| self.times_typed(it) > 0 && self.times_typed(it) >= stands(it);
+            |it: &Statement| self.times_typed(it) > 0 && self.times_typed(it) >= stands(it);
         // If a line is left out, none that is much like it stands in its place.
-        let is_mistaken =
-            |it: &ChapterStatement| edit.added.is_empty() && self.closest(it) > MISTAKEN;
+        let is_mistaken = |it: &Statement| edit.added.is_empty() && self.closest(it) > MISTAKEN;
+        let is_made = |it: &Statement| self.times_typed(it) > stands(it);
         if edit.lost.iter().any(|it| is_right(it) || is_mistaken(it)) {
             LineStatus::Right
-        } else if edit
-            .added
-            .iter()
-            .any(|it| self.times_typed(it) > stands(it))
-        {
+        } else if edit.added.iter().any(is_made) {
             LineStatus::Wrong
         } else {
             LineStatus::NotFound
         }
     }
 
-    /// Finds the reader's line that says what an edit adds, and corrects it by what the edit takes.
+    /// Finds the reader's line that an edit adds, and corrects it by what the edit takes.
     pub(crate) fn corrected(&self, edit: &StatementDiff) -> Option<CorrectedLine> {
         edit.added.iter().find_map(|wrong| {
-            let is_it =
-                |it: &&TypedStatement| wrong.is_said_by(&it.role, &it.normal, &self.chapter);
-            let typed = self.typed.iter().find(is_it)?;
-            let right = edit.lost.iter().find(|it| it.role == wrong.role);
-            let right = right.or(edit.lost.first()).map(|right| {
-                let found = wrong.pattern.find(&typed.normal);
-                right.spelled_as(typed, &found.map_or(Vec::new(), |it| it.renames))
-            });
+            let mut typed = self.typed.iter();
+            let TypedStatement { statement, line } =
+                typed.find(|it| it.statement.is_same(wrong))?;
+            let right = edit.lost.iter().find(|it| it.words[0] == wrong.words[0]);
+            let right = right.or(edit.lost.first());
+            let corrected = |right: &Statement| line.text.replacen(&statement.text, &right.text, 1);
             Some(CorrectedLine {
-                line: typed.line.clone(),
-                right: right.unwrap_or_default(),
+                line: line.clone(),
+                right: right.map(corrected).unwrap_or_default(),
             })
         })
     }
 
-    /// Counts the reader's statements that say what a statement says, and all of it.
-    fn times_typed(&self, statement: &ChapterStatement) -> usize {
-        let says = |it: &&TypedStatement| {
-            statement.is_said_by(&it.role, &it.normal, &self.chapter)
-                && !self.is_computed_before(statement, it)
-        };
-        self.typed.iter().filter(says).count()
-    }
-
-    /// Returns true if the reader computes before what the chapter's statement has as a variable,
-    /// which no statement of the chapter computes: then the reader's line is only a part of it.
-    fn is_computed_before(&self, statement: &ChapterStatement, typed: &TypedStatement) -> bool {
-        let Some(found) = statement.pattern.find(&typed.normal) else {
-            return false;
-        };
-        let is_of =
-            |role: &Role, name: &str| matches!(role, Role::ValueOf(own) if canonical(own) == name);
-        let is_sum = |it: &&Tree| matches!(it.op, Op::Operator(_)) || it.is_call("sqrt");
-        let computes = |name: &str| {
-            let mut all = self.typed.iter();
-            all.any(|it| {
-                is_of(&it.role, name)
-                    && it.line.file == typed.line.file
-                    && it.normal.nodes().iter().any(is_sum)
-            })
-        };
-        let is_given = |name: &str| self.chapter.iter().any(|it| is_of(&it.role, name));
-        let mut renamed = found.renames.iter().filter(|it| it.from != it.to);
-        renamed.any(|it| !is_given(&it.from) && computes(&it.to))
+    fn times_typed(&self, it: &Statement) -> usize {
+        let typed = self.typed.iter();
+        typed.filter(|typed| typed.statement.is_same(it)).count()
     }
 
     /// Returns the greatest likeness of a statement to a line that the chapter does not have; 0 if
     /// there is no such line.
-    fn closest(&self, statement: &ChapterStatement) -> f64 {
-        let foreign = self.foreign().into_iter();
-        let like = foreign.map(|it| statement.likeness(&it.normal));
+    fn closest(&self, it: &Statement) -> f64 {
+        let typed = self.typed.iter().map(|typed| &typed.statement);
+        let own = typed.filter(|typed| !self.chapter.iter().any(|it| it.is_same(typed)));
+        let like = own.map(|own| likeness(&own.words, &it.words));
         like.fold(0.0, f64::max)
-    }
-
-    /// Lists the reader's statements that the chapter does not have.
-    fn foreign(&self) -> Vec<&'a TypedStatement> {
-        let is_right = |it: &TypedStatement| {
-            let mut all = self.chapter.iter();
-            all.any(|own| own.is_said_by(&it.role, &it.normal, &self.chapter))
-        };
-        self.typed.iter().filter(|it| !is_right(it)).collect()
-    }
-
-    /// Replaces each statement that only the chapter has by those that only the reader has and that
-    /// are most like it, one at a time.
-    pub(crate) fn transplants(&self) -> Vec<Transplant> {
-        let foreign = self.foreign();
-        let missing = self.chapter.iter().filter(|it| self.times_typed(it) == 0);
-        let all = missing.flat_map(|it| it.transplants(&foreign));
-        all.collect()
     }
 }
 
 impl StatementDiff {
-    /// Compares functions, each given by its name, its text, and its text with an edit.
-    pub(crate) fn of<'f>(functions: impl Iterator<Item = (&'f str, &'f str, &'f str)>) -> Self {
+    /// Compares functions, each given by its text, and its text with an edit.
+    pub(crate) fn of<'f>(functions: impl Iterator<Item = (&'f str, &'f str)>) -> Self {
         let (mut lost, mut added) = (Vec::new(), Vec::new());
-        for (name, right, wrong) in functions {
-            let [right, wrong] = [right, wrong].map(|text| chapter_statements(name, text));
-            let only = |one: &[ChapterStatement], other: &[ChapterStatement]| {
-                let is_in_one =
-                    |it: &&ChapterStatement| !other.iter().any(|other| it.is_same(other));
-                one.iter().filter(is_in_one).cloned().collect::<Vec<_>>()
+        for (right, wrong) in functions {
+            let [right, wrong] = [right, wrong].map(statements);
+            let only = |one: &[Statement], other: &[Statement]| {
+                let is_new = |it: &&Statement| !other.iter().any(|other| it.is_same(other));
+                one.iter().filter(is_new).cloned().collect::<Vec<_>>()
             };
             lost.extend(only(&right, &wrong));
             added.extend(only(&wrong, &right));
         }
         Self { lost, added }
     }
+}
 
-    /// Returns true if functions, each given by its name and text, have all statements that the
-    /// edit adds, and the edit adds some.
-    pub(crate) fn is_made_in<'f>(
-        &self,
-        functions: impl Iterator<Item = (&'f str, &'f str)>,
-    ) -> bool {
-        let all = functions.flat_map(|(name, text)| chapter_statements(name, text));
-        let all: Vec<ChapterStatement> = all.collect();
-        let mut added = self.added.iter();
-        !self.added.is_empty() && added.all(|it| all.iter().any(|other| it.is_same(other)))
+impl Statement {
+    fn is_same(&self, other: &Self) -> bool {
+        self.words == other.words
+    }
+
+    /// Makes a statement of the words of a text, each with its place; `None` if nothing is said.
+    fn of(text: &str, words: &[(String, Range<usize>)]) -> Option<Self> {
+        let is_said = |it: &&(String, _)| !["let", "mut", "return", "pub"].contains(&&*it.0);
+        let unsaid = words.iter().take_while(|it| !is_said(it)).count();
+        let mut words = &words[unsaid..];
+        let some = |it: &str, n: usize| words.get(n).is_some_and(|word| word.0 == it);
+        if some("Some", 0) && some("(", 1) && closing(&words[1..]) + 2 == words.len() {
+            words = &words[2..words.len() - 1];
+        }
+        let at = words.first()?.1.start..words.last()?.1.end;
+        let (name, rest) = words.split_at(1);
+        let is_typed = unsaid > 0 && rest.first().is_some_and(|it| it.0 == ":");
+        let kind = rest.iter().take_while(|it| is_typed && it.0 != "=").count();
+        let words = name.iter().chain(&rest[kind..]);
+        Some(Self {
+            words: words.map(|it| it.0.clone()).collect(),
+            text: squeezed(&text[at.clone()]),
+            at,
+        })
+    }
+}
+
+/// Returns the index of the bracket that closes the first word, which opens one; 0 if none does.
+fn closing(words: &[(String, Range<usize>)]) -> usize {
+    let mut open = 0;
+    let closes = |it: &(String, _)| {
+        open += i32::from(it.0 == "(") - i32::from(it.0 == ")");
+        open == 0
+    };
+    words.iter().position(closes).unwrap_or_default()
+}
+
+/// Reads the statements of a file.
+pub(super) fn typed(file: &SourceFile) -> Vec<TypedStatement> {
+    let SourceFile { name, text } = file;
+    let typed = statements(text).into_iter().map(|statement| {
+        let first = text[..statement.at.start].matches('\n').count();
+        let count = text[statement.at.clone()].matches('\n').count() + 1;
+        let lines: Vec<&str> = text.lines().skip(first).take(count).collect();
+        let line = SourceLine {
+            file: name.clone(),
+            number: first + 1,
+            text: squeezed(&lines.join("\n")),
+        };
+        TypedStatement { statement, line }
+    });
+    typed.collect()
+}
+
+/// Splits a text in Rust at semicolons and braces; empty if its brackets don't match.
+fn statements(text: &str) -> Vec<Statement> {
+    let words = words(text);
+    let parts = words.split(|it| [";", "{", "}"].contains(&&*it.0));
+    parts.filter_map(|it| Statement::of(text, it)).collect()
+}
+
+/// Splits a text in Rust into words and signs, each with its bytes, without comments and attributes;
+/// empty if its brackets don't match.
+pub(super) fn words(text: &str) -> Vec<(String, Range<usize>)> {
+    let mut words = Vec::new();
+    if let Ok(tokens) = text.parse() {
+        add_words(tokens, &mut words);
+    }
+    words
+}
+
+fn add_words(tokens: TokenStream, words: &mut Vec<(String, Range<usize>)>) {
+    let mut is_attribute = false;
+    for token in tokens {
+        match token {
+            TokenTree::Punct(it) if it.as_char() == '#' => is_attribute = true,
+            TokenTree::Group(_) if is_attribute => is_attribute = false,
+            TokenTree::Group(group) => {
+                let [open, close] = match group.delimiter() {
+                    Delimiter::Brace => ["{", "}"],
+                    Delimiter::Bracket => ["[", "]"],
+                    _ => ["(", ")"],
+                };
+                words.push((open.to_owned(), group.span_open().byte_range()));
+                add_words(group.stream(), words);
+                words.push((close.to_owned(), group.span_close().byte_range()));
+            }
+            token => words.push((token.to_string(), token.span().byte_range())),
+        }
     }
 }

@@ -1,35 +1,27 @@
-//! Static analysis of a reader's files, in any of ten languages: which statements of a chapter, or
-//! of a slip, they have.
+//! Static analysis of a reader's files: which statements of a chapter, or of a slip, they have.
 
-mod chapter_statement;
 mod likeness;
 mod lines;
-mod transplant;
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::fmt;
 
-use language::{
-    FunctionSize, Language, Op, Role, Statement, Tree, canonical, function_sizes, normal,
-    statements,
-};
-use slips::{Chapter, Edition, Slip};
+use slips::{Chapter, ChapterProgram, Edition, Slip};
 
 pub use interpreter::SourceFile;
 
 use crate::task::Task;
 
 pub(crate) use likeness::likeness;
+use lines::TypedStatement;
 pub(crate) use lines::{CorrectedLine, LineComparison, StatementDiff};
-pub(crate) use transplant::Transplant;
 
-/// The source files of a reader's program, in any of ten languages, beside those of the chapter
-/// that the reader follows; by default none.
+/// The files that a reader types for a chapter, in Rust, beside those of the chapter; by default
+/// none.
 #[derive(Clone, Debug, Default)]
 pub struct Sources {
     yours: Vec<SourceFile>,
-    /// Empty if the reader's program need not have the functions of a chapter.
     chapter: Vec<SourceFile>,
     typed: Vec<TypedStatement>,
     /// The lines of slips that were looked for before.
@@ -74,27 +66,13 @@ pub(crate) enum LineStatus {
     NotFound,
 }
 
-/// A statement of a reader's file.
-#[derive(Clone, Debug)]
-pub(crate) struct TypedStatement {
-    /// The line at which the statement begins.
-    pub(crate) line: SourceLine,
-    language: Language,
-    /// The purpose of the expression.
-    role: Role,
-    /// The expression as it is written in the file.
-    value: Tree,
-    /// The normal form of the expression.
-    normal: Tree,
-}
-
-/// The fewest tokens of a statement: `return t * color;` has six.
+/// The fewest words and signs of a statement: `return t * color;` has six.
 const STATEMENT: usize = 6;
 
 impl Sources {
-    /// Takes all files of a reader's program. `chapter` has the right files if the reader types a
-    /// chapter's own files in Rust, and is empty for a program of any other form.
-    pub fn new(yours: Vec<SourceFile>, chapter: Vec<SourceFile>) -> Self {
+    /// Takes the files of a reader who types a chapter's own files in Rust; the right ones are
+    /// added to compare with.
+    pub fn of_chapter(yours: Vec<SourceFile>, chapter: Chapter) -> Self {
         // Some editors begin a file with a byte order mark.
         let without_mark = |file: SourceFile| SourceFile {
             text: file.text.trim_start_matches('\u{feff}').to_owned(),
@@ -102,9 +80,9 @@ impl Sources {
         };
         let yours: Vec<_> = yours.into_iter().map(without_mark).collect();
         Self {
-            typed: yours.iter().flat_map(typed).collect(),
+            typed: yours.iter().flat_map(lines::typed).collect(),
             yours,
-            chapter,
+            chapter: slips::typed_files(chapter),
             slip_lines: RefCell::default(),
         }
     }
@@ -132,47 +110,28 @@ impl Sources {
         let (right, wrong) = (task.program(&[]), task.program(&[slip]));
         let pairs = right.functions().zip(wrong.functions());
         let changed = pairs.filter(|((_, right), (_, wrong))| right != wrong);
-        let change =
-            StatementDiff::of(changed.map(|((name, right), (_, wrong))| (name, right, wrong)));
-        let lines = LineComparison::new(right.functions(), &self.typed);
-        // A line of an older edition is wrong only beside lines of this one.
-        let is_older = || {
-            let older = Edition::V3.program(task.chapter);
-            change.is_made_in(older.functions()) && self.in_rust().is_empty()
-        };
-        match lines.status(&change) {
-            LineStatus::Wrong if is_older() => SlipLine::default(),
-            status => SlipLine {
-                corrected: (status == LineStatus::Wrong)
-                    .then(|| lines.corrected(&change))
-                    .flatten(),
-                status,
-            },
+        let change = StatementDiff::of(changed.map(|((_, right), (_, wrong))| (right, wrong)));
+        let lines = self.beside(&right);
+        let status = lines.status(&change);
+        SlipLine {
+            corrected: (status == LineStatus::Wrong)
+                .then(|| lines.corrected(&change))
+                .flatten(),
+            status,
         }
     }
 
-    /// Takes the files of a reader who types a chapter's own files in Rust; the right ones are
-    /// added to compare with.
-    pub fn of_chapter(yours: Vec<SourceFile>, chapter: Chapter) -> Self {
-        Self::new(yours, slips::typed_files(chapter))
+    /// Compares the statements of these files with those of a program.
+    pub(crate) fn beside(&self, program: &ChapterProgram) -> LineComparison<'_> {
+        LineComparison::new(program.functions().map(|it| it.1), &self.typed)
     }
 
-    /// Returns true if the reader types the files of a chapter, and no program of another form.
-    pub(crate) fn are_of_the_chapter(&self) -> bool {
-        !self.chapter.is_empty()
-    }
-
-    /// Returns the reader's files in Rust, `lib.rs` first, but for `main.rs`.
-    pub(crate) fn in_rust(&self) -> Vec<SourceFile> {
-        let is_read = |it: &&SourceFile| it.name.ends_with(".rs") && !it.name.ends_with("main.rs");
+    /// Returns the reader's files, `lib.rs` first, but for `main.rs`.
+    pub(crate) fn of_the_library(&self) -> Vec<SourceFile> {
+        let is_read = |it: &&SourceFile| !it.name.ends_with("main.rs");
         let mut files: Vec<_> = self.yours.iter().filter(is_read).cloned().collect();
         files.sort_by_key(|it| !it.name.ends_with("lib.rs"));
         files
-    }
-
-    /// Returns all files of the reader.
-    pub(crate) fn files(&self) -> &[SourceFile] {
-        &self.yours
     }
 
     /// Returns true if no file of the reader is known.
@@ -180,106 +139,33 @@ impl Sources {
         self.yours.is_empty()
     }
 
-    /// Returns the statements of all files whose language is known.
-    pub(crate) fn typed(&self) -> &[TypedStatement] {
-        &self.typed
-    }
-
     /// Returns true if the reader has typed the whole chapter, right or wrong: the files with
-    /// functions of the chapter have as many tokens in all functions as the chapter, less than a
-    /// statement fewer at most. False if no chapter is typed.
+    /// functions of the chapter have as many words and signs in all functions as the chapter, less
+    /// than a statement fewer at most. False if no file is known.
     pub(crate) fn is_written(&self) -> bool {
         let [chapter, yours] = [&self.chapter, &self.yours].map(|files| {
             let files = files.iter();
             files.map(|it| function_sizes(&it.text)).collect::<Vec<_>>()
         });
-        let is_of_chapter = |name: &str| chapter.iter().flatten().any(|it| it.name == name);
+        let is_of_chapter = |name: &String| chapter.iter().flatten().any(|it| it.0 == *name);
         // A prelude has none of the chapter's functions, and `start` gives a sky.
-        let counts = |functions: &&Vec<FunctionSize>| {
+        let counts = |functions: &&Vec<(String, usize)>| {
             let mut functions = functions.iter();
-            functions.any(|it| it.name != "new" && is_of_chapter(it.name))
+            functions.any(|it| it.0 != "new" && is_of_chapter(&it.0))
         };
         let own = yours.iter().filter(counts).flatten();
-        let own = own.filter(|it| it.name != "sky").map(|it| it.tokens);
-        let theirs = chapter.iter().flatten().map(|it| it.tokens);
-        self.are_of_the_chapter() && own.sum::<usize>() + STATEMENT > theirs.sum()
+        let own = own.filter(|it| it.0 != "sky").map(|it| it.1);
+        let theirs = chapter.iter().flatten().map(|it| it.1);
+        !self.is_empty() && own.sum::<usize>() + STATEMENT > theirs.sum()
     }
 }
 
-/// Reads the statements of a file; none if its language is unknown.
-fn typed(file: &SourceFile) -> Vec<TypedStatement> {
-    let SourceFile { name, text } = file;
-    let Some(language) = Language::of_file(name) else {
-        return Vec::new();
-    };
-    let all = with_values(read(text, language)).into_iter();
-    let typed = all.map(|it| {
-        let before = &text[..it.at.start];
-        let lines = text[it.at.clone()].matches('\n').count() + 1;
-        let first = before.matches('\n').count();
-        let words = text
-            .lines()
-            .skip(first)
-            .take(lines)
-            .flat_map(str::split_whitespace);
-        TypedStatement {
-            line: SourceLine {
-                file: name.to_owned(),
-                number: first + 1,
-                text: words.collect::<Vec<_>>().join(" "),
-            },
-            language,
-            role: it.role,
-            normal: normal(&it.value),
-            value: it.value,
-        }
-    });
-    typed.collect()
-}
-
-/// Reads the statements of a text. Each sphere that is made in a statement becomes one of its own,
-/// however it is added to the world.
-fn read(text: &str, language: Language) -> Vec<Statement> {
-    let all = statements(text, language).into_iter();
-    let parts = all.flat_map(|it| {
-        let nodes = it.value.nodes().into_iter();
-        let spheres = nodes.filter(|node| normal(node).is_call("sphere"));
-        let added: Vec<Statement> = spheres
-            .map(|value| Statement {
-                role: Role::Effect,
-                value: value.clone(),
-                at: it.at.clone(),
-            })
-            .collect();
-        if added.is_empty() { vec![it] } else { added }
-    });
-    parts.collect()
-}
-
-/// Writes `r.direction` or `r.origin` for each variable that only stands for it, as `d` does after
-/// `d = r.direction`.
-fn with_values(all: Vec<Statement>) -> Vec<Statement> {
-    let given = |name: &str| {
-        let is_it = |it: &&Statement| matches!(&it.role, Role::ValueOf(own) if own == name);
-        let mut found = all.iter().filter(is_it);
-        found.next().filter(|_| found.next().is_none())
-    };
-    let short = |tree: &Tree| {
-        let value = &given(tree.name()?)?.value;
-        let is_field = matches!(&value.parts[..], [of] if of.name().is_some());
-        let is_of_ray = |it: &Tree| matches!(&normal(it).op, Op::Call(name) if name == "direction" || name == "origin");
-        (is_field && is_of_ray(value)).then(|| value.clone().placed_at(tree.at.clone()))
-    };
-    let with = all.iter().map(|it| Statement {
-        value: it.value.map_nodes(&short),
-        ..it.clone()
-    });
-    with.collect()
-}
-
-/// Returns true if two names differ in capitals and `_` at most.
-fn is_same_name(one: &str, other: &str) -> bool {
-    canonical(one) == canonical(other)
+/// Lists the functions of a file, each with the number of words and signs up to the next one.
+fn function_sizes(text: &str) -> Vec<(String, usize)> {
+    let words = lines::words(text);
+    let parts = words.split(|it| it.0 == "fn").skip(1);
+    let named = parts.filter_map(|part| Some((part.first()?.0.clone(), part.len())));
+    named.collect()
 }
 
 impl fmt::Display for SourceLine {
