@@ -1,8 +1,7 @@
 //! Transcripts of `cargo rtrace check` and `probes`.
 
-use std::fs::{self, File};
+use std::fs::File;
 
-use check::reading::read;
 use insta::assert_snapshot;
 use slips::{Chapter, Languages, PROBES};
 use suite::command::{run, text};
@@ -101,38 +100,6 @@ fn a_picture_may_come_from_a_program_which_ends_within_its_time() {
          rtrace check normals --timeout 0.2 -- sh loop.sh
          rtrace check normals --timeout 0.2 -- sh closes-it.sh"
     ));
-}
-
-#[test]
-fn a_report_is_a_page_that_needs_nothing_else() {
-    let desk = Desk::default();
-    // On Windows no name has brackets.
-    let (name, escaped) = if cfg!(windows) {
-        ("a&c.png", "a&amp;c.png")
-    } else {
-        ("a<b>&c.png", "a&lt;b&gt;&amp;c.png")
-    };
-    desk.write_slip(name, "minus-h", Chapter::HalfBSphere);
-    let output = desk.run(&format!("rtrace check half_b_sphere {name} --report page"));
-    assert_eq!(output.status.code(), Some(1));
-    for (name, picture) in [
-        ("page/expected.png", half_b_sphere::picture(400)),
-        ("page/yours.png", gradient::picture(400)),
-    ] {
-        let shown = fs::read(desk.path(name)).expect("the file");
-        assert!(read(&shown).expect("a picture").picture() == picture);
-    }
-    let page = desk.read("page/index.html");
-    for part in [
-        escaped,
-        "oc-reversed",
-        "type=\"range\"",
-        "(-h - sqrt(discriminant)) / a",
-    ] {
-        assert!(page.contains(part), "{part} is missing");
-    }
-    assert!(!page.contains("http"), "a page on a disk has no network");
-    assert!(!page.contains("<b>"), "the name of a file is no markup");
 }
 
 #[test]

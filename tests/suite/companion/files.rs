@@ -40,76 +40,11 @@ fn what_can_not_be_written_is_said_with_what_helps() {
          normals folder.ppm
          normals kept.ppm
          normals \"\"
-         rtrace show normals --output missing/a.png
-         rtrace check build_test file --report file
-         rtrace check build_test file --report .",
+         rtrace show normals --output missing/a.png",
     );
     // Of Windows alone.
     assert_snapshot!(said.replace(" and that no program has open", ""));
     assert_eq!(desk.contents(), before);
-}
-
-/// The list of the files that a folder of ours holds.
-const LIST: &str = "page/.rtrace-manifest";
-
-#[test]
-fn a_report_takes_the_place_of_the_last_one_and_of_nothing_else() {
-    let desk = reported();
-    let all = names_in(&desk.path("page"));
-    // The reader's own, and what an interrupted program left.
-    desk.write("page/drafts/thesis.txt", "mine");
-    desk.write("page/.index.html.0123456789abcdef.partial", "half");
-    fs::remove_file(desk.path("page/yours.png")).expect("it was not there yet");
-    report(&desk, 1);
-    assert!(
-        !desk
-            .path("page/.index.html.0123456789abcdef.partial")
-            .exists()
-    );
-    let [ours, others] = [all, vec!["drafts".to_owned()]];
-    let names = names_in(&desk.path("page"));
-    assert!(ours.iter().chain(&others).all(|name| names.contains(name)));
-    assert_eq!(desk.read("page/drafts/thesis.txt"), "mine");
-    // Of this there is nothing to show, so the pictures of the last one go.
-    desk.write("mine.ppm", "no picture");
-    report(&desk, 2);
-    assert!(!desk.path("page/yours.png").exists());
-}
-
-/// A list that was tampered with leads nowhere, and neither does a link.
-#[test]
-fn a_file_of_the_readers_is_never_written_over() {
-    let desk = reported();
-    desk.write("thesis.txt", "mine");
-    let list = desk.read(LIST);
-    desk.write(
-        LIST,
-        list.clone() + &listed("../thesis.txt") + "..\n\"..\"\n",
-    );
-    report(&desk, 1);
-    assert_eq!(desk.read("thesis.txt"), "mine");
-
-    let others = list.lines().filter(|line| !line.contains("yours.png"));
-    desk.write(
-        LIST,
-        others.map(|line| format!("{line}\n")).collect::<String>(),
-    );
-    let before = desk.contents();
-    report(&desk, 2);
-    assert_eq!(desk.contents(), before);
-
-    // Nor what was ours until the reader changed it.
-    desk.write(LIST, list);
-    desk.write("page/index.html", "mine");
-    let before = desk.contents();
-    report(&desk, 2);
-    assert_eq!(desk.contents(), before);
-}
-
-/// Returns the line of a manifest for a file that has the content `mine`.
-fn listed(name: &str) -> String {
-    const MINE: u32 = 0x69a8_d393;
-    format!("{MINE:08x} {name:?}\n")
 }
 
 #[cfg(unix)]
@@ -173,24 +108,6 @@ mod on_unix {
         }
     }
 
-    #[test]
-    fn no_link_in_a_folder_of_ours_is_followed() {
-        let desk = reported();
-        desk.write("home/notes.txt", "mine");
-        symlink(desk.path("home"), desk.path("page/sub")).expect("a link");
-        desk.write(LIST, desk.read(LIST) + &listed("sub/notes.txt"));
-        report(&desk, 1);
-        assert_eq!(desk.read("home/notes.txt"), "mine");
-        for name in [LIST, "page/index.html"] {
-            let desk = reported();
-            fs::rename(desk.path(name), desk.path("precious")).expect("it is moved");
-            symlink(desk.path("precious"), desk.path(name)).expect("a link");
-            let before = desk.contents();
-            report(&desk, 2);
-            assert_eq!(desk.contents(), before, "{name}");
-        }
-    }
-
     /// The new file takes the place of the old one in one step, and is written beside it,
     /// because a step can't lead to another disk.
     #[test]
@@ -208,20 +125,4 @@ mod on_unix {
         let mode = fs::metadata(&target).expect("it").permissions().mode();
         assert_eq!(mode & 0o777, 0o640);
     }
-}
-
-const REPORT: &str = "rtrace check half_b_sphere mine.ppm --report page";
-
-/// A picture that is wrong, and in the folder `page` a report on it.
-fn reported() -> Desk {
-    let desk = Desk::default();
-    desk.write_picture("mine.ppm", &gradient::picture(16));
-    report(&desk, 1);
-    assert!(desk.path("page/index.html").is_file());
-    desk
-}
-
-fn report(desk: &Desk, code: i32) {
-    let output = desk.run(REPORT);
-    assert_eq!(output.status.code(), Some(code), "{}", text(&output.stderr));
 }

@@ -17,7 +17,7 @@ use std::process::ExitCode;
 use std::thread;
 
 use launcher::command_line::{ArgumentTypes, Command, CommandLine};
-use launcher::{book, chapter, files, limited, misuse, show, terminal};
+use launcher::{book, chapter, limited, misuse, show, terminal};
 
 /// The command line of the companion, which reads the arguments of all commands.
 struct ReadArguments;

@@ -8,12 +8,13 @@ pub mod cargo;
 pub mod chapter;
 pub mod command_line;
 pub mod draw;
-pub mod files;
 pub mod limited;
 pub mod misuse;
 pub mod save;
 pub mod show;
 pub mod terminal;
+
+pub use course::names;
 
 use std::error::Error;
 use std::process::ExitCode;

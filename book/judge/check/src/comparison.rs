@@ -1,5 +1,7 @@
 //! Pixel-by-pixel comparison of two pictures, to the last bit.
 
+use std::iter;
+
 use common::rtweekend::Picture;
 
 /// The result of comparing two pictures: equal, of different sizes, or different in some pixels.
@@ -93,4 +95,26 @@ pub fn differing_pixels<'a>(
             expected,
             actual,
         })
+}
+
+/// Draws the pixels that differ in red, on a faint gray copy of the expected picture; `None` if the
+/// sizes differ.
+pub fn difference_picture(expected: &Picture, actual: &Picture) -> Option<Picture> {
+    if Comparison::of(expected, actual) == Comparison::AnotherSize {
+        return None;
+    }
+    let (pixels, _) = expected.rgb().as_chunks::<3>();
+    let mut rgb: Vec<u8> = pixels
+        .iter()
+        .flat_map(|pixel| {
+            let sum: u16 = pixel.iter().map(|&level| u16::from(level)).sum();
+            iter::repeat_n(192 + (sum / 3 / 4) as u8, 3)
+        })
+        .collect();
+    let (width, height) = (expected.width(), expected.height());
+    for pixel in differing_pixels(expected, actual) {
+        let at = 3 * (pixel.row as usize * width as usize + pixel.column as usize);
+        rgb[at..at + 3].copy_from_slice(&[220, 0, 0]);
+    }
+    Picture::from_rgb(width, height, rgb)
 }

@@ -4,16 +4,14 @@ use std::fmt;
 
 use crate::answer::{Answer, Grade, Headline, Row, RowKind};
 
-/// The page in which an answer is shown: one of the book, its page for pictures, or a report.
+/// The page of the book in which an answer is shown, with links to other pages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HostPage {
-    /// A page of the book, with links to its other pages.
+    /// Any page but the next one.
     Book,
-    /// The book's page *Check your picture*, with links as in the book, and a button that judges
-    /// the picture of a probe (a changed scene).
+    /// The page *Check your picture*, with a button that judges the picture of a probe (a changed
+    /// scene).
     CheckPage,
-    /// A page of its own, as a report, without links.
-    Report,
 }
 
 /// Lays out a headline as HTML without an element around it: the verdict is strong, in a class for
@@ -45,8 +43,7 @@ pub fn details(answer: &Answer, page: HostPage) -> String {
         "" => String::new(),
         rows => format!("<dl>{rows}</dl>"),
     };
-    let pages = answer.read.iter().filter(|_| page != HostPage::Report);
-    let pages = pages.map(|slip| {
+    let pages = answer.read.iter().map(|slip| {
         format!(
             "<p><a href=\"{}\">How the line is right</a></p>",
             escaped(slip.page_link())

@@ -24,7 +24,6 @@ mod judge;
 mod pixels;
 pub mod png;
 pub mod reading;
-pub mod report;
 mod search;
 mod seen;
 pub mod sentences;

@@ -7,10 +7,10 @@ use std::iter;
 
 use check::answer::{Answer, Pictures};
 use check::attempt::Attempt;
+use check::comparison::difference_picture;
 use check::context::Context;
 use check::html::{HostPage, details, escaped, headline};
 use check::reading::{self, Cause, MOST_PIXELS, Reading};
-use check::report::difference_picture;
 use check::sentences;
 use check::task::Task;
 use check::verdict::Verdict;

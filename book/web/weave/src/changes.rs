@@ -1,7 +1,6 @@
 //! Diffs: what changed from one chapter to the next in the picture, and which files are new.
 
-use check::comparison::Comparison;
-use check::report::difference_picture;
+use check::comparison::{Comparison, difference_picture};
 use slips::Chapter;
 
 use crate::slip::address;

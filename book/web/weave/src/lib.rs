@@ -9,6 +9,7 @@ mod code;
 mod controls;
 mod directive;
 mod figure;
+pub mod folder;
 mod ground;
 mod maths;
 mod measured;

@@ -8,13 +8,10 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
 
-use check::answer::Answer;
 use check::attempt::Attempt;
 use check::context::Context;
-use check::html::{self, HostPage};
 use check::names::{self, companion_command};
 use check::reading::{self, Reading};
-use check::report::ReportPage;
 use check::task::Task;
 use check::verdict::Verdict;
 use check::{guess, judge, judge_guessed};
@@ -26,7 +23,6 @@ use slips::{Chapter, Edition, PROBES, Probe};
 use input::PictureInput;
 
 use crate::chapter::{ChapterOrPicture, ChapterOrPictureParser, parser_of_names};
-use crate::files;
 use crate::misuse::complain;
 use crate::wrap::lay_out;
 
@@ -60,10 +56,6 @@ pub(crate) struct Arguments {
     /// How long your program may take
     #[arg(long, value_name = "SECONDS", default_value = "60", value_parser = parse_seconds, allow_hyphen_values = true, requires = "program")]
     timeout: Duration,
-
-    /// Write a page that shows both pictures into this folder
-    #[arg(long, value_name = "DIR")]
-    report: Option<PathBuf>,
 }
 
 /// Judges a picture and prints the answer. Returns 0 if the picture is right, 1 if it is wrong, and
@@ -80,40 +72,14 @@ pub(crate) fn check(arguments: &Arguments) -> ExitCode {
 
 fn try_check(arguments: &Arguments) -> Result<u8, Box<dyn Error>> {
     let (chapter, source) = arguments.chapter_and_source()?;
-    if let Some(folder) = &arguments.report {
-        files::refuse_strangers(folder, REPORT)?;
-    }
     let task = chapter.map(|chapter| arguments.task(chapter)).transpose()?;
     let context = Context::default();
     let (attempt, verdict) = arguments.judged(task, &source, &context)?;
-    let chapter = attempt.task.chapter;
     let code = verdict.exit_code();
     let answer = attempt.answer(verdict);
-    let page = arguments.report.as_deref();
-    let page = page.map(|folder| report(folder, chapter, &answer));
-    let mut said = lay_out(&answer);
-    if let Some(Ok(page)) = &page {
-        said += &format!("\nThe page is {}\n", names::escaped_name(page));
-    }
+    let said = lay_out(&answer);
     output::to_stdout(|out| out.write_all(said.as_bytes()))?;
-    // The picture is judged all the same.
-    page.transpose().map(|_| code)
-}
-
-/// The name of the whole folder of a report in messages, such as that the folder is refused.
-const REPORT: &str = "report";
-
-/// Writes the page of an answer and its pictures into `folder`, and returns the path of the page.
-fn report(folder: &Path, chapter: Chapter, answer: &Answer) -> Result<PathBuf, Box<dyn Error>> {
-    let report = ReportPage {
-        title: chapter.name(),
-        headline: &html::headline(&answer.headline),
-        pictures: answer.pictures.as_ref(),
-        // The book lies elsewhere.
-        remarks: &html::details(answer, HostPage::Report),
-    };
-    files::fill_folder(folder, REPORT, &report.files())?;
-    Ok(folder.join("index.html"))
+    Ok(code)
 }
 
 impl Arguments {
