@@ -9,7 +9,7 @@ mod quadratic;
 /// Returns the commands that show more of a wrong chapter, and that bring the right one back.
 fn more(chapter: &str) -> String {
     format!(
-        "more:     cargo rtrace check {chapter} -- cargo run -q -p {chapter}\n\
+        "mistake:  cargo rtrace check {chapter} -- cargo run -q -p {chapter}\n\
          changed:  git diff chapters/*_{chapter}\n\
          back:     git checkout chapters/*_{chapter}\n\
          again:    cargo test {chapter}\n\

@@ -193,7 +193,7 @@ fn errors_of<'a>(
     let none = || vec![Errors::default(); methods.len()];
     let note = |mut found: Vec<Errors>, number| {
         let case = case(number);
-        let exact = ExactCase::of(&case);
+        let exact = exact(&case).expect("the cases of a regime are finite");
         let root = exact.nearest_root_in(0.0, f64::INFINITY);
         for (found, method) in found.iter_mut().zip(&methods) {
             found.note(method, &case, root, number < FEW);
@@ -210,6 +210,12 @@ fn errors_of<'a>(
         .zip(found.into_iter().map(Errors::sorted))
 }
 
+/// Makes the exact equation of a question to the methods; `None` if a number of it is infinite or
+/// NaN.
+pub fn exact(case: &Case) -> Option<ExactCase> {
+    ExactCase::of_finite(&laws::Case::new(case.center, case.radius, case.ray))
+}
+
 /// Returns the distance of `t` from the root, without sign, in ulps: units in the last place of a
 /// number of this precision near the root. Infinite if `t` is infinite or NaN, or the distance
 /// exceeds what an `f64` can hold.
@@ -222,7 +228,8 @@ pub fn ulps_off(root: ExactRoot, precision: Precision, t: f64) -> f64 {
 fn off_the_surface(case: &Case, t: f64, precision: Precision) -> f64 {
     let point = case.point(t, precision);
     // The direction does not matter here.
-    let Some(exact) = ExactCase::of_finite(&case.with_ray(point, Vec3::NEG_Z)) else {
+    let ray = Ray::new(point, Vec3::NEG_Z);
+    let Some(exact) = exact(&Case { ray, ..*case }) else {
         return f64::INFINITY;
     };
     // With x = |P − C|/r, the margin is (x² − 1) / (x² + 1).

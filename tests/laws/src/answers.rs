@@ -1,16 +1,12 @@
 //! Answers as evidence: the answers of functions to telling questions, and the outcomes of their
 //! laws, kept in a file, so that a judge in another process can weigh them beside a picture.
 //!
-//! Each line of the file is a JSON object: an answer, or the verdict on one function after its
-//! answers. Numbers are written as text, because JSON has no NaN and no infinity. A function
-//! that never returns leaves the answers that it gave before.
+//! Each line of the file is an answer, or the verdict on one function after its answers, with tabs
+//! between its parts. A function that never returns leaves the answers that it gave before.
 
-use std::collections::HashMap;
 use std::fs::OpenOptions;
 use std::io::Write;
 use std::path::Path;
-
-use tinyjson::JsonValue;
 
 use crate::question::{Functions, Question};
 use crate::verdict::{BrokenLaw, Complaint, Outcome, Report};
@@ -112,127 +108,107 @@ pub struct AnswerFile {
 }
 
 impl AnswerFile {
-    /// Parses the text of such a file, one JSON object per line, up to the first line that is cut
-    /// off: the program that wrote it may have ended there. An empty text gives an empty result.
+    /// Parses the text of such a file, up to the first line that is cut off: the program that wrote
+    /// it may have ended there. An empty text gives an empty result.
     pub fn read(text: &str) -> Self {
         let mut told = Self::default();
-        for line in text.lines() {
-            let Ok(JsonValue::Object(line)) = line.parse() else {
-                break;
-            };
-            if let Some(function) = text_of(&line, "of") {
-                let outcome = outcome(&line, &told.answers);
-                let outcome = outcome.map(|outcome| FunctionOutcome { function, outcome });
-                told.outcomes.extend(outcome);
-            } else {
-                told.answers.given.extend(answer(&line));
+        for line in text
+            .split_inclusive('\n')
+            .map_while(|line| line.strip_suffix('\n'))
+        {
+            match line.split('\t').collect::<Vec<_>>()[..] {
+                [VERDICT, function, ref said @ ..] => {
+                    told.outcomes
+                        .extend(outcome(said, &told.answers).map(|outcome| {
+                            let function = function.to_owned();
+                            FunctionOutcome { function, outcome }
+                        }));
+                }
+                [kind, question, answer] => {
+                    told.answers.given.extend(answered(kind, question, answer));
+                }
+                _ => {}
             }
         }
         told
     }
 }
 
-/// A line of the file. The last answer before the verdict of a broken law is that to the smallest
-/// case that breaks it; only `set_face_normal` has no answers.
-pub(crate) enum AnswerLine<'a> {
-    /// A question, and the answer as numbers.
-    Answer(&'a Question, &'a [f64]),
-    /// The name of a function, and the outcome of all its laws.
-    Verdict(&'static str, &'a Outcome),
+/// The first word of a line with a verdict.
+const VERDICT: &str = "verdict";
+
+/// Writes an answer as a line of the file: the kind of the question, its numbers, the answer's. The
+/// last answer before the verdict of a broken law is that to the smallest case that breaks it; only
+/// `set_face_normal` has no answers.
+pub(crate) fn answer_line(question: &Question, answer: &[f64]) -> String {
+    let [asked, answer] = [&question.numbers()[..], answer].map(|numbers| {
+        let words = numbers.iter().map(|number| format!("{number:?}"));
+        words.collect::<Vec<_>>().join(" ")
+    });
+    [question.kind(), &asked, &answer].join("\t")
 }
 
-impl AnswerLine<'_> {
-    /// Appends the line to the file, which it creates if there is none.
-    ///
-    /// # Panics
-    /// If the file can't be written.
-    pub(crate) fn keep(&self, file: &Path) {
-        let line = self.as_json() + "\n";
-        let opened = OpenOptions::new().create(true).append(true).open(file);
-        opened
-            .and_then(|mut opened| opened.write_all(line.as_bytes()))
-            .unwrap_or_else(|cause| panic!("{}: {cause}", file.display()));
-    }
-
-    /// Formats the line as a JSON object.
-    fn as_json(&self) -> String {
-        let text = |it: &str| JsonValue::from(it.to_owned());
-        let numbers = |all: &[f64]| {
-            let all = all.iter().map(|number| text(&format!("{number:?}")));
-            JsonValue::from(all.collect::<Vec<_>>())
-        };
-        let mut fields = match self {
-            Self::Answer(question, answer) => vec![
-                ("kind", text(question.kind())),
-                ("question", numbers(&question.numbers())),
-                ("answer", numbers(answer)),
-            ],
-            Self::Verdict(of, _) => vec![("of", text(of))],
-        };
-        match self {
-            Self::Answer(..) | Self::Verdict(_, Ok(())) => {}
-            Self::Verdict(_, Err(Complaint::NotWritten(place))) => {
-                fields.push(("not_written", text(place)));
-            }
-            Self::Verdict(_, Err(Complaint::Broken(report))) => {
-                let Report { broken, test, .. } = &**report;
-                let parts = [
-                    &broken.law,
-                    &*broken.found,
-                    &broken.allowed,
-                    &broken.read,
-                    test,
-                ];
-                fields.extend(PARTS.into_iter().zip(parts.map(text)));
-            }
+/// Writes the outcome of all laws for a function as a line of the file.
+pub(crate) fn verdict_line(function: &str, outcome: &Outcome) -> String {
+    let mut words = vec![VERDICT, function];
+    match outcome {
+        Ok(()) => words.push("obeyed"),
+        Err(Complaint::NotWritten(place)) => words.extend(["not written", place]),
+        Err(Complaint::Broken(report)) => {
+            let Report { broken, test, .. } = &**report;
+            words.extend([
+                "broken",
+                &broken.law,
+                &broken.found,
+                &broken.allowed,
+                &broken.read,
+            ]);
+            words.extend(test.lines());
         }
-        let fields = fields.into_iter().map(|(name, it)| (name.to_owned(), it));
-        let object = JsonValue::Object(fields.collect());
-        object.stringify().expect("no text here is a number")
     }
+    words.join("\t")
 }
 
-/// The names of a report's parts in JSON.
-const PARTS: [&str; 5] = ["law", "found", "allowed", "read", "test"];
-
-/// The fields of a line's JSON object.
-type Fields = HashMap<String, JsonValue>;
-
-/// Returns the text of a field; `None` if there is no such field, or no text in it.
-fn text_of(line: &Fields, name: &str) -> Option<String> {
-    line.get(name)?.get::<String>().cloned()
+/// Appends a line to the file, which it creates if there is none.
+///
+/// # Panics
+/// If the file can't be written.
+pub(crate) fn append(file: &Path, line: String) {
+    let opened = OpenOptions::new().create(true).append(true).open(file);
+    opened
+        .and_then(|mut opened| opened.write_all((line + "\n").as_bytes()))
+        .unwrap_or_else(|cause| panic!("{}: {cause}", file.display()));
 }
 
-/// Reads the question and the answer of a line; `None` if it has none.
-fn answer(line: &Fields) -> Option<Answered> {
-    let numbers = |name: &str| -> Option<Vec<f64>> {
-        let numbers: &Vec<JsonValue> = line.get(name)?.get()?;
-        let number = |it: &JsonValue| it.get::<String>()?.parse().ok();
-        numbers.iter().map(number).collect()
+/// Reads a question and its answer; `None` if they are none.
+fn answered(kind: &str, question: &str, answer: &str) -> Option<Answered> {
+    let numbers = |words: &str| -> Option<Vec<f64>> {
+        words
+            .split_whitespace()
+            .map(|word| word.parse().ok())
+            .collect()
     };
-    let question = Question::read(&text_of(line, "kind")?, &numbers("question")?)?;
-    let answer = numbers("answer")?;
+    let question = Question::read(kind, &numbers(question)?)?;
+    let answer = numbers(answer)?;
     Some(Answered { question, answer })
 }
 
-/// Reads the outcome of a function's laws from a line. Its report gets all answers `before` it.
-fn outcome(line: &Fields, before: &Answers) -> Option<Outcome> {
-    if let Some(place) = text_of(line, "not_written") {
-        return Some(Err(Complaint::NotWritten(place)));
-    }
-    if !line.contains_key("law") {
-        return Some(Ok(()));
-    }
-    let parts: Vec<String> = PARTS.iter().filter_map(|it| text_of(line, it)).collect();
-    let [law, found, allowed, read, test] = parts.try_into().ok()?;
-    let (law, read) = (law.into(), read.into());
-    let broken = BrokenLaw {
-        law,
-        found,
-        allowed,
-        read,
-    };
-    Some(Err(Complaint::of(broken, before.clone(), test)))
+/// Reads the outcome of a function's laws. Its report gets all answers `before` it.
+fn outcome(said: &[&str], before: &Answers) -> Option<Outcome> {
+    Some(match *said {
+        ["obeyed"] => Ok(()),
+        ["not written", place] => Err(Complaint::NotWritten(place.to_owned())),
+        ["broken", law, found, allowed, read, ref test @ ..] => {
+            let broken = BrokenLaw {
+                law: law.to_owned().into(),
+                found: found.to_owned(),
+                allowed: allowed.to_owned(),
+                read: read.to_owned().into(),
+            };
+            Err(Complaint::of(broken, before.clone(), test.join("\n")))
+        }
+        _ => return None,
+    })
 }
 
 #[cfg(test)]

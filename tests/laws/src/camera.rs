@@ -2,7 +2,8 @@
 
 use common::rtweekend::*;
 
-use crate::question::{nearly_equal, of_ray, vector};
+use crate::case::{of_ray, vector};
+use crate::question::nearly_equal;
 use crate::verdict::{BrokenLaw, LawResult};
 
 /// A pixel of a picture with the aspect ratio 16:9: the argument of a camera's function that
@@ -19,9 +20,6 @@ pub struct CameraPixel {
 
 /// Tests that a camera's `ray` for `pixel` starts at the origin, and is in the pixel's center on
 /// the viewport at `t` = 1.
-///
-/// # Errors
-/// The broken law, if origin or direction differ by more than rounding.
 pub fn the_ray_of_a_pixel_goes_through_its_center(ray: &Ray, pixel: &CameraPixel) -> LawResult {
     let right = pixel.expected_ray();
     BrokenLaw::unless(nearly_equal(&of_ray(*ray), &of_ray(right)), || BrokenLaw {

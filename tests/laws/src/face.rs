@@ -5,8 +5,6 @@ use common::rtweekend::*;
 use crate::record::SET_FACE_NORMAL;
 use crate::verdict::{BrokenLaw, LawResult};
 
-pub use common::rtweekend::Vec3;
-
 /// The answer of a `set_face_normal`: a normal, and the side of the surface that the ray meets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Face {
@@ -24,9 +22,6 @@ pub type SetFaceNormal<'a> = dyn Fn(&Ray, Vec3) -> Face + 'a;
 /// that comes from outside, and −`outward` with the back face for one from inside.
 ///
 /// Makes no claim where `direction` and `outward` are at a right angle, up to rounding.
-///
-/// # Errors
-/// The broken law, if `set_face_normal` answers otherwise.
 pub fn the_normal_is_turned_against_the_ray(
     set_face_normal: &SetFaceNormal,
     direction: Vec3,

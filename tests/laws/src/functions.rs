@@ -9,10 +9,7 @@
 #[macro_export]
 macro_rules! functions_of_a_list {
     ($chapter:ident, $Ray:ty, $vector:path, $ray:path, $back:path) => {
-        fn set_face_normal(
-            ray: &$crate::Ray,
-            outward_normal: $crate::face::Vec3,
-        ) -> $crate::face::Face {
+        fn set_face_normal(ray: &$crate::Ray, outward_normal: $crate::Vec3) -> $crate::face::Face {
             let mut record = $chapter::HitRecord::default();
             record.set_face_normal(&$ray(*ray), $vector(outward_normal));
             $crate::face::Face {

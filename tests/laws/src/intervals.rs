@@ -4,9 +4,9 @@
 //! The range is open: a root at `t_min` or `t_max` does not count. The bounds
 //! are those of [`nearer_root`](crate::nearer_root).
 
+use crate::case::{IntervalCase, RangeSolver};
 use crate::nearer_root::{BAND, root_bound, said};
 use crate::oracle::ExactCase;
-use crate::question::{IntervalCase, RangeSolver};
 use crate::verdict::{BrokenLaw, LawResult};
 
 /// Tests that the `t` that `solve` returns for a ray, a sphere and an interval lies between the
@@ -14,9 +14,6 @@ use crate::verdict::{BrokenLaw, LawResult};
 ///
 /// Makes no claim where an end is NaN, or where numbers are so large or small that the equation may
 /// overflow.
-///
-/// # Errors
-/// The broken law, if `t` lies outside.
 pub fn no_t_outside_the_interval_is_returned(
     solve: &RangeSolver,
     asked: &IntervalCase,
@@ -41,9 +38,6 @@ pub fn no_t_outside_the_interval_is_returned(
 ///
 /// Makes no claim where rounding could move a root across an end of the interval, or decide between
 /// hit and miss, or where numbers are so large or small that the equation may overflow.
-///
-/// # Errors
-/// The broken law, if `solve` returns another `t` or none.
 pub fn the_nearest_root_in_the_interval_is_returned(
     solve: &RangeSolver,
     asked: &IntervalCase,

@@ -1,10 +1,9 @@
 //! The law for the search of a list of spheres.
 
 use common::rtweekend::*;
-use speed_vs_accuracy::Case;
 
+use crate::case::{Case, IntervalCase, code, of_ray, vector};
 use crate::nearer_root::said;
-use crate::question::{IntervalCase, code, of_ray, vector};
 use crate::record::RecordSolver;
 use crate::verdict::{BrokenLaw, LawResult};
 
@@ -30,9 +29,6 @@ pub type ListSolver<'a> = dyn Fn(&World) -> Option<f64> + 'a;
 /// Tests that `search`, a list's search for the nearest hit, returns the least `t` that `record`
 /// finds for any sphere alone, in whatever order the spheres are added; `None` if all are missed or
 /// there are none.
-///
-/// # Errors
-/// The broken law, if `search` answers otherwise.
 pub fn the_nearest_of_all_members_is_returned(
     record: &RecordSolver,
     search: &ListSolver,
@@ -97,19 +93,8 @@ impl World {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::record::RecordedHit;
+    use crate::record::tests::record;
     use crate::{Complaint, Trial};
-
-    fn record(asked: &IntervalCase) -> Option<RecordedHit> {
-        let t = asked.solve(&speed_vs_accuracy::half_b)?;
-        let point = asked.case.ray.at(t);
-        Some(RecordedHit {
-            t,
-            point,
-            normal: point,
-            front_face: true,
-        })
-    }
 
     /// Returns the least answer of the spheres but for the first few: a wrong list.
     fn without(few: usize, world: &World) -> Option<f64> {

@@ -25,11 +25,11 @@
 
 use common::rtweekend::*;
 use proptest::strategy::Strategy;
-use speed_vs_accuracy::Case;
 
+use crate::case::Case;
 use crate::oracle::ExactCase;
 use crate::question::{Question, telling_cases};
-use crate::strategies::{any_case, integers, ordinary};
+use crate::strategies::{any_case, in_front, integers, ordinary};
 use crate::trial::LawSuite;
 use crate::verdict::{BrokenLaw, LawResult};
 
@@ -37,10 +37,6 @@ use crate::verdict::{BrokenLaw, LawResult};
 /// `t` at which the ray's line meets the sphere, in lengths of the direction, negative behind the
 /// origin; `None` for a miss.
 pub type Solver<'a> = dyn Fn(Point3, f64, &Ray) -> Option<f64> + 'a;
-
-/// A law for the nearer root, a property that a right solver has: tests the answer of a solver to
-/// one case.
-pub type RootLaw = fn(&Solver, &Case) -> LawResult;
 
 /// The unit roundoff u of an `f64`, 2⁻⁵³: the largest relative error of one rounded operation.
 pub const U: f64 = f64::EPSILON / 2.0;
@@ -51,9 +47,7 @@ pub const U: f64 = f64::EPSILON / 2.0;
 pub const BAND: f64 = 24.0 * U;
 
 /// All laws for the nearer root, those that teach most first.
-///
-/// A function that only decides between hit and miss is put under them by [`solver_of_decision`].
-pub const ROOT_LAWS: [RootLaw; 7] = [
+const LAWS: [fn(&Solver, &Case) -> LawResult; 7] = [
     t_is_a_number,
     the_line_hits_exactly_when_there_is_a_root,
     where_h_is_zero_no_root_is_lost,
@@ -63,26 +57,31 @@ pub const ROOT_LAWS: [RootLaw; 7] = [
     a_scene_in_another_unit_and_a_mirror_has_the_same_digits,
 ];
 
-/// Tests all laws of [`ROOT_LAWS`] on the answer of `solve` for one ray and sphere, in their
-/// order.
-///
-/// # Errors
-/// The first law that the answer breaks.
+/// Tests all laws for the nearer root on the answer of `solve` for one ray and sphere, those that
+/// teach most first. A function that only decides between hit and miss is put under them by
+/// [`solver_of_decision`].
 pub fn obeys_every_law(solve: &Solver, case: &Case) -> LawResult {
-    ROOT_LAWS.iter().try_for_each(|law| law(solve, case))
+    LAWS.iter().try_for_each(|law| law(solve, case))
 }
 
-/// Lists the cases and laws for a nearer root: first whole numbers, which can be checked by hand,
-/// then ordinary cases, then those where only rounding or an overflow shows a mistake.
+/// Lists the cases and laws for a nearer root: first spheres in front of the ray, then others, both
+/// of whole numbers, which can be checked by hand, then ordinary cases, then those where only
+/// rounding or an overflow shows a mistake.
 pub(crate) fn suite<'a>(solve: &'a Solver<'a>) -> LawSuite<'a, Case> {
-    let law = |law: RootLaw| Box::new(move |case: &Case| law(solve, case)) as _;
     LawSuite {
         of: "hit_sphere",
-        kinds: vec![integers().boxed(), ordinary().boxed(), any_case().boxed()],
+        kinds: vec![
+            in_front().boxed(),
+            integers().boxed(),
+            ordinary().boxed(),
+            any_case().boxed(),
+        ],
         telling: telling_cases(&ordinary()),
         question: Question::Root,
         answer: Box::new(|case| case.solve(solve).into_iter().collect()),
-        laws: ROOT_LAWS.map(law).into(),
+        laws: LAWS
+            .map(|law| Box::new(move |case: &Case| law(solve, case)) as _)
+            .into(),
         test: &|case| {
             format!(
                 "{case}\nlet case = laws::Case::new(center, radius, ray);\n\
@@ -175,9 +174,6 @@ fn where_h_is_zero_no_root_is_lost(solve: &Solver, case: &Case) -> LawResult {
 /// The root is the exact root of an equation with slightly other coefficients: the error of D is
 /// one of 24u·M in c, those of h and a are 16u·M and 12u·M since |t| ≤ 2√(M/a), the last roundings
 /// of t another 24u·M. The check itself rounds by 13u·M. The sum is 89u·M; this law allows 96u·M.
-///
-/// # Errors
-/// The broken law, if the point lies off the sphere. A miss breaks nothing here.
 pub fn the_point_lies_on_the_sphere(solve: &Solver, case: &Case) -> LawResult {
     let Some(t) = case.solve(solve) else {
         return Ok(());
@@ -232,7 +228,7 @@ pub fn root_bound(case: &Case, margin: f64) -> f64 {
 
 /// Tests that a ray which touches the sphere hits it, with the exact root. Makes no claim unless
 /// every number is a small integer, so that no operation rounds.
-fn a_tangent_is_a_hit_and_its_root_is_exact(solve: &Solver, case: &Case) -> LawResult {
+pub(crate) fn a_tangent_is_a_hit_and_its_root_is_exact(solve: &Solver, case: &Case) -> LawResult {
     let Some(root) = exact_tangent(case) else {
         return Ok(());
     };
@@ -247,7 +243,7 @@ fn a_tangent_is_a_hit_and_its_root_is_exact(solve: &Solver, case: &Case) -> LawR
 
 /// Returns the root of a case of small integers with D = 0 and a root that is an integer too;
 /// `None` for any other case.
-fn exact_tangent(case: &Case) -> Option<f64> {
+pub(crate) fn exact_tangent(case: &Case) -> Option<f64> {
     let is_small_integer = |number: &f64| number.fract() == 0.0 && number.abs() < 4096.0;
     let exact = ExactCase::of(case);
     let root = exact.nearer_root()?.rounded();

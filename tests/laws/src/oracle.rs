@@ -15,7 +15,8 @@ use std::cmp::Ordering;
 use dashu_base::FloatEncoding;
 use dashu_int::ops::{BitTest, DivRemEuclid, SquareRootRem, UnsignedAbs};
 use dashu_int::{IBig, UBig};
-use speed_vs_accuracy::Case;
+
+use crate::case::Case;
 
 /// The quadratic equation of one ray and one sphere, in integer arithmetic that never rounds.
 ///

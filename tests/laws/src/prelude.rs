@@ -4,8 +4,9 @@
 use common::rtweekend::*;
 use proptest::prelude::*;
 
+use crate::case::{code, of_ray, vector};
 use crate::nearer_root::U;
-use crate::question::{Functions, code, of_ray, vector};
+use crate::question::Functions;
 use crate::strategies::{ahead_if_zero, samples, whole_vector};
 use crate::verdict::{BrokenLaw, LawResult};
 
@@ -66,9 +67,6 @@ pub struct PreludeQuestion {
 ///
 /// A swapped letter (`u.z * u.z`) draws the right picture in four chapters of five, because there
 /// every z is −1.
-///
-/// # Errors
-/// The broken law, if the function answers otherwise.
 pub fn small_numbers_are_worked_out_by_head(
     prelude: &Prelude,
     asked: &PreludeQuestion,

@@ -1,13 +1,13 @@
 //! Questions to each kind of function, with answers as plain numbers, which can be compared, kept
 //! in a file, and read again.
 
-use std::fmt::{self, Debug};
+use std::fmt::Debug;
 
 use common::rtweekend::*;
 use proptest::strategy::Strategy;
-use speed_vs_accuracy::Case;
 
 use crate::camera::CameraPixel;
+use crate::case::{Case, IntervalCase, of_ray};
 use crate::list::World;
 use crate::oracle::ExactCase;
 use crate::prelude::{PRELUDE_FUNCTIONS, Prelude, PreludeQuestion};
@@ -77,37 +77,32 @@ pub trait Functions {
 const TELLING: u32 = 250;
 
 impl Question {
-    /// Lists twenty questions to each of the ten functions on vectors and rays, function by
-    /// function, in the order of [`PRELUDE_FUNCTIONS`]. The list is the same in every run, and long
-    /// enough that different mistakes give different answers.
+    /// Lists twenty [telling questions](telling_cases) to each of the ten functions on vectors and
+    /// rays, function by function, in the order of [`PRELUDE_FUNCTIONS`].
     pub fn of_prelude() -> Vec<Self> {
         let telling = PRELUDE_FUNCTIONS.iter().flat_map(|it| it.telling_cases());
         telling.map(Self::Prelude).collect()
     }
 
-    /// Lists 250 questions about one ray and one sphere: whether the ray hits, if `kind` is
-    /// [`Question::Decision`], or at which `t`, if it is [`Question::Root`]. The list is the same in
-    /// every run, and long enough that different mistakes give different answers.
+    /// Lists [telling questions](telling_cases) about one ray and one sphere: whether the ray hits,
+    /// if `kind` is [`Question::Decision`], or at which `t`, if it is [`Question::Root`].
     pub fn of_sphere(kind: fn(Case) -> Self) -> Vec<Self> {
         of(kind, &strategies::ordinary())
     }
 
-    /// Lists 250 questions that ask for the record of a ray's hit with one sphere in an interval.
-    /// The list is the same in every run, and long enough that different mistakes give different
-    /// answers.
+    /// Lists [telling questions](telling_cases) that ask for the record of a ray's hit with one
+    /// sphere in an interval.
     pub fn of_record() -> Vec<Self> {
         of(Self::Record, &strategies::ordinary_with_interval())
     }
 
-    /// Lists 250 questions that ask for the `t` of a ray's nearest hit with several spheres. The
-    /// list is the same in every run, and long enough that different mistakes give different
-    /// answers.
+    /// Lists [telling questions](telling_cases) that ask for the `t` of a ray's nearest hit with
+    /// several spheres.
     pub fn of_list() -> Vec<Self> {
         of(Self::Nearest, &strategies::worlds())
     }
 
-    /// Lists 250 questions that ask for the color of a ray. The list is the same in every run, and
-    /// long enough that different mistakes give different answers.
+    /// Lists [telling questions](telling_cases) that ask for the color of a ray.
     pub fn of_ray_color() -> Vec<Self> {
         of(Self::RayColor, &ray_color::rays())
     }
@@ -243,66 +238,4 @@ pub(crate) fn of_hit(asked: &IntervalCase, hit: Option<RecordedHit>) -> Vec<f64>
     }
     let vectors = [hit.point.to_array(), hit.normal.to_array()].concat();
     [vec![hit.t, f64::from(hit.front_face)], vectors].concat()
-}
-
-/// A ray, a sphere and an open interval of `t` in which a hit counts, as the `Sphere::hit` of
-/// chapter 5 takes them. No hit counts if `t_min` is not below `t_max`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct IntervalCase {
-    /// The ray and the sphere.
-    pub case: Case,
-    /// The lower end of the interval, excluded, in lengths of the ray's direction.
-    pub t_min: f64,
-    /// The upper end of the interval, excluded, in lengths of the ray's direction.
-    pub t_max: f64,
-}
-
-/// A function that takes center, radius, ray, `t_min` and `t_max`, and returns the nearest root
-/// between the two, both excluded, in lengths of the direction; `None` if there is none.
-pub type RangeSolver<'a> = dyn Fn(Point3, f64, &Ray, f64, f64) -> Option<f64> + 'a;
-
-impl IntervalCase {
-    /// Combines a ray and a sphere with the unbounded interval, from −∞ to ∞.
-    pub fn unbounded(case: Case) -> Self {
-        let (t_min, t_max) = (f64::NEG_INFINITY, f64::INFINITY);
-        Self { case, t_min, t_max }
-    }
-
-    /// Calls `solve` with the numbers of this case, and returns its answer.
-    pub fn solve(&self, solve: &RangeSolver) -> Option<f64> {
-        let case = &self.case;
-        solve(case.center, case.radius, &case.ray, self.t_min, self.t_max)
-    }
-}
-
-impl fmt::Display for IntervalCase {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { case, t_min, t_max } = self;
-        let [t_min, t_max] = [t_min, t_max].map(|&end| code(&[end]));
-        write!(f, "{case}\nlet (t_min, t_max) = ({t_min}, {t_max});")
-    }
-}
-
-/// Lists the numbers of a ray: origin, then direction.
-pub(crate) fn of_ray(ray: Ray) -> Vec<f64> {
-    [ray.origin.to_array(), ray.direction.to_array()].concat()
-}
-
-/// Writes one number, the three of a vector or the six of a ray as an expression of Rust.
-pub(crate) fn code(numbers: &[f64]) -> String {
-    match *numbers {
-        [f64::INFINITY] => "f64::INFINITY".to_owned(),
-        [f64::NEG_INFINITY] => "f64::NEG_INFINITY".to_owned(),
-        [number] => format!("{number:?}"),
-        [x, y, z] => format!("Vec3::new({x:?}, {y:?}, {z:?})"),
-        _ => {
-            let (origin, direction) = numbers.split_at(3);
-            format!("Ray::new({}, {})", code(origin), code(direction))
-        }
-    }
-}
-
-/// Writes a vector as an expression of Rust.
-pub(crate) fn vector(v: Vec3) -> String {
-    code(&v.to_array())
 }

@@ -2,15 +2,19 @@
 
 use common::rtweekend::*;
 use proptest::strategy::Strategy;
-use speed_vs_accuracy::Case;
 
+use crate::case::{Case, IntervalCase};
 use crate::intervals::{
     no_t_outside_the_interval_is_returned, the_nearest_root_in_the_interval_is_returned,
 };
-use crate::nearer_root::{self, U};
+use crate::nearer_root::{
+    self, U, a_tangent_is_a_hit_and_its_root_is_exact, the_point_lies_on_the_sphere,
+};
 use crate::oracle::ExactCase;
-use crate::question::{IntervalCase, Question, of_hit, telling_cases};
-use crate::strategies::{any_case, integers, ordinary, ordinary_with_interval, with_interval};
+use crate::question::{Question, of_hit, telling_cases};
+use crate::strategies::{
+    any_case, in_front, integers, ordinary, ordinary_with_interval, with_interval,
+};
 use crate::trial::LawSuite;
 use crate::verdict::{BrokenLaw, LawResult};
 
@@ -34,42 +38,90 @@ pub type RecordSolver<'a> = dyn Fn(&IntervalCase) -> Option<RecordedHit> + 'a;
 /// The page that explains `set_face_normal`.
 pub(crate) const SET_FACE_NORMAL: &str = "chapter 5: `set_face_normal`";
 
-/// Tests all laws for a record on the answers of `record` for one ray and sphere, those that teach
-/// most first: laws of its `t` for the interval of `asked` and for the unbounded one, then those of
-/// its point, its normal and its face.
-///
-/// # Errors
-/// The first law that an answer breaks.
+/// All laws for a record, those that teach most first.
+const LAWS: [fn(&RecordSolver, &IntervalCase) -> LawResult; 6] = [
+    |record, asked| the_point_lies_on_the_sphere(&nearer_root_of(record, asked), &asked.case),
+    |record, asked| no_t_outside_the_interval_is_returned(&t_of(record), asked),
+    |record, asked| the_nearest_root_in_the_interval_is_returned(&t_of(record), asked),
+    a_tangent_in_the_interval_is_a_hit,
+    on_the_whole_line_t_is_the_nearer_root,
+    what_is_recorded_belongs_to_t,
+];
+
+/// Tests all laws for a record on the answers of `record` for one ray, sphere and interval, those
+/// that teach most first.
 pub fn obeys_every_law(record: &RecordSolver, asked: &IntervalCase) -> LawResult {
-    let solve = |center, radius, ray: &Ray, t_min, t_max| {
-        let case = Case::new(center, radius, *ray);
-        record(&IntervalCase { case, t_min, t_max }).map(|hit| hit.t)
-    };
-    let on_the_line =
-        |center, radius, ray: &Ray| solve(center, radius, ray, f64::NEG_INFINITY, f64::INFINITY);
-    nearer_root::the_point_lies_on_the_sphere(&on_the_line, &asked.case)?;
-    no_t_outside_the_interval_is_returned(&solve, asked)?;
-    the_nearest_root_in_the_interval_is_returned(&solve, asked)?;
-    nearer_root::obeys_every_law(&on_the_line, &asked.case)?;
-    let Some(hit) = record(asked) else {
-        return Ok(());
-    };
-    the_point_is_the_one_at_t(&asked.case, &hit)?;
-    the_normal_is_the_radius_to_the_point_by_its_length(&asked.case, &hit)?;
-    the_normal_points_against_the_ray(&asked.case, &hit)?;
-    the_front_face_is_where_the_ray_enters(&asked.case, &hit)
+    LAWS.iter().try_for_each(|law| law(record, asked))
 }
 
-/// Lists the cases and laws for a record, in the order of those for a nearer root.
+/// Makes of `record` a solver that returns only `t`.
+fn t_of(record: &RecordSolver) -> impl Fn(Point3, f64, &Ray, f64, f64) -> Option<f64> {
+    move |center, radius, ray, t_min, t_max| {
+        let case = Case::new(center, radius, *ray);
+        record(&IntervalCase { case, t_min, t_max }).map(|hit| hit.t)
+    }
+}
+
+/// Makes of `record` a solver that returns only `t`, for the interval of `asked`.
+fn nearer_root_of(
+    record: &RecordSolver,
+    asked: &IntervalCase,
+) -> impl Fn(Point3, f64, &Ray) -> Option<f64> {
+    let IntervalCase { t_min, t_max, .. } = *asked;
+    move |center, radius, ray| t_of(record)(center, radius, ray, t_min, t_max)
+}
+
+fn a_tangent_in_the_interval_is_a_hit(record: &RecordSolver, asked: &IntervalCase) -> LawResult {
+    let is_inside = |root| asked.t_min < root && root < asked.t_max;
+    match nearer_root::exact_tangent(&asked.case).is_some_and(is_inside) {
+        true => {
+            a_tangent_is_a_hit_and_its_root_is_exact(&nearer_root_of(record, asked), &asked.case)
+        }
+        false => Ok(()),
+    }
+}
+
+fn on_the_whole_line_t_is_the_nearer_root(
+    record: &RecordSolver,
+    asked: &IntervalCase,
+) -> LawResult {
+    match *asked == IntervalCase::unbounded(asked.case) {
+        true => nearer_root::obeys_every_law(&nearer_root_of(record, asked), &asked.case),
+        false => Ok(()),
+    }
+}
+
+fn what_is_recorded_belongs_to_t(record: &RecordSolver, asked: &IntervalCase) -> LawResult {
+    let (case, Some(hit)) = (&asked.case, record(asked)) else {
+        return Ok(());
+    };
+    the_point_is_the_one_at_t(case, &hit)?;
+    the_normal_is_the_radius_to_the_point_by_its_length(case, &hit)?;
+    the_normal_points_against_the_ray(case, &hit)?;
+    the_front_face_is_where_the_ray_enters(case, &hit)
+}
+
+/// Lists the cases and laws for a record: first what a camera sees, then any interval, and the whole
+/// line last, of which only the laws ask; in each, whole numbers come first, and cases where only
+/// rounding or an overflow shows a mistake last.
 pub(crate) fn suite<'a>(record: &'a RecordSolver<'a>) -> LawSuite<'a, IntervalCase> {
-    let kinds = [integers().boxed(), ordinary().boxed(), any_case().boxed()];
     LawSuite {
         of: "sphere",
-        kinds: kinds.map(|kind| with_interval(kind).boxed()).into(),
+        kinds: vec![
+            in_front().prop_map(IntervalCase::ahead).boxed(),
+            integers().prop_map(IntervalCase::ahead).boxed(),
+            ordinary().prop_map(IntervalCase::ahead).boxed(),
+            with_interval(integers()).boxed(),
+            with_interval(any_case()).boxed(),
+            integers().prop_map(IntervalCase::unbounded).boxed(),
+            any_case().prop_map(IntervalCase::unbounded).boxed(),
+        ],
         telling: telling_cases(&ordinary_with_interval()),
         question: Question::Record,
         answer: Box::new(|asked| of_hit(asked, record(asked))),
-        laws: vec![Box::new(|asked| obeys_every_law(record, asked))],
+        laws: LAWS
+            .map(|law| Box::new(move |asked: &IntervalCase| law(record, asked)) as _)
+            .into(),
         test: &|asked| {
             format!(
                 "{asked}\nlet case = laws::Case::new(center, radius, ray);\n\
@@ -159,4 +211,57 @@ fn the_front_face_is_where_the_ray_enters(case: &Case, hit: &RecordedHit) -> Law
         allowed: format!("front_face = {enters}"),
         read: SET_FACE_NORMAL.into(),
     })
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+    use crate::{Complaint, Trial};
+
+    /// Makes the right record of a hit.
+    pub(crate) fn record(asked: &IntervalCase) -> Option<RecordedHit> {
+        recorded(asked, |nearer, farther| vec![nearer, farther])
+    }
+
+    /// Makes the record of the first of the roots that lies in the interval.
+    fn recorded(asked: &IntervalCase, roots: impl Fn(f64, f64) -> Vec<f64>) -> Option<RecordedHit> {
+        let IntervalCase { case, t_min, t_max } = *asked;
+        let exact = ExactCase::of(&case);
+        let roots = roots(
+            exact.nearer_root()?.rounded(),
+            exact.farther_root()?.rounded(),
+        );
+        let t = roots.into_iter().find(|&t| t_min < t && t < t_max)?;
+        let point = case.ray.at(t);
+        let outward = (point - case.center) / case.radius;
+        let front_face = case.ray.direction.dot(outward) < 0.0;
+        Some(RecordedHit {
+            t,
+            point,
+            normal: if front_face { outward } else { -outward },
+            front_face,
+        })
+    }
+
+    #[test]
+    fn the_right_record_obeys_the_laws() {
+        crate::holds(Trial::default().record(&record));
+    }
+
+    /// On the whole line its author would not believe that it is wrong.
+    #[test]
+    fn inside_as_seen_from_the_worlds_origin_is_shown_in_the_range_that_a_camera_has() {
+        let inside_if_the_origin_is = |asked: &IntervalCase| {
+            let is_inside = asked.case.center.length() < asked.case.radius;
+            recorded(asked, |nearer, farther| {
+                vec![if is_inside { farther } else { nearer }]
+            })
+        };
+        let Err(Complaint::Broken(report)) = Trial::default().record(&inside_if_the_origin_is)
+        else {
+            panic!("a law is broken");
+        };
+        let range = "(t_min, t_max) = (0.0, f64::INFINITY)";
+        assert!(report.test.contains(range), "{report}");
+    }
 }

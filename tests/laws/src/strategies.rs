@@ -14,12 +14,11 @@ use proptest::prelude::*;
 use proptest::sample::select;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, RngSeed, TestRunner};
-use speed_vs_accuracy::Case;
 
 use crate::camera::CameraPixel;
+use crate::case::{Case, IntervalCase};
 use crate::list::World;
 use crate::oracle::ExactCase;
-use crate::question::IntervalCase;
 
 /// Returns the configuration of every property test: each run makes equal cases, so that a failure
 /// is never luck. The environment variable `PROPTEST_RNG_SEED` chooses other cases, and
@@ -112,6 +111,24 @@ pub fn book_rays() -> impl Strategy<Value = Case> {
         let ray = Camera::new(pixel.width).ray(pixel.i, pixel.j);
         Case::new(center, radius, ray)
     })
+}
+
+/// Makes rays towards spheres, from outside, as a camera sees them: a function's author believes
+/// these first. All numbers are whole but a radius of ½: the plainest case is the ball of chapter 2.
+pub fn in_front() -> impl Strategy<Value = Case> {
+    // In the order in which proptest makes them smaller: first the ray is turned to the center.
+    (whole_vector(3), whole_vector(9), 1..=9, whole_vector(9)).prop_map(
+        |(sideways, oc, radius, origin)| {
+            let oc = ahead_if_zero(oc);
+            let outside = (oc.length().ceil() - 1.0).max(0.5);
+            let direction = match oc + sideways {
+                direction if direction.dot(oc) > 0.0 => direction,
+                _ => oc,
+            };
+            let ray = Ray::new(origin, direction);
+            Case::new(origin + oc, f64::from(radius).min(outside), ray)
+        },
+    )
 }
 
 /// Makes rays and spheres of whole numbers from −18 to 18, so that answers can be checked by hand.

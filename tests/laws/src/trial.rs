@@ -12,46 +12,29 @@ use std::sync::Once;
 use common::rtweekend::*;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestError, TestRunner};
-use speed_vs_accuracy::Case;
 
-use crate::answers::{ANSWERS_VARIABLE, AnswerLine, Answered, Answers};
+use crate::answers::{self, ANSWERS_VARIABLE, Answered, Answers};
 use crate::camera::{CameraPixel, the_ray_of_a_pixel_goes_through_its_center};
+use crate::case::{Case, of_ray};
 use crate::face::{SetFaceNormal, the_normal_is_turned_against_the_ray};
 use crate::list::{ListSolver, World, the_nearest_of_all_members_is_returned};
 use crate::nearer_root::{self, Solver};
 use crate::prelude::{
     PRELUDE_FUNCTIONS, Prelude, PreludeQuestion, small_numbers_are_worked_out_by_head,
 };
-use crate::question::{Question, decided, of_hit, of_ray, telling_cases};
+use crate::question::{Question, decided, of_hit, telling_cases};
 use crate::ray_color::{self, ChapterScene, a_ray_has_its_color_from_anywhere};
 use crate::record::{self, RecordSolver};
 use crate::strategies::{self, config};
 use crate::verdict::{BrokenLaw, Complaint, LawResult, Outcome};
 
 /// A trial of the functions of a chapter: each under all *laws* of its kind, properties that a
-/// right function has, on cases made by proptest. The outcome is `Ok` if all laws hold.
+/// right function has, on cases made by proptest. The outcome is `Ok` if all laws hold, or else the
+/// smallest case found that breaks one, or the place of a `todo!()`. Any other panic of a function
+/// is passed on.
 ///
-/// This is what a reader does in a test of their own, in a package that has
-/// `common` and `laws` among its `[dev-dependencies]`, as
-/// `{ path = "…/common" }` and `{ path = "…/tests/laws" }`:
-///
-/// ```
-/// use common::rtweekend::*;
-/// use laws::{Trial, holds};
-///
-/// /// Your own function, as you typed it.
-/// fn hit_sphere(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
-///     let oc = center - ray.origin;
-///     let a = ray.direction.length_squared();
-///     let h = ray.direction.dot(oc);
-///     let c = oc.length_squared() - radius * radius;
-///     let discriminant = h * h - a * c;
-///     (discriminant >= 0.0).then(|| (h - discriminant.sqrt()) / a)
-/// }
-///
-/// // Panics if a law is broken, and says which, and by what.
-/// holds(Trial::default().nearer_root(&hit_sphere));
-/// ```
+/// Whole numbers and usual ranges are asked first, so that a broken law is shown by a case that the
+/// function's author believes. [The package's own page](crate) has examples.
 #[derive(Clone, Debug)]
 pub struct Trial {
     /// The number of cases on which each law is tried, for each kind of case, such as whole
@@ -73,25 +56,24 @@ impl Default for Trial {
     }
 }
 
-/// A law about a function's answer to a question.
-pub(crate) type Law<'a, Q> = Box<dyn Fn(&Q) -> LawResult + 'a>;
-
-/// A function that asks the tried function, and lists the answer's numbers.
+/// A function that asks the tried function about a case, and lists the answer's numbers.
 pub(crate) type AnswerFn<'a, Q> = Box<dyn Fn(&Q) -> Vec<f64> + 'a>;
+
+/// A law about a function's answer to a case.
+pub(crate) type Law<'a, Q> = Box<dyn Fn(&Q) -> LawResult + 'a>;
 
 /// The cases and the laws for one function.
 pub(crate) struct LawSuite<'a, Q> {
     /// The name of the function.
     pub(crate) of: &'static str,
-    /// The cases, one kind after the other.
+    /// The cases, one kind after the other: those first that an author believes.
     pub(crate) kinds: Vec<BoxedStrategy<Q>>,
     /// Questions by whose answers mistakes differ.
     pub(crate) telling: Vec<Q>,
     /// Turns a case into a question.
     pub(crate) question: fn(Q) -> Question,
-    /// Asks the function about a case.
     pub(crate) answer: AnswerFn<'a, Q>,
-    /// The laws, in the order in which they are tried.
+    /// The laws, those first that teach most.
     pub(crate) laws: Vec<Law<'a, Q>>,
     /// Writes the body of a test that asks about a case again. The test stands beside the reader's
     /// other tests, so the body calls the function without importing it.
@@ -101,12 +83,6 @@ pub(crate) struct LawSuite<'a, Q> {
 impl Trial {
     /// Tries a function that only decides whether the ray's line meets the sphere, as the
     /// `hit_sphere` of chapter 2.
-    ///
-    /// # Errors
-    /// The smallest case found that breaks a law, or the place of a `todo!()`.
-    ///
-    /// # Panics
-    /// If the function panics, other than by a `todo!()`.
     pub fn decision(&self, decide: &dyn Fn(Point3, f64, &Ray) -> bool) -> Outcome {
         let solve = nearer_root::solver_of_decision(decide);
         self.put(&LawSuite {
@@ -118,12 +94,6 @@ impl Trial {
     }
 
     /// Tries a function that returns the nearer root, as the `hit_sphere` of chapters 3 and 4.
-    ///
-    /// # Errors
-    /// The smallest case found that breaks a law, or the place of a `todo!()`.
-    ///
-    /// # Panics
-    /// If the function panics, other than by a `todo!()`.
     pub fn nearer_root(&self, solve: &Solver) -> Outcome {
         self.put(&nearer_root::suite(solve))
     }
@@ -131,24 +101,12 @@ impl Trial {
     /// Tries a function that returns the record of the nearest hit in an interval, as the
     /// `Sphere::hit` of chapter 5. For an unbounded interval, the record's `t` must be the nearer
     /// root.
-    ///
-    /// # Errors
-    /// The smallest case found that breaks a law, or the place of a `todo!()`.
-    ///
-    /// # Panics
-    /// If the function panics, other than by a `todo!()`.
     pub fn record(&self, record: &RecordSolver) -> Outcome {
         self.put(&record::suite(record))
     }
 
     /// Tries `search`, a list's search for the nearest hit of its spheres, as the
     /// `HittableList::hit` of chapter 5. Each sphere's own answer comes from `record`.
-    ///
-    /// # Errors
-    /// The smallest case found that breaks a law, or the place of a `todo!()`.
-    ///
-    /// # Panics
-    /// If the function panics, other than by a `todo!()`.
     pub fn list(&self, record: &RecordSolver, search: &ListSolver) -> Outcome {
         let mut outcome = self.outcome(&LawSuite {
             of: "list",
@@ -159,7 +117,7 @@ impl Trial {
             telling: telling_cases(&strategies::worlds()),
             question: Question::Nearest,
             answer: Box::new(|world| search(world).into_iter().collect()),
-            laws: vec![Box::new(|world: &World| {
+            laws: vec![Box::new(|world| {
                 the_nearest_of_all_members_is_returned(record, search, world)
             })],
             test: &World::as_test,
@@ -180,12 +138,6 @@ impl Trial {
     /// Tries the operators and functions of a program's own vectors and rays, in the order of
     /// [`PRELUDE_FUNCTIONS`], up to the first that breaks a law: those after it may be built on it.
     /// A `todo!()` is reported only if no function breaks a law.
-    ///
-    /// # Errors
-    /// The smallest case found that breaks a law, or the place of a `todo!()`.
-    ///
-    /// # Panics
-    /// If the function panics, other than by a `todo!()`.
     pub fn prelude(&self, prelude: &Prelude) -> Outcome {
         let mut outcome = Ok(());
         for function in &PRELUDE_FUNCTIONS {
@@ -195,7 +147,7 @@ impl Trial {
                 telling: function.telling_cases(),
                 question: Question::Prelude,
                 answer: Box::new(|asked| asked.put_to(prelude)),
-                laws: vec![Box::new(|asked: &PreludeQuestion| {
+                laws: vec![Box::new(|asked| {
                     small_numbers_are_worked_out_by_head(prelude, asked)
                 })],
                 test: &PreludeQuestion::as_test,
@@ -206,18 +158,11 @@ impl Trial {
             }
             outcome = outcome.and(one);
         }
-        self.keep(&AnswerLine::Verdict("prelude", &outcome));
-        outcome
+        self.kept("prelude", outcome)
     }
 
     /// Tries the function of a camera that returns the ray through a pixel, on pictures of many
     /// widths.
-    ///
-    /// # Errors
-    /// The smallest case found that breaks a law, or the place of a `todo!()`.
-    ///
-    /// # Panics
-    /// If the function panics, other than by a `todo!()`.
     pub fn pixel_ray(&self, ray: &dyn Fn(&CameraPixel) -> Ray) -> Outcome {
         self.put(&LawSuite {
             of: "pixel_ray",
@@ -225,35 +170,29 @@ impl Trial {
             telling: telling_cases(&strategies::pixels()),
             question: Question::PixelRay,
             answer: Box::new(|pixel| of_ray(ray(pixel))),
-            laws: vec![Box::new(|pixel: &CameraPixel| {
+            laws: vec![Box::new(|pixel| {
                 the_ray_of_a_pixel_goes_through_its_center(&ray(pixel), pixel)
             })],
             test: &CameraPixel::as_test,
         })
     }
 
-    /// Tries the `ray_color` of a chapter's scene on rays that the book's camera never casts. Makes
-    /// no claim, and returns `Ok`, where the book's own picture is wrong already: there the picture
-    /// shows the mistake.
-    ///
-    /// # Errors
-    /// The smallest case found that breaks a law, or the place of a `todo!()`.
-    ///
-    /// # Panics
-    /// If the function panics, other than by a `todo!()`.
+    /// Tries the `ray_color` of a chapter's scene, each component of its colors, also on rays that
+    /// the book's camera never casts. Makes no claim, and returns `Ok`, where the levels of the
+    /// book's own picture are wrong already: there the picture shows the mistake.
     pub fn ray_color(&self, scene: ChapterScene, ray_color: &dyn Fn(&Ray) -> Color) -> Outcome {
-        let law = |ray: &Ray| a_ray_has_its_color_from_anywhere(scene, ray_color(ray), ray);
-        let suite = LawSuite {
-            of: "ray_color",
-            kinds: vec![ray_color::rays().boxed()],
-            telling: telling_cases(&ray_color::rays()),
-            question: Question::RayColor,
-            answer: Box::new(|ray| ray_color(ray).to_array().to_vec()),
-            laws: vec![Box::new(law)],
-            test: &|ray| scene.as_test(ray),
-        };
         match written(|| scene.looks_right(ray_color)) {
-            Ok(true) => self.put(&suite),
+            Ok(true) => self.put(&LawSuite {
+                of: "ray_color",
+                kinds: vec![ray_color::rays().boxed()],
+                telling: telling_cases(&ray_color::rays()),
+                question: Question::RayColor,
+                answer: Box::new(|ray| ray_color(ray).to_array().to_vec()),
+                laws: vec![Box::new(|ray| {
+                    a_ray_has_its_color_from_anywhere(scene, ray_color(ray), ray)
+                })],
+                test: &|ray| scene.as_test(ray),
+            }),
             Ok(false) => Ok(()),
             Err(complaint) => self.kept("ray_color", Err(complaint)),
         }
@@ -262,17 +201,14 @@ impl Trial {
     /// Tries the function that turns a normal against the ray, as the `set_face_normal` of chapter
     /// 5, on pairs of unit vectors: no sphere is needed. Its report has no answers and no test.
     ///
-    /// # Errors
-    /// The smallest case found that breaks the law, or the place of a `todo!()`.
-    ///
     /// # Panics
     /// If the function panics, other than by a `todo!()`.
     pub fn set_face_normal(&self, set_face_normal: &SetFaceNormal) -> Outcome {
-        let law: Law<(Vec3, Vec3)> = Box::new(|&(direction, outward)| {
+        let law = |&(direction, outward): &(Vec3, Vec3)| {
             the_normal_is_turned_against_the_ray(set_face_normal, direction, outward)
-        });
+        };
         let pairs = (strategies::unit(), strategies::unit()).boxed();
-        let smallest = written(|| self.smallest(&pairs, &law));
+        let smallest = written(|| self.smallest(&pairs, law));
         let outcome = smallest.and_then(|smallest| match smallest {
             None => Ok(()),
             Some((_, broken)) => Err(Complaint::of(broken, Answers::default(), String::new())),
@@ -281,27 +217,24 @@ impl Trial {
     }
 
     /// Tries a function on its suite, and appends the verdict to the file.
-    pub(crate) fn put<Q: Clone + Debug>(&self, suite: &LawSuite<Q>) -> Outcome {
+    fn put<Q: Clone + Debug>(&self, suite: &LawSuite<Q>) -> Outcome {
         self.kept(suite.of, self.outcome(suite))
     }
 
-    /// Appends the verdict on a function to the file, and returns it.
+    /// Appends the verdict on a function to the file, if there is one, and returns it.
     fn kept(&self, of: &'static str, outcome: Outcome) -> Outcome {
-        self.keep(&AnswerLine::Verdict(of, &outcome));
+        if let Some(file) = &self.answers {
+            answers::append(file, answers::verdict_line(of, &outcome));
+        }
         outcome
     }
 
-    /// Adds an answer to the list and to the file.
+    /// Adds an answer to the list, and to the file, if there is one.
     fn keep_answer(&self, answers: &mut Answers, question: Question, answer: Vec<f64>) {
-        self.keep(&AnswerLine::Answer(&question, &answer));
-        answers.given.push(Answered { question, answer });
-    }
-
-    /// Appends a line to the file, if there is one.
-    fn keep(&self, line: &AnswerLine) {
         if let Some(file) = &self.answers {
-            line.keep(file);
+            answers::append(file, answers::answer_line(&question, &answer));
         }
+        answers.given.push(Answered { question, answer });
     }
 
     /// Asks a function its telling questions, and tries its laws on all cases.
@@ -312,8 +245,13 @@ impl Trial {
             let answer = written(|| (suite.answer)(asked))?;
             self.keep_answer(&mut answers, (suite.question)(asked.clone()), answer);
         }
-        let smallest = |cases| suite.laws.iter().find_map(|law| self.smallest(cases, law));
-        let Some((smallest, broken)) = suite.kinds.iter().find_map(smallest) else {
+        let Some((smallest, broken)) = suite.kinds.iter().find_map(|cases| {
+            // All laws at once first: a right function is asked about each case only once.
+            self.smallest(cases, |case| {
+                suite.laws.iter().try_for_each(|law| law(case))
+            })?;
+            suite.laws.iter().find_map(|law| self.smallest(cases, law))
+        }) else {
             return Ok(());
         };
         let (test, answer) = ((suite.test)(&smallest), (suite.answer)(&smallest));
@@ -326,7 +264,7 @@ impl Trial {
     fn smallest<Q: Clone + Debug>(
         &self,
         cases: &BoxedStrategy<Q>,
-        law: &Law<Q>,
+        law: impl Fn(&Q) -> LawResult,
     ) -> Option<(Q, BrokenLaw)> {
         let mut runner = TestRunner::new(Config {
             cases: self.cases,
@@ -335,7 +273,7 @@ impl Trial {
         match runner.run(cases, |case| Ok(law(&case)?)) {
             Ok(()) => None,
             Err(TestError::Fail(_, smallest)) => {
-                let broken = law(&smallest).expect_err("what it finds once breaks the law again");
+                let broken = law(&smallest).expect_err("what breaks a law once breaks it again");
                 Some((smallest, broken))
             }
             Err(TestError::Abort(reason)) => panic!("no law rejects a case: {reason}"),

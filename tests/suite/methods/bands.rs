@@ -12,6 +12,7 @@ use proptest::prelude::*;
 use proptest::sample::select;
 
 use crate::hostile::{in_units, ulps_away};
+use crate::question;
 
 const U: f64 = f64::EPSILON / 2.0;
 
@@ -170,6 +171,7 @@ fn edge([mut from, mut to]: [f64; 2], answer: impl Fn(f64) -> bool) -> Option<f6
 
 fn compared(asked: &IntervalCase, what: Compared) -> f64 {
     let IntervalCase { case, t_min, t_max } = asked;
+    let (m, case) = (case.m(), question(case));
     let gap = |is_nearer, end: f64| {
         let sqrtd = case.discriminant().max(0.0).sqrt();
         let q = case.h() + sqrtd.copysign(case.h());
@@ -178,11 +180,11 @@ fn compared(asked: &IntervalCase, what: Compared) -> f64 {
         } else {
             q / case.a()
         };
-        (t - end) * sqrtd / (U * case.m())
+        (t - end) * sqrtd / (U * m)
     };
     match what {
-        C => case.c() / (U * case.m()),
-        D => case.discriminant() / (U * case.a() * case.m()),
+        C => case.c() / (U * m),
+        D => case.discriminant() / (U * case.a() * m),
         Above { is_nearer } => gap(is_nearer, *t_min),
         Below { is_nearer } => -gap(is_nearer, *t_max),
     }

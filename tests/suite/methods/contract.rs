@@ -8,6 +8,8 @@ use hittable_list::{Hittable, Sphere};
 use laws::{Case, IntervalCase};
 use speed_vs_accuracy::find;
 
+use crate::question;
+
 /// Each row in the words of the page, and what it changes in the ball of chapter 3 and its ray
 /// straight ahead, whose roots are ½ and 1½: the origin `o`, the direction `d`, the center `c`, the
 /// radius `r`, and the ends `from` and `to` of the range. All
@@ -129,7 +131,7 @@ fn answer(function: &str, asked: &IntervalCase) -> String {
         "Sphere::hit" => Sphere::new(center, radius)
             .hit(&ray, t_min, t_max)
             .map(|hit| hit.t),
-        name => case.put_to(&find(name).expect("a method"), t_min, t_max),
+        name => question(&case).put_to(&find(name).expect("a method"), t_min, t_max),
     };
     match t {
         None => "miss".to_owned(),

@@ -2,8 +2,7 @@
 //! methods that survive. The page of measurements tells of each.
 
 use common::rtweekend::*;
-use laws::Case;
-use speed_vs_accuracy::{METHODS, Method};
+use speed_vs_accuracy::{Case, METHODS, Method};
 
 use crate::methods::in_front;
 

@@ -1,15 +1,16 @@
 //! In SIMD lanes, a method answers to the bit as it does alone, whatever the other lanes
 //! of the block are asked.
 
+use laws::IntervalCase;
 use laws::strategies::samples;
-use laws::{Case, IntervalCase};
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseResult;
 use speed_vs_accuracy::{
-    BLOCK, Method, certified_in_lanes, compensated, cross_q, half_b, half_b_q, in_lanes,
+    BLOCK, Case, Method, certified_in_lanes, compensated, cross_q, half_b, half_b_q, in_lanes,
 };
 
 use crate::hostile::hostile;
+use crate::question;
 
 #[test]
 fn the_certified_methods_answer_in_lanes_as_they_do_alone() {
@@ -31,7 +32,7 @@ fn the_certified_methods_answer_in_lanes_as_they_do_alone() {
 /// Fails unless the certified methods answer the question in each lane as they do alone.
 pub(crate) fn answers_as_alone(asked: &IntervalCase) -> TestCaseResult {
     let IntervalCase { case, t_min, t_max } = *asked;
-    certified(&[case; BLOCK], t_min, t_max)
+    certified(&[question(&case); BLOCK], t_min, t_max)
 }
 
 fn certified(cases: &[Case; BLOCK], t_min: f64, t_max: f64) -> TestCaseResult {
@@ -74,6 +75,6 @@ fn the_plain_methods_answer_in_lanes_as_they_do_alone() {
 }
 
 fn blocks() -> Vec<[Case; BLOCK]> {
-    let cases = samples(&hostile(), 6400);
+    let cases: Vec<Case> = samples(&hostile(), 6400).iter().map(question).collect();
     cases.as_chunks().0.to_vec()
 }

@@ -15,3 +15,8 @@ mod several_spheres;
 mod speed_vs_accuracy;
 mod thresholds;
 mod witnesses;
+
+/// Turns a case of the laws into a question to the methods of chapter 6: the same ten numbers.
+fn question(case: &laws::Case) -> ::speed_vs_accuracy::Case {
+    ::speed_vs_accuracy::Case::new(case.center, case.radius, case.ray)
+}

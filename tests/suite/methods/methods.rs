@@ -8,17 +8,16 @@ use common::rtweekend::*;
 use hittable_list::{Hittable, Sphere};
 use laws::nearer_root::{self, root_bound};
 use laws::oracle::ExactCase;
-use laws::question::RangeSolver;
 use laws::strategies::{self, samples};
-use laws::{Case, IntervalCase, LawResult, config, intervals};
+use laws::{IntervalCase, LawResult, RangeSolver, config, intervals};
 use proptest::prelude::*;
 use proptest::test_runner::{RngSeed, TestCaseError, TestCaseResult, TestRunner};
 use speed_vs_accuracy::{
-    METHODS, Method, Precision, Stage, certified_hit, certified_t, double_double, exact, half_b,
-    stage_of_hit,
+    Case, METHODS, Method, Precision, Stage, certified_hit, certified_t, double_double, exact,
+    half_b, stage_of_hit,
 };
 
-use crate::{bands, hostile, lanes};
+use crate::{bands, hostile, lanes, question};
 
 const CASES: u32 = 4000;
 
@@ -129,9 +128,9 @@ mod the_certified_methods {
         /// Every number is rounded to `f32` first, and the ends of the range too.
         #[test]
         fn are_never_wrong_in_f32(asked in hostile::with_hostile_interval(hostile::hostile())) {
-            let case = asked.case.rounded(Precision::Single);
+            let case = question(&asked.case).rounded(Precision::Single);
             let [t_min, t_max] = [asked.t_min, asked.t_max].map(|end| end as f32);
-            let exact = ExactCase::of_finite(&case);
+            let exact = measure::accuracy::exact(&case);
             let root = exact.as_ref().and_then(|exact| {
                 exact.nearest_root_in(t_min.into(), t_max.into())
             });
@@ -191,7 +190,7 @@ mod the_certified_methods {
             (hostile::directions_of(1e-290), Stage::Exact),
         ] {
             for case in samples(&cases, 500) {
-                let stage = stage_of_hit(&case, 0.0, f64::INFINITY);
+                let stage = stage_of_hit(&question(&case), 0.0, f64::INFINITY);
                 assert_eq!(stage, expected, "{case}");
             }
         }

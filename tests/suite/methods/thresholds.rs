@@ -10,13 +10,14 @@ use std::ops::RangeInclusive;
 use common::rtweekend::*;
 use hittable_list::{Hittable, Sphere};
 use laws::Case;
-use laws::oracle::ExactCase;
 use laws::strategies::{self, samples};
+use measure::accuracy::exact;
 use proptest::prelude::*;
 use speed_vs_accuracy::Method;
 
 use crate::hostile;
 use crate::methods::in_front;
+use crate::question;
 
 const CASES: u32 = 4000;
 
@@ -93,9 +94,9 @@ fn each_method_decides_wrongly_as_often_as_its_row_says() {
         let cases = samples(&rays(*level), CASES);
         for method in *methods {
             let found = share(&cases, |case| {
-                let given = case.rounded(method.precision());
-                let root = ExactCase::of(&given);
-                let is_hit = root.nearest_root_in(0.0, f64::INFINITY).is_some();
+                let given = question(case).rounded(method.precision());
+                let exact = exact(&given).expect("the cases are finite");
+                let is_hit = exact.nearest_root_in(0.0, f64::INFINITY).is_some();
                 in_front(&given, method).is_some() != is_hit
             });
             assert!(

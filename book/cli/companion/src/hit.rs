@@ -6,8 +6,8 @@ use clap::Args;
 use common::engine::output;
 use common::rtweekend::*;
 use figures::number::three_digits;
-use laws::oracle::{ExactCase, ExactRoot};
-use measure::accuracy::ulps_off;
+use laws::oracle::ExactRoot;
+use measure::accuracy::{exact, ulps_off};
 use speed_vs_accuracy::{Case, METHODS, Method, Precision, Solve};
 
 /// The arguments of `cargo rtrace hit`.
@@ -64,7 +64,7 @@ pub(crate) fn compare_methods(
 ) -> String {
     let rounded = case.rounded(precision);
     let name = precision.name();
-    let Some(exact) = ExactCase::of_finite(&rounded) else {
+    let Some(exact) = exact(&rounded) else {
         return format!("These numbers do not fit into {name}: they overflow.\n");
     };
     let (lower, greatest) = match precision {

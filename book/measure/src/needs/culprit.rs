@@ -1,9 +1,8 @@
 //! Blame: from the first wrong pixel to the ray and the sphere at which a method errs.
 
-use crate::accuracy::ulps_off;
+use crate::accuracy::{exact, ulps_off};
 use crate::wrong_pixels::MethodView;
 use common::rtweekend::*;
-use laws::oracle::ExactCase;
 use speed_vs_accuracy::{Arithmetic, Case, Hit, Method, Scene};
 
 /// The ray and the sphere about which a method errs in a scene's first wrong pixel, with that
@@ -97,7 +96,7 @@ fn worst(
 /// if neither does.
 fn error(method: &Method, case: &Case, t_min: f64) -> f64 {
     let precision = method.precision();
-    let exact = ExactCase::of_finite(&case.rounded(precision));
+    let exact = exact(&case.rounded(precision));
     let root = exact
         .as_ref()
         .and_then(|exact| exact.nearest_root_in(t_min, f64::INFINITY));

@@ -83,21 +83,9 @@ impl Case {
         }
     }
 
-    /// Returns the answer of `hit_sphere`, a function of center, radius and ray, to this case;
-    /// `None` for a miss.
-    pub fn solve(&self, hit_sphere: &dyn Fn(Point3, f64, &Ray) -> Option<f64>) -> Option<f64> {
-        hit_sphere(self.center, self.radius, &self.ray)
-    }
-
     /// Computes a = d·d, rounded: the squared length of the ray's direction.
     pub fn a(&self) -> f64 {
         self.ray.direction.length_squared()
-    }
-
-    /// Computes M = oc·oc + r², rounded, with oc = center − origin: the square of the length that
-    /// rounding errors are compared with. Nothing in the quadratic is much longer than √M.
-    pub fn m(&self) -> f64 {
-        (self.center - self.ray.origin).length_squared() + self.radius * self.radius
     }
 
     /// Computes h = d·oc, rounded, with oc = center − origin: half of −b in the quadratic equation.
@@ -115,33 +103,6 @@ impl Case {
     /// methods round it, to the bit.
     pub fn discriminant(&self) -> f64 {
         self.h() * self.h() - self.a() * self.c()
-    }
-
-    /// Computes √(M/a), the length √M in lengths of the ray's direction. No root is farther away
-    /// than twice that. Infinite or NaN if the direction is zero.
-    pub fn t_scale(&self) -> f64 {
-        // The roots of both first: the quotient may be too small for a number.
-        self.m().sqrt() / self.a().sqrt()
-    }
-
-    /// Returns true if no step of finding the root overflows, and no underflow is large enough to
-    /// matter. False for a direction of zero, NaN or an infinite number.
-    ///
-    /// Between 1e-300 and 1e300, twenty times a·M is still a number, and what underflow takes away,
-    /// 5e-324 at a time, is far below u·a·M. All error bounds hold on this condition.
-    pub fn is_well_scaled(&self) -> bool {
-        let (a, m) = (self.a(), self.m());
-        [a, m, a * m]
-            .iter()
-            .all(|scale| (1e-300..=1e300).contains(scale))
-    }
-
-    /// Returns the case of the same sphere and another ray, from `origin` along `direction`.
-    pub fn with_ray(&self, origin: Point3, direction: Vec3) -> Self {
-        Self {
-            ray: Ray::new(origin, direction),
-            ..*self
-        }
     }
 
     /// Returns the ten numbers of the case, each vector as x, y, z: the center, the radius, the

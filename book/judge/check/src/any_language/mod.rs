@@ -162,24 +162,16 @@ pub fn try_laws(trial: &Trial, function: FunctionKind, ask: &AskProgram) -> Func
             _ => Ok(()),
         };
     }
-    let (used, last) = (used.take(), last.take());
+    let used = used.take();
+    let mut questions = Vec::new();
+    for asked in last.take() {
+        if !questions.contains(&asked) {
+            questions.push(asked);
+        }
+    }
     FunctionVerdict {
         outcome,
         manners: manners.into_iter().filter(|it| used.contains(it)).collect(),
-        questions: of_one_kind(last),
+        questions,
     }
-}
-
-/// Returns each question once, and only those of the kind of the last one: about a range, or about
-/// the whole line.
-fn of_one_kind(asked: Vec<IntervalCase>) -> Vec<IntervalCase> {
-    let is_on_the_line = |it: &IntervalCase| it.t_min == f64::NEG_INFINITY;
-    let kind = asked.last().map(is_on_the_line);
-    let mut once: Vec<IntervalCase> = Vec::new();
-    for it in asked {
-        if Some(is_on_the_line(&it)) == kind && !once.contains(&it) {
-            once.push(it);
-        }
-    }
-    once
 }
