@@ -2,8 +2,10 @@
 //!
 //! The book shows the snapshots: what is compared is what a reader sees.
 
+use std::path::Path;
+
 use common::rtweekend::*;
-use image::{ImageFormat, RgbImage};
+use difference::{png, snapshot};
 use insta::assert_binary_snapshot;
 use laws::Trial;
 use sha2::{Digest, Sha256};
@@ -38,9 +40,6 @@ mod the_books_picture_is_drawn_by {
     }
 }
 
-/// The folder of the snapshots, relative to this file.
-const SNAPSHOTS: &str = "../../book/notes/pictures";
-
 /// Compares the picture with its snapshot, and its text at many widths with the sums of
 /// what the book's program prints.
 fn assert_drawn(chapter: &str, draw: fn(u32) -> Picture, width: u32) {
@@ -50,51 +49,18 @@ fn assert_drawn(chapter: &str, draw: fn(u32) -> Picture, width: u32) {
         println!("The picture of `{chapter}` waits until the camera is right.");
         return;
     }
-    let drawn = as_image(&draw(width));
-    if let Some(difference) = difference(chapter, &drawn) {
-        println!(
-            "The picture of `{chapter}` is another one: {difference}.\n{}",
-            more(chapter)
-        );
+    let drawn = draw(width);
+    let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
+    let difference = snapshot::leave_panels(root, chapter, &drawn);
+    if let Some(difference) = difference.expect("panels can be written beside a snapshot") {
+        println!("{difference}{}", more(chapter));
     }
     let mut settings = insta::Settings::clone_current();
-    settings.set_snapshot_path(SNAPSHOTS);
+    settings.set_snapshot_path(root.join(snapshot::FOLDER));
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
-    settings.bind(|| assert_binary_snapshot!(&format!("{chapter}.png"), png(&drawn)));
+    settings.bind(|| assert_binary_snapshot!(&format!("{chapter}.png"), png::encode(&drawn)));
     assert_sums(chapter, draw, |width| width < WIDEST);
-}
-
-fn as_image(picture: &Picture) -> RgbImage {
-    let rgb = picture.rgb().to_vec();
-    RgbImage::from_raw(picture.width(), picture.height(), rgb).expect("three bytes a pixel")
-}
-
-fn png(image: &RgbImage) -> Vec<u8> {
-    let mut file = std::io::Cursor::new(Vec::new());
-    image
-        .write_to(&mut file, ImageFormat::Png)
-        .expect("memory takes it");
-    file.into_inner()
-}
-
-/// Describes how the picture differs from its snapshot; `None` if there is no snapshot.
-fn difference(chapter: &str, drawn: &RgbImage) -> Option<String> {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/notes/pictures");
-    let right = image::open(format!("{folder}/{chapter}.snap.png")).ok()?;
-    let right = right.into_rgb8();
-    if right.dimensions() != drawn.dimensions() {
-        return Some("it has another size".to_owned());
-    }
-    let pairs = right.enumerate_pixels().zip(drawn.pixels());
-    let mut differing = pairs.filter(|((_, _, right), drawn)| right != drawn);
-    let ((i, j, right), drawn) = differing.next()?;
-    Some(format!(
-        "{} pixels differ; the first, in column {i} and row {j}, should be {:?} and is {:?}",
-        1 + differing.count(),
-        right.0,
-        drawn.0
-    ))
 }
 
 /// The widest picture is 95 MB of text.
@@ -141,4 +107,24 @@ fn sums() -> impl Iterator<Item = (&'static str, &'static str, u32)> {
             _ => panic!("reference_sums.txt has a line that is not `sum chapter width`: {line}"),
         }
     })
+}
+
+/// Two pictures of 2 × 1 pixels, which differ in the second one.
+#[test]
+fn a_wrong_picture_is_shown_beside_the_right_one_and_their_difference() {
+    let [black, white] = [[0; 3], [255; 3]];
+    let picture = |pixels: &[[u8; 3]]| {
+        Picture::from_rgb(pixels.len() as u32, 1, pixels.concat()).expect("three bytes a pixel")
+    };
+    let (right, wrong) = (picture(&[white, black]), picture(&[white, white]));
+    let gap = [white; 8];
+    let difference = [[255; 3], [220, 0, 0]];
+    let row = [
+        &[white, black][..],
+        &gap,
+        &[white, white],
+        &gap,
+        &difference,
+    ];
+    assert_eq!(difference::panels(&right, &wrong), picture(&row.concat()));
 }

@@ -2,8 +2,8 @@
 //!
 //! The page `book/notes/errata.md` shows some of these tests beside its sentences.
 
-use check::comparison::differing_pixels;
 use common::rtweekend::*;
+use difference::differing_pixels;
 use hittable_list::{Hittable, Sphere};
 use slips::Chapter;
 

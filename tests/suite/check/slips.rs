@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use check::comparison::Comparison;
 use common::rtweekend::*;
+use difference::Comparison;
 use hittable_list::{HittableList, Sphere};
 use slips::{Chapter, ChapterProgram, Edit, Languages, PROBES};
 

@@ -39,7 +39,7 @@ fn save(input: &str, desk: &Desk) {
             let levels = (0..3 * SIDE * SIDE).map(|n| (n ^ n >> 8) as u8).collect();
             let picture = Picture::from_rgb(SIDE, SIDE, levels);
             let picture = picture.expect("three bytes a pixel");
-            desk.write("wrong.png", check::png::encode(&picture));
+            desk.write("wrong.png", difference::png::encode(&picture));
         }
         "errors without an end" => desk.write("flood.sh", "exec yes aaaaaaaaaaaaaaaa >&2"),
         "a source without an end" => symlink("/dev/zero", desk.path("z.c")).expect("a link"),

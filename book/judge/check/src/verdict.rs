@@ -4,11 +4,11 @@
 //! words.
 
 use common::rtweekend::Picture;
+use difference::Difference;
 use slips::{Edition, Probe, Slip, SphereCount};
 
 use crate::answer::Row;
 use crate::candidate::{Conversion, Unexplained};
-use crate::comparison::Difference;
 use crate::reading::Cause;
 use crate::search::{DrawingMutants, Repair};
 use crate::task::Task;

@@ -4,9 +4,9 @@
 use check::blind_spots;
 use check::context::Context;
 use check::judge_file;
-use check::png;
 use check::task::Task;
 use check::verdict::Verdict;
+use difference::png;
 use slips::Chapter;
 use slips::{self, Languages, PROBES, Probe, Slip, Unseen};
 

@@ -1,8 +1,8 @@
 //! Whatever a file holds, it is read, or refused with the right reason.
 
-use check::png;
 use check::reading::{Cause, Reading, read};
 use common::rtweekend::*;
+use difference::png;
 use slips::Chapter;
 
 #[test]

@@ -5,11 +5,11 @@
 use check::attempt::Attempt;
 use check::context::Context;
 use check::judge_file;
-use check::png;
 use check::reading::{MOST_PIXELS, read};
 use check::task::Task;
 use check::text::{MOST_LINES, Style, answer_lines};
 use check::verdict::Verdict;
+use difference::png;
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
 use proptest::{collection, option};

@@ -7,7 +7,6 @@ use std::iter;
 
 use check::answer::{Answer, Pictures};
 use check::attempt::Attempt;
-use check::comparison::difference_picture;
 use check::context::Context;
 use check::html::{HostPage, details, escaped, headline};
 use check::reading::{self, Cause, MOST_PIXELS, Reading};
@@ -15,6 +14,7 @@ use check::sentences;
 use check::task::Task;
 use check::verdict::Verdict;
 use check::{guess, judge, judge_guessed};
+use difference::difference_picture;
 use slips::{Chapter, Edition, PROBES, Probe, Slip};
 
 use crate::rgba;

@@ -1,6 +1,6 @@
 //! Diffs: what changed from one chapter to the next in the picture, and which files are new.
 
-use check::comparison::{Comparison, difference_picture};
+use difference::{Comparison, difference_picture};
 use slips::Chapter;
 
 use crate::slip::address;

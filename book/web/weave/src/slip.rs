@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::LazyLock;
 
 use base64::prelude::{BASE64_STANDARD, Engine as _};
-use check::png;
+use difference::png;
 use common::rtweekend::Picture;
 use rayon::prelude::*;
 use slips::{Chapter, Edit, Edition, Languages, Slip, Unseen, WrongPicture};

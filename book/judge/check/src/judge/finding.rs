@@ -1,11 +1,11 @@
 //! The making of a [`Finding`]: what explains a picture, weighed beside the repair of the reader's
 //! own lines.
 
+use difference::Comparison;
 use slips::{Edition, Slip};
 
 use super::explain::{Explanation, Fit, explain};
 use crate::candidate::{Candidate, Unexplained};
-use crate::comparison::Comparison;
 use crate::context::{Context, Evidence};
 use crate::reading::Reading;
 use crate::search::{DrawingMutants, Repair};

@@ -6,10 +6,10 @@
 mod explain;
 mod finding;
 
+use difference::Comparison;
 use slips::Edition;
 
 use crate::causes;
-use crate::comparison::Comparison;
 use crate::context::Context;
 use crate::reading::{self, Reading};
 use crate::task::Task;

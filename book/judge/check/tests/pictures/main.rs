@@ -11,8 +11,9 @@ use check::reading::Reading;
 use check::task::Task;
 use check::text::{MOST_LINES, Style, answer_lines};
 use check::verdict::Verdict;
-use check::{guess, judge, judge_file, judge_guessed, png};
+use check::{guess, judge, judge_file, judge_guessed};
 use common::rtweekend::*;
+use difference::png;
 use slips::Chapter::{self, *};
 use slips::{ChapterProgram, Edit, Edition, Slip};
 

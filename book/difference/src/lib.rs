@@ -1,4 +1,9 @@
-//! Pixel-by-pixel comparison of two pictures, to the last bit.
+//! The difference of two pictures, to the last bit: as numbers, and as a picture beside both.
+//!
+//! Tests, pages and the judge stand on it.
+
+pub mod png;
+pub mod snapshot;
 
 use std::iter;
 
@@ -117,4 +122,30 @@ pub fn difference_picture(expected: &Picture, actual: &Picture) -> Option<Pictur
         rgb[at..at + 3].copy_from_slice(&[220, 0, 0]);
     }
     Picture::from_rgb(width, height, rgb)
+}
+
+/// Draws three panels in a row: the expected picture, the actual one, and [`difference_picture`],
+/// which is left out if the sizes differ.
+pub fn panels(expected: &Picture, actual: &Picture) -> Picture {
+    let difference = difference_picture(expected, actual);
+    let panels: Vec<&Picture> = [expected, actual].into_iter().chain(&difference).collect();
+    in_a_row(&panels)
+}
+
+/// Draws pictures in a row, on white, with a gap between them.
+fn in_a_row(pictures: &[&Picture]) -> Picture {
+    const GAP: u32 = 8;
+    let width: u32 = pictures.iter().map(|picture| picture.width() + GAP).sum();
+    let height = pictures.iter().map(|picture| picture.height()).max();
+    let (width, height) = (width.saturating_sub(GAP), height.unwrap_or_default());
+    let mut rgb = vec![255; 3 * width as usize * height as usize];
+    let mut left = 0;
+    for picture in pictures {
+        let rows = picture.rgb().chunks(3 * picture.width() as usize);
+        for (row, line) in rows.zip(rgb.chunks_mut(3 * width as usize)) {
+            line[left..left + row.len()].copy_from_slice(row);
+        }
+        left += 3 * (picture.width() + GAP) as usize;
+    }
+    Picture::from_rgb(width, height, rgb).expect("three bytes a pixel")
 }
