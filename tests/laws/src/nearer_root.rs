@@ -47,10 +47,9 @@ pub const U: f64 = f64::EPSILON / 2.0;
 pub const BAND: f64 = 24.0 * U;
 
 /// All laws for the nearer root, those that teach most first.
-const LAWS: [fn(&Solver, &Case) -> LawResult; 7] = [
+const LAWS: [fn(&Solver, &Case) -> LawResult; 6] = [
     t_is_a_number,
     the_line_hits_exactly_when_there_is_a_root,
-    where_h_is_zero_no_root_is_lost,
     the_point_lies_on_the_sphere,
     the_root_is_the_nearer_one_to_the_digits_that_remain,
     a_tangent_is_a_hit_and_its_root_is_exact,
@@ -149,23 +148,6 @@ fn the_line_hits_exactly_when_there_is_a_root(solve: &Solver, case: &Case) -> La
 /// Formats a solver's answer for a report.
 pub(crate) fn said(root: Option<f64>) -> String {
     root.map_or("a miss".to_owned(), |t| format!("t = {t:?}"))
-}
-
-/// Tests that a root is found where h is 0, for a ray that starts in the center, or inside at a
-/// right angle to oc: the roots are −√D/a and √D/a.
-///
-/// Only a miss and a `t` of 0, infinity or NaN break this law; other laws judge how exact `t` is.
-fn where_h_is_zero_no_root_is_lost(solve: &Solver, case: &Case) -> LawResult {
-    let is_inside = ExactCase::of(case).origin_margin() < 0.0;
-    let is_silent = !case.is_well_scaled() || case.h() != 0.0 || !is_inside;
-    let found = case.solve(solve);
-    let holds = is_silent || found.is_some_and(|t| t.is_finite() && t != 0.0);
-    BrokenLaw::unless(holds, || BrokenLaw {
-        law: "where h is 0, no root is lost".into(),
-        found: said(found),
-        allowed: "−√D/a, which is behind the ray".into(),
-        read: "equation (12) of the notes, with both signs".into(),
-    })
 }
 
 /// Tests that the point P at the returned `t` lies at the distance r from the center C, up to

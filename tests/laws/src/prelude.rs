@@ -35,8 +35,7 @@ pub struct Prelude<'a> {
     pub at: &'a dyn Fn(Ray, f64) -> Point3,
 }
 
-/// One of the ten functions of a [`Prelude`], with the largest relative error that rounding may
-/// cause in its answer.
+/// One of the ten functions of a [`Prelude`].
 #[derive(Debug)]
 pub struct PreludeFunction {
     /// A call of the function as Rust has it, with the vectors `u` and `v` and the number `t`.
@@ -177,35 +176,35 @@ impl Prelude<'_> {
     }
 }
 
-/// Makes a function of a prelude.
-const fn function(call: &'static str, rounding: f64, answer: PreludeCall) -> PreludeFunction {
-    PreludeFunction {
-        call,
-        rounding,
-        answer,
-    }
-}
-
 /// All functions of a [`Prelude`], from `mul` to `at`: each comes after those of which it may be
 /// made.
-pub static PRELUDE_FUNCTIONS: [PreludeFunction; 10] = [
-    function("mul(t, v)", 4.0 * U, |it, a| numbers((it.mul)(a.t, a.v))),
-    function("add(u, v)", 0.0, |it, a| numbers((it.add)(a.u, a.v))),
-    function("neg(u)", 0.0, |it, a| numbers((it.neg)(a.u))),
-    function("sub(u, v)", 0.0, |it, a| numbers((it.sub)(a.u, a.v))),
-    function("dot(u, v)", 0.0, |it, a| vec![(it.dot)(a.u, a.v)]),
-    function("length_squared(v)", 0.0, |it, a| {
-        vec![(it.length_squared)(a.v)]
-    }),
-    function("length(v)", 0.0, |it, a| vec![(it.length)(a.v)]),
-    function("normalize(v)", 4.0 * U, |it, a| {
-        numbers((it.normalize)(a.v))
-    }),
-    function("ray(u, v)", 0.0, |it, a| of_ray((it.ray)(a.u, a.v))),
-    function("at(Ray::new(u, v), t)", 0.0, |it, a| {
-        numbers((it.at)(Ray::new(a.u, a.v), a.t))
-    }),
-];
+pub static PRELUDE_FUNCTIONS: [PreludeFunction; 10] = {
+    const fn function(call: &'static str, rounding: f64, answer: PreludeCall) -> PreludeFunction {
+        PreludeFunction {
+            call,
+            rounding,
+            answer,
+        }
+    }
+    [
+        function("mul(t, v)", 4.0 * U, |it, a| numbers((it.mul)(a.t, a.v))),
+        function("add(u, v)", 0.0, |it, a| numbers((it.add)(a.u, a.v))),
+        function("neg(u)", 0.0, |it, a| numbers((it.neg)(a.u))),
+        function("sub(u, v)", 0.0, |it, a| numbers((it.sub)(a.u, a.v))),
+        function("dot(u, v)", 0.0, |it, a| vec![(it.dot)(a.u, a.v)]),
+        function("length_squared(v)", 0.0, |it, a| {
+            vec![(it.length_squared)(a.v)]
+        }),
+        function("length(v)", 0.0, |it, a| vec![(it.length)(a.v)]),
+        function("normalize(v)", 4.0 * U, |it, a| {
+            numbers((it.normalize)(a.v))
+        }),
+        function("ray(u, v)", 0.0, |it, a| of_ray((it.ray)(a.u, a.v))),
+        function("at(Ray::new(u, v), t)", 0.0, |it, a| {
+            numbers((it.at)(Ray::new(a.u, a.v), a.t))
+        }),
+    ]
+};
 
 fn numbers(v: Vec3) -> Vec<f64> {
     v.to_array().to_vec()

@@ -69,14 +69,9 @@ impl Complaint {
     }
 }
 
-/// A row of a report: a label, and one line of plain text.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct ReportRow<'a> {
-    /// The label of the row, such as `found`; empty if the row continues the one above.
-    pub label: &'a str,
-    /// The text after the label, one line without a newline.
-    pub text: &'a str,
-}
+/// A row of a report: its label, such as `found`, empty if the row continues the one above, and one
+/// line of plain text.
+pub type ReportRow<'a> = (&'a str, &'a str);
 
 impl BrokenLaw {
     /// Returns the result of a law that holds if `is_right`.
@@ -84,15 +79,18 @@ impl BrokenLaw {
         if is_right { Ok(()) } else { Err(broken()) }
     }
 
-    /// Lists the rows about the law, in the order in which they are read.
-    fn rows(&self) -> [ReportRow<'_>; 4] {
-        let rows: [(_, &str); 4] = [
-            ("the law", &self.law),
-            ("found", &self.found),
-            ("allowed", &self.allowed),
-            ("read", &self.read),
-        ];
-        rows.map(|(label, text)| ReportRow { label, text })
+    /// Lists the rows about the law, in the order in which they are read; `between` them the known
+    /// mistakes.
+    fn rows<'a>(&'a self, between: impl Iterator<Item = ReportRow<'a>>) -> Vec<ReportRow<'a>> {
+        let Self {
+            law,
+            found,
+            allowed,
+            read,
+        } = self;
+        let first = [("the law", &**law), ("found", found), ("allowed", allowed)];
+        let first = first.into_iter().chain(between);
+        first.chain([("read", &**read)]).collect()
     }
 }
 
@@ -101,19 +99,16 @@ impl Report {
     /// answers allowed, at most five lines of [`same_as`](Self::same_as), and the chapter. The test
     /// is not among them.
     pub fn rows(&self) -> Vec<ReportRow<'_>> {
-        let labels = ["same as", "", "", "", ""];
-        let same_as = labels.into_iter().zip(&self.same_as);
-        let same_as = same_as.map(|(label, text)| ReportRow { label, text });
-        let [law, found, allowed, read] = self.broken.rows();
-        let rows = [law, found, allowed].into_iter().chain(same_as);
-        rows.chain([read]).collect()
+        let lines = self.same_as.iter().map(String::as_str);
+        self.broken
+            .rows(["same as", "", "", "", ""].into_iter().zip(lines))
     }
 }
 
 /// Formats rows as plain text, one line for each, with all texts in one column and no newline at
-/// the end. No rows give an empty text.
+/// the end.
 pub fn rows_as_text<'a>(rows: impl IntoIterator<Item = ReportRow<'a>>) -> String {
-    let line = |ReportRow { label, text }| match label {
+    let line = |(label, text)| match label {
         "" => format!("          {text}"),
         _ => format!("{:<10}{text}", format!("{label}:")),
     };
@@ -122,7 +117,7 @@ pub fn rows_as_text<'a>(rows: impl IntoIterator<Item = ReportRow<'a>>) -> String
 
 impl fmt::Display for BrokenLaw {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&rows_as_text(self.rows()))
+        f.write_str(&rows_as_text(self.rows(std::iter::empty())))
     }
 }
 

@@ -11,7 +11,7 @@ use std::process::ExitCode;
 use std::time::Duration;
 
 use ::laws::record::RecordedHit;
-use ::laws::verdict::{ReportRow, rows_as_text};
+use ::laws::verdict::rows_as_text;
 use ::laws::{Case, Complaint, IntervalCase, Question, Report, Trial};
 use check::any_language::{self, FunctionKind, FunctionVerdict};
 use check::names;
@@ -218,9 +218,7 @@ impl<'a> Interview<'a> {
         }
         let mut rows = report.rows();
         if let Some(besides) = &besides {
-            let label = "besides";
-            let text = besides;
-            rows.insert(rows.len() - 1, ReportRow { label, text });
+            rows.insert(rows.len() - 1, ("besides", besides));
         }
         rows_as_text(rows)
     }
