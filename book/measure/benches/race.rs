@@ -9,11 +9,11 @@ use std::{env, io};
 
 use clap::Parser;
 use common::engine::output;
-use course::chapter::Chapter;
 use figures::records::Race;
 use figures::table::Table;
 use measure::spread::Spread;
 use measure::{machine, rival};
+use slips::{Chapter, ChapterCode};
 
 /// Draws each picture in turns with the C++ program, and says how long it took.
 #[derive(Parser)]

@@ -6,7 +6,7 @@ use std::fs;
 use std::process::Command;
 
 use insta::assert_snapshot;
-use slips::Chapter;
+use slips::{Chapter, ChapterCode};
 
 use suite::command::{cargo, run, text};
 use suite::drawn::shown_in;

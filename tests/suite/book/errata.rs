@@ -5,7 +5,7 @@
 use common::rtweekend::*;
 use difference::differing_pixels;
 use hittable_list::{Hittable, Sphere};
-use slips::Chapter;
+use slips::{Chapter, ChapterCode};
 
 use suite::slip;
 

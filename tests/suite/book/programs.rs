@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use measure::rival;
-use slips::{Chapter, Edition};
+use slips::{Chapter, ChapterCode, Edition};
 use suite::command::run;
 use suite::drawn::p3;
 use suite::left_out::left_out;

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 use scraper::ElementRef;
-use slips::Chapter;
+use slips::{Chapter, ChapterCode};
 
 use crate::book::{self, WORKSPACE, folder_of, page_of, text_of};
 use suite::command::{cargo, files, run, text};

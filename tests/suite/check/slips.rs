@@ -6,7 +6,7 @@ use std::path::Path;
 use common::rtweekend::*;
 use difference::Comparison;
 use hittable_list::{HittableList, Sphere};
-use slips::{Chapter, ChapterProgram, Edit, Languages, PROBES};
+use slips::{Chapter, ChapterCode, ChapterProgram, Edit, Languages, PROBES};
 
 use suite::drawn::p3;
 

@@ -4,10 +4,9 @@ use std::fs;
 
 use check::reading;
 use insta::assert_snapshot;
-use slips::Chapter;
 use suite::command::{assert_success, program, run, text};
 use suite::desk::Desk;
-use suite::drawn::p3;
+use suite::drawn::{p3, pictures};
 
 #[test]
 fn a_chapter_explains_itself_when_asked_and_when_misunderstood() {
@@ -28,14 +27,15 @@ fn a_chapter_explains_itself_when_asked_and_when_misunderstood() {
     assert_snapshot!(help.clone() + &said.replace(usage, "(the same)"));
 }
 
-/// The first command builds the companion, and hands on odd words, and words that only the
-/// companion knows.
+/// The first command builds the companion, and hands on odd words, and words whose meaning only
+/// the companion knows. What nobody understands it refuses itself.
 #[test]
 fn the_first_command_hands_on_what_it_does_not_do_itself() {
     let desk = Desk::default();
     for line in [
         "help watch",
         "watch --help",
+        "watch --onec",
         "check normals -- echo -- * \u{1b}",
         "probes no-such",
         "hit --origin -1,0,0",
@@ -51,7 +51,23 @@ fn the_companion_explains_itself_when_asked_and_when_misunderstood() {
     assert_snapshot!(Desk::default().transcript(
         "rtrace --help
          rtrace show --help
+         rtrace help check
+         rtrace needs -h
          rtrace sho
+         rtrace help unicorn
+         rtrace show
+         rtrace show gradient red_sphere
+         rtrace show gradient --widht 3
+         rtrace show gradient --width
+         rtrace show gradient --open=yes
+         rtrace show gradient --width 3 --width 4
+         rtrace check
+         rtrace check gradient
+         rtrace check gradient mine.ppm -- true
+         rtrace check gradient mine.ppm --timeout 3
+         rtrace check gradient mine.ppm --probe insde
+         rtrace check gradient mine.ppm --tolerance 256
+         rtrace laws normals
          rtrace show hitable-list
          rtrace show gradient
          rtrace show gradient --open --output -
@@ -72,8 +88,8 @@ fn rtrace_alone_draws_every_picture_twice_and_then_weaves_the_book() {
     assert_success(&output);
     let report = text(&output.stdout);
     let folder = suite::workspace().join("target/pictures");
-    for chapter in Chapter::ALL {
-        let expected = chapter.picture(chapter.book_width());
+    for (chapter, picture) in pictures() {
+        let expected = picture(chapter.book_width());
         let size = format!("{} × {}", expected.width(), expected.height());
         let mut lines = report.lines();
         assert!(lines.any(|line| line.contains(chapter.name()) && line.contains(&size)));

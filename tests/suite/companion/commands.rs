@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::Path;
 
-use slips::Chapter;
+use slips::{Chapter, ChapterCode};
 use suite::command::{files, run, text};
 use suite::desk::Desk;
 use suite::workspace;

@@ -3,16 +3,15 @@
 use std::fs;
 
 use insta::assert_snapshot;
-use slips::Chapter;
 use suite::command::{names_in, run, text};
 use suite::desk::Desk;
-use suite::drawn::p3;
+use suite::drawn::{p3, pictures};
 
 #[test]
 fn a_chapter_prints_its_picture_or_writes_the_file_that_is_named() {
     let desk = Desk::default();
-    for chapter in Chapter::ALL {
-        let (name, expected) = (chapter.name(), p3(&chapter.picture(37)));
+    for (chapter, picture) in pictures() {
+        let (name, expected) = (chapter.name(), p3(&picture(37)));
         let printed = desk.run(&format!("{name} --width 37 -"));
         assert!(printed.stdout == expected, "{chapter:?}");
         for _first_then_again in 0..2 {

@@ -21,7 +21,7 @@ fn what_is_no_ray_is_refused() {
          rtrace hit --origin=1,2,x
          rtrace hit --origin=1,2,1e999
          rtrace hit --origin=1,2,inf
-         rtrace hit --origin=0,0,0 --radius=-1
+         rtrace hit --origin=0,0,0 --direction=0,0,1 --center=0,0,0 --radius=-1
          rtrace hit --origin=0,0,0"
     ));
 }

@@ -8,25 +8,39 @@ use std::time::SystemTime;
 
 use check::names::{self, name_from_here};
 use check::sentences::{picture_done_line, step_done_line};
-use clap::Args;
-use clap::builder::NonEmptyStringValueParser;
 use common::engine::output;
 use slips::{Chapter, steps};
 
+use crate::command_line::Words;
 use crate::limited;
-use crate::reader_crates::{ReaderCrates, TYPED};
+use crate::reader_crates::ReaderCrates;
 use crate::wrap::wrap_hanging;
 
 /// The arguments of `cargo rtrace done`.
-#[derive(Args)]
 pub(crate) struct Arguments {
-    /// A thing that you have done or understood, in a few words
-    #[arg(value_name = "TEXT", allow_hyphen_values = true, value_parser = NonEmptyStringValueParser::new())]
     text: Vec<String>,
-
-    /// The folder of the list [default: mine in this workspace or where it is, or else this one]
-    #[arg(long = "in", value_name = "FOLDER")]
     in_folder: Option<PathBuf>,
+}
+
+impl Arguments {
+    /// Reads the arguments from a command line.
+    ///
+    /// # Errors
+    /// If there is a text, and it is blank.
+    pub(crate) fn read(words: &Words) -> Result<Self, Box<dyn Error>> {
+        let text = words
+            .values()
+            .iter()
+            .map(|it| it.to_string_lossy().into_owned());
+        let text: Vec<String> = text.collect();
+        if !text.is_empty() && text.iter().all(|it| it.trim().is_empty()) {
+            return Err(words.command.misuse("TEXT is empty"));
+        }
+        Ok(Self {
+            text,
+            in_folder: words.path("--in <FOLDER>"),
+        })
+    }
 }
 
 /// Adds the words of the arguments to the list of done things as one line. Without words, prints
@@ -156,7 +170,7 @@ impl Done {
             let (list, lines) = (name_from_here(&self.file), lines.join("\n  "));
             format!("Done, in {list}\n  {lines}\n")
         };
-        let ahead: String = TYPED
+        let ahead: String = Chapter::TYPED
             .into_iter()
             .flat_map(|chapter| ahead(chapter, &text))
             .collect();

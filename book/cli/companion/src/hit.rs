@@ -2,7 +2,6 @@
 
 use std::error::Error;
 
-use clap::Args;
 use common::engine::output;
 use common::rtweekend::*;
 use figures::number::three_digits;
@@ -10,28 +9,32 @@ use laws::oracle::ExactRoot;
 use measure::accuracy::{exact, ulps_off};
 use speed_vs_accuracy::{Case, METHODS, Method, Precision, Solve};
 
+use crate::command_line::Words;
+
 /// The arguments of `cargo rtrace hit`.
-#[derive(Args)]
 pub(crate) struct Arguments {
-    /// Where the ray starts
-    #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
     origin: Vec3,
-
-    /// Where the ray points; t counts lengths of it
-    #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
     direction: Vec3,
-
-    /// The center of the sphere
-    #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
     center: Vec3,
-
-    /// The radius of the sphere
-    #[arg(long, value_name = "R", value_parser = radius, allow_hyphen_values = true)]
     radius: f64,
-
-    /// A hit must have a greater t than this
-    #[arg(long, value_name = "T", value_parser = finite, default_value = "0", allow_hyphen_values = true)]
+    /// A hit must have a greater t than this.
     t_min: f64,
+}
+
+impl Arguments {
+    /// Reads the arguments from a command line.
+    ///
+    /// # Errors
+    /// If a word is missing, or is not what it should be.
+    pub(crate) fn read(words: &Words) -> Result<Self, Box<dyn Error>> {
+        Ok(Self {
+            origin: words.required("--origin <X,Y,Z>", vector)?,
+            direction: words.required("--direction <X,Y,Z>", vector)?,
+            center: words.required("--center <X,Y,Z>", vector)?,
+            radius: words.required("--radius <R>", radius)?,
+            t_min: words.option("--t-min <T>", finite)?.unwrap_or(0.0),
+        })
+    }
 }
 
 /// Prints where a ray hits a sphere, by exact arithmetic and by each method of chapter 6, with its

@@ -13,25 +13,13 @@ mod subprocess;
 mod watch;
 mod wrap;
 
+use std::env;
+use std::error::Error;
 use std::process::ExitCode;
 use std::thread;
 
-use launcher::command_line::{ArgumentTypes, Command, CommandLine};
-use launcher::{book, chapter, limited, misuse, show, terminal};
-
-/// The command line of the companion, which reads the arguments of all commands.
-struct ReadArguments;
-
-impl ArgumentTypes for ReadArguments {
-    type Check = check::Arguments;
-    type Start = start::Arguments;
-    type Watch = watch::Arguments;
-    type Laws = laws::Arguments;
-    type Done = done::Arguments;
-    type Hit = hit::Arguments;
-    type Needs = needs::Arguments;
-    type Probes = probes::Arguments;
-}
+use launcher::command_line::{self, Request, Words};
+use launcher::{chapter, limited, misuse, terminal};
 
 /// The size of the stack in bytes: reading and running a reader's text recurse for each level of
 /// it. Only the part that is used takes memory.
@@ -48,18 +36,26 @@ fn main() -> ExitCode {
 }
 
 fn run() -> ExitCode {
-    let done = match misuse::command_line::<CommandLine<ReadArguments>>().command {
-        None => return misuse::exit_code_of(launcher::run_without_command()),
-        Some(Command::Book(arguments)) => return misuse::exit_code_of(book::book(&arguments)),
-        Some(Command::Show(arguments)) => show::show(&arguments),
-        Some(Command::Check(arguments)) => return check::check(&arguments),
-        Some(Command::Watch(arguments)) => return misuse::exit_code_of(watch::watch(&arguments)),
-        Some(Command::Laws(arguments)) => return misuse::exit_code_of(laws::laws(&arguments)),
-        Some(Command::Start(arguments)) => start::start(&arguments),
-        Some(Command::Done(arguments)) => done::done(&arguments),
-        Some(Command::Hit(arguments)) => hit::hit(&arguments),
-        Some(Command::Needs(arguments)) => needs::needs(&arguments),
-        Some(Command::Probes(arguments)) => probes::list(&arguments),
-    };
-    misuse::exit_code(done)
+    let request = Request::read(env::args_os().skip(1));
+    match request.map(launcher::run_own) {
+        Ok(Ok(done)) => misuse::exit_code_of(done),
+        Ok(Err(words)) if words.command.name == "check" => check::check(&words),
+        Ok(Err(words)) => misuse::exit_code_of(run_command(&words)),
+        Err(error) => misuse::exit_code(Err(error)),
+    }
+}
+
+/// Runs a command that the launcher has handed on.
+fn run_command(words: &Words) -> Result<ExitCode, Box<dyn Error>> {
+    match words.command.name {
+        "watch" => return watch::watch(&watch::Arguments::read(words)?),
+        "laws" => return laws::laws(&laws::Arguments::read(words)?),
+        "start" => start::start(&start::Arguments::read(words)?)?,
+        "done" => done::done(&done::Arguments::read(words)?)?,
+        "hit" => hit::hit(&hit::Arguments::read(words)?)?,
+        "needs" => needs::needs(&needs::Arguments::read(words)?)?,
+        "probes" => probes::list(words)?,
+        name => unreachable!("the command {name} is the launcher's own"),
+    }
+    Ok(ExitCode::SUCCESS)
 }

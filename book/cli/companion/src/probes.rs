@@ -5,27 +5,19 @@ use std::fmt::Write;
 
 use check::names::companion_command;
 use check::task::Task;
-use clap::Args;
 use common::engine::output;
 use slips::{Chapter, Languages, PROBES};
 
-use crate::chapter::ChapterParser;
-
-/// The arguments of `cargo rtrace probes`.
-#[derive(Args)]
-pub(crate) struct Arguments {
-    /// The chapter that you are at
-    #[arg(value_name = "CHAPTER", value_parser = ChapterParser(&Chapter::OF_THE_BOOK), default_value = "hittable_list")]
-    chapter: Chapter,
-}
+use crate::chapter::chapter;
+use crate::command_line::Words;
 
 /// Prints the probes that a chapter has spheres for, each with what it shows and the lines to
 /// change.
 ///
 /// # Errors
-/// If standard output can't be written to.
-pub(crate) fn list(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
-    let chapter = arguments.chapter;
+/// If the word names no chapter, or standard output can't be written to.
+pub(crate) fn list(words: &Words) -> Result<(), Box<dyn Error>> {
+    let chapter = chapter(words)?.unwrap_or(Chapter::HittableList);
     let name = chapter.name();
     let mut text = format!(
         "Probes for {name}. Change your program as a probe says, draw, and then:\n  {} check {name} --probe NAME PICTURE\n",

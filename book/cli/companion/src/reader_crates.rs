@@ -8,15 +8,6 @@ use check::names::{self, companion_command};
 use check::workspace;
 use slips::Chapter;
 
-/// The chapters that readers type in crates of their own, in reading order: 1 to 5.
-pub(crate) const TYPED: [Chapter; 5] = [
-    Chapter::Gradient,
-    Chapter::RedSphere,
-    Chapter::Normals,
-    Chapter::HalfBSphere,
-    Chapter::HittableList,
-];
-
 /// The folder of a reader's crates, each of which is named after its chapter.
 pub(crate) struct ReaderCrates {
     folder: PathBuf,
@@ -32,7 +23,7 @@ impl ReaderCrates {
         let here = env::current_dir().unwrap_or_default();
         let workspace = workspace_around(&here);
         let has_one = |folder: &&Path| {
-            TYPED
+            Chapter::TYPED
                 .iter()
                 .any(|it| folder.join("mine").join(it.name()).is_dir())
         };

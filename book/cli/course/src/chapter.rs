@@ -1,7 +1,5 @@
 //! The chapters, in reading order.
 
-use common::rtweekend::Picture;
-
 /// A chapter of the course: a package of this workspace that draws one picture. The order is the
 /// reading order, and `chapter as usize` is the number in its folder, from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -23,15 +21,6 @@ pub enum Chapter {
     /// `speed_vs_accuracy`: many ways to find where a ray hits a sphere, compared in time and in
     /// error.
     SpeedVsAccuracy,
-}
-
-/// A source file of a chapter, embedded in this program, that a reader types.
-#[derive(Clone, Copy, Debug)]
-pub struct ChapterFile {
-    /// The path in a crate of the reader's own, with `/`, such as `src/lib.rs`.
-    pub name: &'static str,
-    /// The whole text of the file, as the chapter has it.
-    pub text: &'static str,
 }
 
 /// The number of spheres that the scene of a chapter can have.
@@ -62,6 +51,18 @@ impl Chapter {
     pub const OF_THE_BOOK: [Self; 6] = {
         let [pictures @ .., _] = Self::ALL;
         pictures
+    };
+
+    /// The chapters that readers type in crates of their own, in reading order: 1 to 5.
+    pub const TYPED: [Self; 5] = {
+        let [_, typed @ ..] = Self::OF_THE_BOOK;
+        typed
+    };
+
+    /// The chapters of the book in which a ray meets a sphere, in reading order: 2 to 5.
+    pub const WITH_SPHERES: [Self; 4] = {
+        let [_, with_spheres @ ..] = Self::TYPED;
+        with_spheres
     };
 
     /// Finds the chapter whose package has exactly this name, such as `normals`. Returns `None` if
@@ -116,45 +117,5 @@ impl Chapter {
             Self::RedSphere | Self::Normals | Self::HalfBSphere => SphereCount::One,
             Self::HittableList | Self::SpeedVsAccuracy => SphereCount::Many,
         }
-    }
-
-    /// Lists the sources that a reader types in this chapter, by their names from `a` to `z`. Empty
-    /// for [`Chapter::SpeedVsAccuracy`].
-    pub fn files(self) -> &'static [ChapterFile] {
-        macro_rules! files {
-            ($folder:literal: $($name:literal),*) => {
-                &[$(ChapterFile {
-                    name: $name,
-                    text: include_str!(concat!("../../../../chapters/", $folder, "/", $name)),
-                }),*]
-            };
-        }
-        match self {
-            Self::BuildTest => files!("0_build_test": "src/lib.rs"),
-            Self::Gradient => files!("1_gradient": "src/lib.rs"),
-            Self::RedSphere => files!("2_red_sphere": "src/lib.rs"),
-            Self::Normals => files!("3_normals": "src/lib.rs"),
-            Self::HalfBSphere => files!("4_half_b_sphere": "src/lib.rs"),
-            Self::HittableList => files!(
-                "5_hittable_list": "src/hittable.rs", "src/hittable_list.rs", "src/lib.rs",
-                "src/sphere.rs"
-            ),
-            Self::SpeedVsAccuracy => &[],
-        }
-    }
-
-    /// Makes the chapter's picture, `width` pixels wide (not 0) and as high as its aspect ratio
-    /// asks. Its pixels are traced when they are first read.
-    pub fn picture(self, width: u32) -> Picture {
-        let draw = match self {
-            Self::BuildTest => build_test::picture,
-            Self::Gradient => gradient::picture,
-            Self::RedSphere => red_sphere::picture,
-            Self::Normals => normals::picture,
-            Self::HalfBSphere => half_b_sphere::picture,
-            Self::HittableList => hittable_list::picture,
-            Self::SpeedVsAccuracy => speed_vs_accuracy::picture,
-        };
-        draw(width)
     }
 }

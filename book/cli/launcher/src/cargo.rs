@@ -7,67 +7,148 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, ExitStatus, Stdio};
 use std::{env, thread};
 
+use course::chapter::Chapter;
+
 use crate::draw;
 use crate::misuse::complain;
 
 /// A package of this workspace that cargo builds when a command needs its program.
+#[derive(Clone, Copy)]
 pub struct Package {
     name: &'static str,
     /// The name of the package's program.
     program: &'static str,
-    /// The line to print before cargo builds the package: its purpose, and about how long two cores
-    /// take.
-    says: &'static str,
 }
 
 /// The package of the companion, the program `rtrace`: it judges pictures, watches crates and
 /// measures methods.
-pub const COMPANION: Package = Package {
+const COMPANION: Package = Package {
     name: "companion",
     program: "rtrace",
-    says: "Building the companion, which judges, watches and measures: the first time, about a minute",
 };
 
 /// The package of the weaver, the program that makes the pages of the book from the notes.
-pub const WEAVER: Package = Package {
+const WEAVER: Package = Package {
     name: "weave",
     program: "weave",
-    says: "Building mdBook and the weaver: the first time, about a minute",
 };
 
-impl Package {
-    /// Builds the package if it is not up to date, in the profile of the running program, and
-    /// returns the command that starts its program, still without arguments.
-    ///
-    /// # Errors
-    /// If the workspace is gone, or cargo does not start or fails.
-    pub fn built_program(&self) -> Result<Command, Box<dyn Error>> {
-        let workspace = draw::find_workspace()?;
-        let (target, programs) = build_folders(workspace);
-        let mut build = Command::new(program_name());
-        build
-            .args(["build", "--package", self.name, "--bin", self.program])
-            // What the tests stand on has the features that they ask for: it is built once.
-            .args(["--package", "suite", "--profile"])
-            .arg(match programs.file_name() {
-                Some(profile) if profile != "debug" => profile,
-                _ => "dev".as_ref(),
-            })
-            .arg("--manifest-path")
-            .arg(workspace.join("Cargo.toml"))
-            .arg("--target-dir")
-            .arg(target);
-        let name = self.name;
-        let built = run_cargo(build, self.says)
-            .map_err(|cause| format!("cargo, which builds `{name}`, does not start: {cause}"))?;
-        if !built.status.success() {
-            return Err(format!("cargo has not built `{name}`: {}", built.said.trim_end()).into());
-        }
-        let program = programs.join(self.program);
-        Ok(Command::new(
-            program.with_extension(env::consts::EXE_EXTENSION),
-        ))
+/// Builds the companion if it is not up to date, and returns the command that starts it, still
+/// without arguments. While something that it is made of does not compile, perhaps a chapter, the
+/// last one that was built serves.
+///
+/// # Errors
+/// If the workspace is gone, if cargo does not start, or if it fails and there is no last one.
+pub fn companion() -> Result<Command, Box<dyn Error>> {
+    const SAYS: &str = "Building the companion, which judges, watches and measures: the first time, about a minute";
+    let built = build(&[COMPANION], SAYS)?;
+    let last = || {
+        let program = build_folders(draw::find_workspace().ok()?).1.join("rtrace");
+        let program = program.with_extension(env::consts::EXE_EXTENSION);
+        program.is_file().then(|| {
+            complain("rtrace: cargo has not built the companion anew; the last one answers");
+            program
+        })
+    };
+    match built.program(COMPANION).or_else(last) {
+        Some(program) => Ok(Command::new(program)),
+        None => Err(built.failure(COMPANION)),
     }
+}
+
+/// Builds the weaver if it is not up to date, and returns the command that starts it, still without
+/// arguments.
+///
+/// # Errors
+/// If the workspace is gone, or cargo does not start or fails.
+pub fn weaver() -> Result<Command, Box<dyn Error>> {
+    const SAYS: &str = "Building mdBook and the weaver: the first time, about a minute";
+    let built = build(&[WEAVER], SAYS)?;
+    let program = built.program(WEAVER);
+    program
+        .map(Command::new)
+        .ok_or_else(|| built.failure(WEAVER))
+}
+
+/// The programs that cargo has built.
+pub struct Built {
+    programs: Vec<PathBuf>,
+    said: String,
+}
+
+impl Built {
+    /// Returns the path of a package's program; `None` if cargo could not build it.
+    pub fn program(&self, package: Package) -> Option<PathBuf> {
+        let is_it = |path: &&PathBuf| path.file_stem() == Some(package.program.as_ref());
+        self.programs.iter().find(is_it).cloned()
+    }
+
+    /// Makes the error for a program that cargo could not build, with what cargo has said unless
+    /// that was shown as it came.
+    pub fn failure(&self, package: Package) -> Box<dyn Error> {
+        let said = match self.said.lines().any(is_work) {
+            true => "see above",
+            false => self.said.trim_end(),
+        };
+        format!("cargo has not built `{}`: {said}", package.name).into()
+    }
+}
+
+impl Package {
+    /// Returns the package of a chapter, whose program draws its picture.
+    pub fn of(chapter: Chapter) -> Self {
+        Self {
+            name: chapter.name(),
+            program: chapter.name(),
+        }
+    }
+}
+
+/// Builds packages as far as they are not up to date, in the profile of the running program. One
+/// that does not compile does not keep the others from being built. Prints the line `says`, and
+/// what cargo says, if there is work to do.
+///
+/// # Errors
+/// If the workspace is gone, or cargo does not start.
+pub fn build(packages: &[Package], says: &str) -> Result<Built, Box<dyn Error>> {
+    let workspace = draw::find_workspace()?;
+    let (target, programs) = build_folders(workspace);
+    let mut build = Command::new(program_name());
+    build.arg("build");
+    for package in packages {
+        build.args(["--package", package.name, "--bin", package.program]);
+    }
+    build
+        // What the tests stand on has the features that they ask for: it is built once.
+        .args(["--package", "suite", "--keep-going", "--profile"])
+        .arg(match programs.file_name() {
+            Some(profile) if profile != "debug" => profile,
+            _ => "dev".as_ref(),
+        })
+        .arg("--manifest-path")
+        .arg(workspace.join("Cargo.toml"))
+        .arg("--target-dir")
+        .arg(target)
+        // Standard output then tells where each program is.
+        .args(["--message-format", "json-render-diagnostics"]);
+    let built = run_cargo(build, says).map_err(|cause| {
+        format!(
+            "cargo, which builds `{}`, does not start: {cause}",
+            packages[0].name
+        )
+    })?;
+    let printed = String::from_utf8_lossy(&built.printed);
+    Ok(Built {
+        programs: printed.lines().filter_map(executable).collect(),
+        said: built.said,
+    })
+}
+
+/// Returns the path of the program that a line of cargo, an object in JSON, says to be up to date.
+fn executable(line: &str) -> Option<PathBuf> {
+    let (_, path) = line.split_once("\"executable\":\"")?;
+    let (path, _) = path.split_once("\",")?;
+    Some(path.replace("\\\\", "\\").into())
 }
 
 /// Returns the folder of all that cargo builds, and the one of the programs in it: those that the

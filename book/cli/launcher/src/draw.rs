@@ -9,21 +9,40 @@ use common::engine::output;
 use course::chapter::Chapter;
 use course::names::name_from_here;
 
+use crate::cargo::{self, Package};
+use crate::drawing::Drawing;
 use crate::save::{PictureFormat, save};
 
-/// Draws the picture of every chapter at the book's width into `target/pictures`, as PNG and as
-/// PPM. Then prints the folder, and for each picture its size in pixels, the time that tracing it
-/// took, and the sizes of both files.
+/// Has cargo build the programs of these chapters, and each draw its picture at the book's width
+/// into `target/pictures`, as PNG and as PPM. Then prints for each its size in pixels, the time that
+/// its program took, and the sizes of both files; or that it could not be drawn, in which case the
+/// others are drawn all the same.
 ///
 /// # Errors
-/// If the workspace is gone, or a file can't be written.
-pub fn draw_all() -> Result<(), Box<dyn Error>> {
+/// If the workspace is gone, if cargo does not start, if a picture could not be drawn, or if a file
+/// can't be written.
+pub fn draw(chapters: &[Chapter]) -> Result<(), Box<dyn Error>> {
     let folder = pictures_folder()?;
-    let mut report = format!("The pictures are in {}\n", name_from_here(&folder));
-    for chapter in Chapter::ALL {
-        report += &draw(chapter, &folder)?;
+    let packages: Vec<Package> = chapters.iter().copied().map(Package::of).collect();
+    let built = cargo::build(&packages, "Building the chapters' programs")?;
+    let mut said = String::new();
+    let mut are_drawn = true;
+    for (&chapter, &package) in chapters.iter().zip(&packages) {
+        let drawn = match built.program(package) {
+            Some(program) => draw_one(chapter, &program, &folder)?,
+            None => Err("does not compile: see above".to_owned()),
+        };
+        are_drawn &= drawn.is_ok();
+        let line = drawn.unwrap_or_else(|problem| problem);
+        said += &format!("  {:<17} {line}\n", chapter.name());
     }
-    Ok(output::to_stdout(|out| out.write_all(report.as_bytes()))?)
+    output::to_stdout(|out| out.write_all(said.as_bytes()))?;
+    match are_drawn {
+        true => Ok(()),
+        false => {
+            Err("a picture is missing; the book is woven when each chapter draws its own".into())
+        }
+    }
 }
 
 /// Makes the folder `target/pictures` of the workspace, unless it exists, and returns its path.
@@ -54,17 +73,24 @@ pub fn find_workspace() -> Result<&'static Path, Box<dyn Error>> {
     })
 }
 
-fn draw(chapter: Chapter, folder: &Path) -> Result<String, Box<dyn Error>> {
+/// Has a chapter's program draw its picture, and saves that. Returns what to print about it, or how
+/// the program has failed.
+fn draw_one(
+    chapter: Chapter,
+    program: &Path,
+    folder: &Path,
+) -> Result<Result<String, String>, Box<dyn Error>> {
     let start = Instant::now();
-    let picture = chapter.picture(chapter.book_width());
-    picture.rgb();
-    let traced = start.elapsed();
+    let drawn = Drawing::start(program, chapter.book_width()).and_then(|it| Ok(it.picture()?));
+    let picture = match drawn {
+        Ok(picture) => picture,
+        Err(problem) => return Ok(Err(format!("is not drawn: {problem}"))),
+    };
     let mut line = format!(
-        "  {:<14} {} × {}  {:4.1} ms to trace  ",
-        chapter.name(),
+        "{} × {}  {:5.1} ms to draw  ",
         picture.width(),
         picture.height(),
-        1e3 * traced.as_secs_f64()
+        1e3 * start.elapsed().as_secs_f64()
     );
     for format in [PictureFormat::Png, PictureFormat::Ppm] {
         let path = folder
@@ -74,5 +100,17 @@ fn draw(chapter: Chapter, folder: &Path) -> Result<String, Box<dyn Error>> {
         let kilobytes = fs::metadata(&path)?.len() as f64 / 1e3;
         line += &format!("  .{} {kilobytes:6.1} kB", format.extension());
     }
-    Ok(line + "\n")
+    Ok(Ok(line))
+}
+
+/// Prints where the pictures are that [`draw()`] draws.
+///
+/// # Errors
+/// If the workspace is gone, or standard output can't be written to.
+pub fn say_where() -> Result<(), Box<dyn Error>> {
+    let said = format!(
+        "The pictures are in {}\n",
+        name_from_here(&pictures_folder()?)
+    );
+    Ok(output::to_stdout(|out| out.write_all(said.as_bytes()))?)
 }

@@ -4,23 +4,9 @@
 use std::error::Error;
 use std::fmt;
 use std::io::{self, Write};
-use std::process::{ExitCode, exit};
+use std::process::ExitCode;
 
-use clap::Parser;
 use course::names;
-
-/// Parses the arguments of this process. If they ask for help, prints that and ends the process
-/// with 0; if they can't be understood, prints why and ends it with 2.
-pub fn command_line<Cli: Parser>() -> Cli {
-    Cli::try_parse().unwrap_or_else(|error| {
-        if !error.use_stderr() {
-            error.exit();
-        }
-        // It repeats what was typed.
-        complain(&error.to_string());
-        exit(error.exit_code())
-    })
-}
 
 /// Prints `about`, one line or several, to standard error, with a line break at its end; prints
 /// nothing if it is empty. Each character that a terminal would obey, perhaps from the name of a

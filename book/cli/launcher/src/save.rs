@@ -9,7 +9,7 @@ use png::{BitDepth, ColorType, Compression, Filter};
 
 /// The format of a picture file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PictureFormat {
+pub(crate) enum PictureFormat {
     /// PNG, compressed, with the extension `png`.
     Png,
     /// PPM as the book writes it: P3, a text of numbers, with the extension `ppm`.
@@ -19,7 +19,7 @@ pub enum PictureFormat {
 impl PictureFormat {
     /// Returns the format whose extension the path has, in upper or lower case; `None` for any
     /// other, and for a path without an extension.
-    pub fn of(path: &Path) -> Option<Self> {
+    pub(crate) fn of(path: &Path) -> Option<Self> {
         let extension = path.extension()?.to_ascii_lowercase();
         [Self::Png, Self::Ppm]
             .into_iter()
@@ -27,7 +27,7 @@ impl PictureFormat {
     }
 
     /// Returns the extension of the format's files, without a dot.
-    pub fn extension(self) -> &'static str {
+    pub(crate) fn extension(self) -> &'static str {
         match self {
             Self::Png => "png",
             Self::Ppm => "ppm",
@@ -40,7 +40,7 @@ impl PictureFormat {
 ///
 /// # Errors
 /// If the file can't be written.
-pub fn save(picture: &Picture, format: PictureFormat, path: &Path) -> io::Result<()> {
+pub(crate) fn save(picture: &Picture, format: PictureFormat, path: &Path) -> io::Result<()> {
     output::to_file(path, |out| match format {
         PictureFormat::Png => write_png(picture, out),
         PictureFormat::Ppm => picture.write_p3(out),

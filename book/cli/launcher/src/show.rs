@@ -3,66 +3,72 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use clap::Args;
-use clap::builder::{OsStringValueParser, TypedValueParser};
 use common::engine::{output, parse_width};
-use common::rtweekend::Picture;
 use course::chapter::Chapter;
 use course::names;
 
-use crate::chapter::ChapterParser;
+use crate::cargo::{self, Package};
+use crate::chapter::required_chapter;
+use crate::command_line::Words;
 use crate::draw;
+use crate::drawing::Drawing;
 use crate::misuse::misuse;
 use crate::save::{PictureFormat, save};
 use crate::terminal::{self, Palette};
 
 /// The arguments of `cargo rtrace show`.
-#[derive(Args)]
-pub struct Arguments {
-    /// The chapter whose picture to draw
-    #[arg(value_name = "CHAPTER", value_parser = ChapterParser(&Chapter::ALL))]
+pub(crate) struct Arguments {
     chapter: Chapter,
-
-    /// Width in pixels [default: as in the book]
-    #[arg(long, value_name = "N", value_parser = parse_width, allow_hyphen_values = true)]
-    width: Option<u32>,
-
-    /// A .png or .ppm file, or - to print the numbers (P3); without it the
-    /// terminal shows the picture
-    #[arg(long, short, value_name = "FILE", value_parser = destination_parser())]
+    /// The width in pixels.
+    width: u32,
     output: Option<Destination>,
-
-    /// Open the picture in the system's viewer
-    #[arg(long)]
     open: bool,
 }
 
-/// Draws the picture of a chapter, at the book's width unless the arguments have another. Then
-/// prints it as P3, saves it, opens it in a viewer, or shows it in the terminal, as the arguments
-/// say.
+impl Arguments {
+    /// Reads the arguments from a command line.
+    ///
+    /// # Errors
+    /// If there is no chapter, or a word is not what it should be.
+    pub(crate) fn read(words: &Words) -> Result<Self, Box<dyn Error>> {
+        let chapter = required_chapter(words)?;
+        let width = words.option("--width <N>", parse_width)?;
+        let output = words.path(OUTPUT).map(|path| {
+            let why = "the name must end in .png or .ppm, or be - for standard output";
+            let refused = || words.refused(OUTPUT, &path.to_string_lossy(), why);
+            Destination::of(&path).ok_or_else(refused)
+        });
+        Ok(Self {
+            chapter,
+            width: width.unwrap_or(chapter.book_width()),
+            output: output.transpose()?,
+            open: words.has("--open"),
+        })
+    }
+}
+
+const OUTPUT: &str = "-o, --output <FILE>";
+
+/// Has the program of a chapter draw its picture. Then prints it as P3, saves it, opens it in a
+/// viewer, or shows it in the terminal, as the arguments say.
 ///
 /// # Errors
-/// If the arguments contradict each other, if there is no terminal with colors to show the picture
-/// in, or if it can't be written or opened.
-pub fn show(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
-    let Arguments {
-        chapter,
-        width,
-        output,
-        open,
-    } = arguments;
-    let picture = || chapter.picture(width.unwrap_or(chapter.book_width()));
+/// If the arguments contradict each other, if the chapter does not compile, if there is no terminal
+/// with colors to show the picture in, or if it can't be written or opened.
+pub(crate) fn show(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    let Arguments { output, open, .. } = arguments;
     match output {
         Some(Destination::Stdout) if *open => Err(misuse(
             "--open needs a file: name one with --output, or leave --output out",
         )),
-        Some(Destination::Stdout) => Ok(output::to_stdout(|out| picture().write_p3(out))?),
-        Some(Destination::File(path, format)) => save_and_say(&picture(), *format, path, *open),
+        Some(Destination::Stdout) => {
+            let drawing = arguments.drawing()?;
+            Ok(output::to_stdout(|out| drawing.copy(out))?)
+        }
+        Some(Destination::File(path, format)) => arguments.save_and_say(*format, path),
         None if *open => {
-            let path = draw::pictures_folder()?
-                .join(chapter.name())
-                .with_extension("png");
-            save_and_say(&picture(), PictureFormat::Png, &path, true)
+            let path = draw::pictures_folder()?.join(arguments.chapter.name());
+            arguments.save_and_say(PictureFormat::Png, &path.with_extension("png"))
         }
         None => {
             let palette = Palette::of_stdout().ok_or_else(|| {
@@ -71,8 +77,9 @@ pub fn show(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
                      name a file with --output, or print the numbers with --output -",
                 )
             })?;
+            let picture = arguments.drawing()?.picture()?;
             Ok(output::to_stdout(|out| {
-                terminal::show_picture(&picture(), palette, out)
+                terminal::show_picture(&picture, palette, out)
             })?)
         }
     }
@@ -85,38 +92,43 @@ enum Destination {
     File(PathBuf, PictureFormat),
 }
 
-fn save_and_say(
-    picture: &Picture,
-    format: PictureFormat,
-    path: &Path,
-    open: bool,
-) -> Result<(), Box<dyn Error>> {
-    save(picture, format, path)?;
-    let (width, height) = (picture.width(), picture.height());
-    let said = format!(
-        "{width} × {height} pixels in {}\n",
-        names::escaped_name(path)
-    );
-    output::to_stdout(|out| out.write_all(said.as_bytes()))?;
-    if open {
-        open::that_detached(path).map_err(|cause| {
-            format!(
-                "no viewer opened {}: {cause}\nOpen the picture by hand.",
-                path.display()
-            )
-        })?;
+impl Destination {
+    fn of(path: &Path) -> Option<Self> {
+        if path == Path::new("-") {
+            return Some(Self::Stdout);
+        }
+        Some(Self::File(path.to_owned(), PictureFormat::of(path)?))
     }
-    Ok(())
 }
 
-fn destination_parser() -> impl TypedValueParser<Value = Destination> {
-    OsStringValueParser::new().try_map(|name| {
-        if name == "-" {
-            return Ok(Destination::Stdout);
+impl Arguments {
+    /// Starts the chapter's program, which cargo builds first if it is not up to date.
+    fn drawing(&self) -> Result<Drawing, Box<dyn Error>> {
+        let (chapter, package) = (self.chapter.name(), Package::of(self.chapter));
+        let built = cargo::build(&[package], &format!("Building {chapter}"))?;
+        let program = built
+            .program(package)
+            .ok_or_else(|| built.failure(package))?;
+        let drawing = Drawing::start(&program, self.width);
+        drawing.map_err(|cause| format!("{chapter} draws nothing: {cause}").into())
+    }
+
+    /// Saves the picture, prints where, and opens it in a viewer if the reader asks for that.
+    fn save_and_say(&self, format: PictureFormat, path: &Path) -> Result<(), Box<dyn Error>> {
+        let drawing = self.drawing()?;
+        let (width, height) = (drawing.width, drawing.height);
+        match format {
+            PictureFormat::Ppm => output::to_file(path, |out| drawing.copy(out))?,
+            PictureFormat::Png => save(&drawing.picture()?, format, path)?,
         }
-        let path = PathBuf::from(name);
-        PictureFormat::of(&path)
-            .map(|format| Destination::File(path, format))
-            .ok_or("the name must end in .png or .ppm, or be - for standard output")
-    })
+        let shown = names::escaped_name(path);
+        let said = format!("{width} × {height} pixels in {shown}\n");
+        output::to_stdout(|out| out.write_all(said.as_bytes()))?;
+        if self.open {
+            open::that_detached(path).map_err(|cause| {
+                format!("no viewer opened {shown}: {cause}\nOpen the picture by hand.")
+            })?;
+        }
+        Ok(())
+    }
 }

@@ -5,7 +5,7 @@
 pub mod source;
 
 use interpreter::SourceFile;
-use slips::{Chapter, lawful};
+use slips::{Chapter, ChapterCode, lawful};
 
 /// Lists the files that a reader types in a chapter, in the order in which they are typed. Each has
 /// the chapter's own text with `todo!()` in place of the body of each function to be typed. They

@@ -8,7 +8,9 @@ use common::rtweekend::Picture;
 use crate::names::companion_command;
 use crate::pixels::{distance, spread};
 use crate::reading::Reading;
-use slips::{Chapter, ChapterProgram, Edition, Languages, Probe, Slip, steps, width_line};
+use slips::{
+    Chapter, ChapterCode, ChapterProgram, Edition, Languages, Probe, Slip, steps, width_line,
+};
 
 /// The picture that a reader was asked to draw: a chapter's, whole or as far as a step of it, with
 /// a [`Probe`] (a changed scene) or without, by one edition of the book, in the chapter's own shape

@@ -8,7 +8,7 @@ use check::task::Task;
 use check::verdict::Verdict;
 use difference::png;
 use slips::Chapter;
-use slips::{self, Languages, PROBES, Probe, Slip, Unseen};
+use slips::{self, ChapterCode, Languages, PROBES, Probe, Slip, Unseen};
 
 /// The width of a probe at which the height is rounded.
 const WIDTH: u32 = 227;

@@ -3,7 +3,7 @@
 use check::reading::{Cause, Reading, read};
 use common::rtweekend::*;
 use difference::png;
-use slips::Chapter;
+use slips::{Chapter, ChapterCode};
 
 #[test]
 fn text_bytes_and_png_of_a_picture_are_read_as_the_same_picture() {

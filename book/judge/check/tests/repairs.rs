@@ -11,7 +11,7 @@ use check::reading::Reading;
 use check::sources::{SourceFile, Sources};
 use check::task::Task;
 use check::verdict::Verdict;
-use slips::{Chapter, ChapterProgram, Languages, steps};
+use slips::{Chapter, ChapterCode, ChapterProgram, Languages, steps};
 
 /// Right programs, each with a piece of its text and the wrong text that replaces it.
 const MISTAKES: [(Text, &str, &str); 52] = [

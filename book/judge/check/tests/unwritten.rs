@@ -5,7 +5,7 @@ use check::attempt::{Attempt, LawsStatus};
 use check::context::Context;
 use check::judge_file;
 use check::task::Task;
-use slips::{Chapter, steps};
+use slips::{Chapter, ChapterCode, steps};
 
 fn answer(text: &str, laws: &LawsStatus) -> Answer {
     let task = Task::of(Chapter::Gradient);

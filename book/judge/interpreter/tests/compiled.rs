@@ -7,8 +7,8 @@ use std::process::Command;
 use std::time::{Duration, Instant};
 
 use common::rtweekend::*;
-use course::chapter::Chapter;
 use interpreter::{Ball, Fault, FaultKind, Program, SourceFile};
+use slips::{Chapter, ChapterCode};
 
 const WIDTHS: [u32; 3] = [40, 63, 100];
 

@@ -3,6 +3,7 @@
 use interpreter::SourceFile;
 
 use crate::chapter::Chapter;
+use crate::code::ChapterCode;
 
 // The sources of `common` that a program of rays uses.
 const CAMERA: &str = include_str!("../../../../common/src/camera.rs");

@@ -6,8 +6,7 @@
 //! it:
 //!
 //! ```
-//! use slips::Chapter;
-//! use slips::ChapterProgram;
+//! use slips::{Chapter, ChapterCode, ChapterProgram};
 //!
 //! let chapter = Chapter::find("half_b_sphere").unwrap();
 //! let slip = slips::find("minus-h").unwrap();
@@ -28,6 +27,7 @@
 //! ```
 
 mod catalogue;
+mod code;
 mod edit;
 mod edition;
 mod files;
@@ -43,6 +43,7 @@ mod wrong_picture;
 use course::chapter;
 
 pub use catalogue::{all, find, unnamed};
+pub use code::{ChapterCode, ChapterFile};
 pub use course::chapter::{Chapter, SphereCount};
 pub use edit::Edit;
 pub use edition::Edition;

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use std::sync::{LazyLock, Mutex, PoisonError};
 
 use crate::chapter::Chapter;
+use crate::code::ChapterCode;
 use crate::edit::Edit;
 use crate::files::{path_in_workspace, program_files};
 use crate::probes::PROBES;

@@ -1,6 +1,7 @@
 //! Line diff: finds the first line of a chapter that a reader's draft lacks.
 
 use interpreter::SourceFile;
+use slips::ChapterCode;
 
 use crate::typed::Draft;
 

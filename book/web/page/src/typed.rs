@@ -20,7 +20,7 @@ use common::rtweekend::*;
 use interpreter::{Fault, FaultKind, SourceFile, SourceSpan};
 use laws::answers::Answers;
 use laws::{Complaint, Trial};
-use slips::{Chapter, ChapterProgram, Languages, Slip, lawful, steps};
+use slips::{Chapter, ChapterCode, ChapterProgram, Languages, Slip, lawful, steps};
 
 use crate::habits;
 use crate::typing::Caret;

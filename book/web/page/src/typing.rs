@@ -4,6 +4,7 @@
 use std::ops::Range;
 
 use interpreter::{Fault, FaultKind};
+use slips::ChapterCode;
 
 use crate::typed::Draft;
 

@@ -1,7 +1,7 @@
 //! Diffs: what changed from one chapter to the next in the picture, and which files are new.
 
 use difference::{Comparison, difference_picture};
-use slips::Chapter;
+use slips::{Chapter, ChapterCode};
 
 use crate::slip::address;
 

@@ -4,8 +4,8 @@ use std::path::Path;
 use std::sync::LazyLock;
 
 use base64::prelude::{BASE64_STANDARD, Engine as _};
-use difference::png;
 use common::rtweekend::Picture;
+use difference::png;
 use rayon::prelude::*;
 use slips::{Chapter, Edit, Edition, Languages, Slip, Unseen, WrongPicture};
 

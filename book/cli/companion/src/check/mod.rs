@@ -15,53 +15,100 @@ use check::reading::{self, Reading};
 use check::task::Task;
 use check::verdict::Verdict;
 use check::{guess, judge, judge_guessed};
-use clap::Args;
-use clap::builder::TypedValueParser;
 use common::engine::output;
 use slips::{Chapter, Edition, PROBES, Probe};
 
 use input::PictureInput;
 
-use crate::chapter::{ChapterOrPicture, ChapterOrPictureParser, parser_of_names};
+use crate::chapter::{chapter, choose_one_of};
+use crate::command_line::Words;
 use crate::misuse::complain;
 use crate::wrap::lay_out;
 
 /// The arguments of `cargo rtrace check`.
-#[derive(Args)]
 pub(crate) struct Arguments {
-    /// The chapter whose picture it should be; without one, the chapter that comes nearest
-    #[arg(value_name = "CHAPTER", value_parser = ChapterOrPictureParser, required_unless_present = "program")]
     first: Option<ChapterOrPicture>,
-
-    /// Your picture: a .ppm (P3 or P6) or .png file, or - for standard input
-    #[arg(value_name = "PICTURE")]
     picture: Option<PathBuf>,
-
-    /// Your own program, which prints the picture to standard output
-    #[arg(last = true, value_name = "PROGRAM", conflicts_with = "picture")]
+    /// The reader's program and its arguments; empty if there is none.
     program: Vec<OsString>,
-
-    /// The picture shows the scene of this probe: `probes` lists them
-    #[arg(long, value_name = "NAME", value_parser = probe_parser())]
     probe: Option<Probe>,
-
-    /// The picture follows this version of the book; without this option, any version will do
-    #[arg(long, value_name = "VERSION", value_parser = edition_parser())]
     edition: Option<Edition>,
-
-    /// Accept components that are up to N levels off
-    #[arg(long, value_name = "N", default_value_t = 0)]
+    /// How many levels a component may be off.
     tolerance: u8,
-
-    /// How long your program may take
-    #[arg(long, value_name = "SECONDS", default_value = "60", value_parser = parse_seconds, allow_hyphen_values = true, requires = "program")]
+    /// How long the program may take.
     timeout: Duration,
 }
 
+/// The first word: a chapter of the book, or a picture whose chapter is to be guessed.
+enum ChapterOrPicture {
+    Chapter(Chapter),
+    /// The path of a picture file, which may be missing, or `-` for standard input.
+    Picture(PathBuf),
+}
+
+impl ChapterOrPicture {
+    /// Reads the first word, if there is one. A picture is an existing file, a name with an
+    /// extension, or `-`.
+    fn read(words: &Words) -> Result<Option<Self>, Box<dyn Error>> {
+        let chapter = chapter(words);
+        match words.values().first().map(Path::new) {
+            Some(path)
+                if chapter.is_err()
+                    && (path == "-" || path.extension().is_some() || path.is_file()) =>
+            {
+                Ok(Some(Self::Picture(path.to_owned())))
+            }
+            _ => Ok(chapter?.map(Self::Chapter)),
+        }
+    }
+}
+
+impl Arguments {
+    /// Reads the arguments from a command line.
+    ///
+    /// # Errors
+    /// If a word is not what it should be, or contradicts another.
+    pub(crate) fn read(words: &Words) -> Result<Self, Box<dyn Error>> {
+        let picture = words.values().get(1).map(PathBuf::from);
+        let edition = |typed: &str| {
+            let named = Edition::ALL.into_iter().find(|it| it.name() == typed);
+            named.ok_or_else(|| choose_one_of(typed, Edition::ALL.iter().map(|it| it.name())))
+        };
+        let levels = |typed: &str| {
+            let levels = typed.parse();
+            levels.map_err(|_| "choose a whole number of levels from 0 to 255".to_owned())
+        };
+        let arguments = Self {
+            first: ChapterOrPicture::read(words)?,
+            picture,
+            program: words.program.clone(),
+            probe: words.option(PROBE, probe)?,
+            edition: words.option("--edition <VERSION>", edition)?,
+            tolerance: words.option("--tolerance <N>", levels)?.unwrap_or(0),
+            timeout: words.option(TIMEOUT, seconds)?.unwrap_or(PATIENCE),
+        };
+        let has_program = !arguments.program.is_empty();
+        let problem = match (&arguments.first, has_program) {
+            (None, false) => "name a chapter, your picture, or your program after --",
+            (_, true) if arguments.picture.is_some() => "name a picture or a program, not both",
+            (_, false) if words.has(TIMEOUT) => "--timeout is for a program after --",
+            _ => return Ok(arguments),
+        };
+        Err(words.command.misuse(problem))
+    }
+}
+
+/// The spelling of options that `watch` has, too.
+pub(crate) const PROBE: &str = "--probe <NAME>";
+pub(crate) const TIMEOUT: &str = "--timeout <SECONDS>";
+
+/// How long a program may take unless the reader says so.
+const PATIENCE: Duration = Duration::from_secs(60);
+
 /// Judges a picture and prints the answer. Returns 0 if the picture is right, 1 if it is wrong, and
 /// 2 if the input is no picture or can't be judged.
-pub(crate) fn check(arguments: &Arguments) -> ExitCode {
-    match try_check(arguments) {
+pub(crate) fn check(words: &Words) -> ExitCode {
+    match Arguments::read(words).and_then(|arguments| try_check(&arguments)) {
         Ok(code) => ExitCode::from(code),
         Err(error) => {
             complain(&format!("rtrace: {error}"));
@@ -171,19 +218,18 @@ impl Arguments {
 ///
 /// # Errors
 /// If the text is no such number; the message names one.
-pub(crate) fn parse_seconds(text: &str) -> Result<Duration, String> {
+pub(crate) fn seconds(text: &str) -> Result<Duration, String> {
     let seconds = text.parse::<f64>().ok().filter(|&seconds| seconds > 0.0);
     seconds
         .and_then(|seconds| Duration::try_from_secs_f64(seconds).ok())
         .ok_or("choose a number of seconds, such as 60".to_owned())
 }
 
-fn edition_parser() -> impl TypedValueParser<Value = Edition> {
-    parser_of_names(Edition::ALL.map(|edition| (edition.name(), edition)))
-}
-
-/// Makes a parser of an argument that names a probe: a small scene that shows what a chapter's own
-/// picture hides.
-pub(crate) fn probe_parser() -> impl TypedValueParser<Value = Probe> {
-    parser_of_names(PROBES.map(|probe| (probe.name, probe)))
+/// Finds the probe of this name: a small scene that shows what a chapter's own picture hides.
+///
+/// # Errors
+/// If there is none; the message lists all names.
+pub(crate) fn probe(name: &str) -> Result<Probe, String> {
+    let found = slips::find_probe(name);
+    found.ok_or_else(|| choose_one_of(name, PROBES.iter().map(|probe| probe.name)))
 }

@@ -15,41 +15,43 @@ use ::laws::verdict::rows_as_text;
 use ::laws::{Case, Complaint, IntervalCase, Question, Report, Trial};
 use check::any_language::{self, FunctionKind, FunctionVerdict};
 use check::names;
-use clap::Args;
 use common::engine::output;
 use common::rtweekend::*;
 use slips::{Chapter, Languages, lawful};
 
-use crate::chapter::ChapterParser;
-use crate::check::parse_seconds;
+use crate::chapter::required_chapter;
+use crate::check::{TIMEOUT, seconds};
+use crate::command_line::Words;
 use crate::reader_crates::shell_word;
 use dialogue::{Dialogue, DialogueFailure};
 
 /// The arguments of `cargo rtrace laws`.
-#[derive(Args)]
 pub(crate) struct Arguments {
-    /// The chapter whose intersection of a ray and a sphere you wrote
-    #[arg(value_name = "CHAPTER", value_parser = ChapterParser(&ASKED))]
     chapter: Chapter,
-
-    /// Your own program: it reads a line of numbers, center, radius, origin, direction (in chapter
-    /// 5 also t_min and t_max), and prints t or miss (in chapter 2: hit or miss; in chapter 5 the
-    /// normal, and front or back, may follow t), line by line
-    #[arg(last = true, value_name = "PROGRAM", required = true)]
+    /// The reader's program and its arguments; not empty.
     program: Vec<OsString>,
-
-    /// How long your program may take for an answer; for all of them, twenty times as long
-    #[arg(long, value_name = "SECONDS", default_value = "5", value_parser = parse_seconds, allow_hyphen_values = true)]
+    /// How long the program may take for an answer; for all of them, twenty times as long.
     timeout: Duration,
 }
 
-/// The chapters in which a program can be asked where a ray hits a sphere.
-pub(crate) const ASKED: [Chapter; 4] = [
-    Chapter::RedSphere,
-    Chapter::Normals,
-    Chapter::HalfBSphere,
-    Chapter::HittableList,
-];
+impl Arguments {
+    /// Reads the arguments from a command line.
+    ///
+    /// # Errors
+    /// If a word is missing, or is not what it should be.
+    pub(crate) fn read(words: &Words) -> Result<Self, Box<dyn Error>> {
+        let chapter = required_chapter(words)?;
+        if words.program.is_empty() {
+            return Err(words.command.misuse("name your program after --"));
+        }
+        let timeout = words.option(TIMEOUT, seconds)?;
+        Ok(Self {
+            chapter,
+            program: words.program.clone(),
+            timeout: timeout.unwrap_or(Duration::from_secs(5)),
+        })
+    }
+}
 
 /// Asks a reader's program where rays hit spheres, and prints which law its answers break. Returns
 /// 0 if all laws hold, 1 if one is broken, and 2 if the program can't be asked.

@@ -12,7 +12,6 @@ use std::sync::atomic::Ordering::Relaxed;
 use std::time::{Duration, Instant};
 
 use check::names;
-use clap::{Args, value_parser};
 use common::engine::output;
 use measure::contest::Effort;
 use measure::cost;
@@ -21,50 +20,37 @@ use measure::scene_file::{self, WIDEST};
 use measure::wrong_pixels;
 use speed_vs_accuracy::{METHODS, Precision, Scene};
 
+use crate::command_line::Words;
 use crate::limited;
 use crate::misuse::misuse;
 
 /// The arguments of `cargo rtrace needs`.
-#[derive(Args)]
-#[command(after_help = HELP)]
 pub(crate) struct Arguments {
-    /// The scene: a TOML file, such as those in chapters/6_speed_vs_accuracy/scenes
-    #[arg(value_name = "SCENE")]
     scene: PathBuf,
-
-    /// Width in pixels [default: as the scene says, or 400]
-    #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..=i64::from(WIDEST)), allow_hyphen_values = true)]
+    /// The width in pixels; `None` if the scene says it.
     width: Option<u32>,
+}
+
+impl Arguments {
+    /// Reads the arguments from a command line.
+    ///
+    /// # Errors
+    /// If a word is missing, or is not what it should be.
+    pub(crate) fn read(words: &Words) -> Result<Self, Box<dyn Error>> {
+        let width = |typed: &str| {
+            let width = typed.parse().ok().filter(|it| (1..=WIDEST).contains(it));
+            width.ok_or_else(|| format!("choose a whole number of pixels from 1 to {WIDEST}"))
+        };
+        let scene = words.values().first().map(PathBuf::from);
+        Ok(Self {
+            scene: scene.ok_or_else(|| words.command.misuse("SCENE is missing"))?,
+            width: words.option("--width <N>", width)?,
+        })
+    }
 }
 
 /// The greatest relative error of t that counts as right, where distances matter.
 const WITHIN: f64 = 0.001;
-
-const HELP: &str = "\
-A scene, of which only the spheres are needed:
-  width = 400             # pixels; the picture is 16:9
-  sun = [1, 0.25, 0.5]    # towards the sun, of any length; without a sun no shadows
-  t_min = 0.001           # no hit counts before; if left out: 0, and 0.001 for shadows
-
-  [camera]
-  origin = [0, 0, 0]
-  direction = [0, 0, -1]  # of any length
-  zoom = 1                # or [across, up]
-
-  [[sphere]]              # as often as there are spheres
-  center = [0, 0, -1]
-  radius = 0.5
-
-The columns of the table:
-  wrong pixels         more than one of 255 levels off, in a component, from the picture
-                       that exact arithmetic draws of the scene as it is written, in f64
-  worst, levels        how far a component is off in the worst pixel
-  worst, radii         how far a hit point is at most from where it should be
-  worst, t             how large a part of t is wrong at most, where the right sphere is hit
-  ns                   what one ray and one sphere of this scene take, here and now: the
-                       quickest of the rounds in which every method has a turn
-  ÷ half_b             how many times as long as half_b in the same round: the median
-Columns and rows count from 0, spheres from 1.";
 
 /// The length of the measurement: all methods together take about a second.
 const EFFORT: Effort = Effort {

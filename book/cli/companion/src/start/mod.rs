@@ -12,30 +12,37 @@ use std::path::{Path, PathBuf};
 use carry::EarlierCrate;
 use check::names::name_from_here;
 use check::workspace::workspace;
-use clap::Args;
 use common::engine::output;
 use interpreter::SourceFile;
 use slips::{Chapter, steps};
 
-use crate::chapter::ChapterParser;
+use crate::chapter::required_chapter;
+use crate::command_line::Words;
 use crate::misuse::misuse;
-use crate::reader_crates::{ReaderCrates, TYPED};
+use crate::reader_crates::ReaderCrates;
 use crate::wrap::wrap_hanging;
 
 /// The arguments of `cargo rtrace start`.
-#[derive(Args)]
 pub(crate) struct Arguments {
-    /// The chapter that you are about to type
-    #[arg(value_name = "CHAPTER", value_parser = ChapterParser(&TYPED))]
     chapter: Chapter,
-
-    /// Where your crates are to be [default: mine]
-    #[arg(long, alias = "in", value_name = "FOLDER")]
+    /// Where the reader's crates are to be; `None` for the usual folder.
     into: Option<PathBuf>,
-
-    /// Type the prelude as well: vectors, rays, camera and the text of a picture
-    #[arg(long)]
+    /// Whether the reader types the prelude as well.
     own_prelude: bool,
+}
+
+impl Arguments {
+    /// Reads the arguments from a command line.
+    ///
+    /// # Errors
+    /// If a word is missing, or is not what it should be.
+    pub(crate) fn read(words: &Words) -> Result<Self, Box<dyn Error>> {
+        Ok(Self {
+            chapter: required_chapter(words)?,
+            into: words.path("--into <FOLDER>"),
+            own_prelude: words.has("--own-prelude"),
+        })
+    }
 }
 
 /// Makes a crate for the reader to type a chapter in, and prints where it is and what comes next.
@@ -62,7 +69,7 @@ pub(crate) fn start(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
             crates.watch_command(chapter),
         )));
     }
-    let before = TYPED.into_iter().rev().filter(|&it| it < chapter);
+    let before = Chapter::TYPED.into_iter().rev().filter(|&it| it < chapter);
     let before = before.map(|it| crates.folder_of(it)).find(|it| it.is_dir());
     let new = NewCrate::compose(arguments, before.as_deref(), &folder)?;
     new.make(&folder).map_err(failed)?;

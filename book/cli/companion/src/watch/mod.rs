@@ -24,17 +24,16 @@ use check::reading::read;
 use check::sentences::step_done_line;
 use check::sources::Sources;
 use check::task::Task;
-use clap::Args;
 use common::engine::output;
 use common::rtweekend::Picture;
-use slips::{Chapter, ChapterProgram, Languages, Probe, Slip, lawful, steps};
+use slips::{Chapter, ChapterCode, ChapterProgram, Languages, Probe, Slip, lawful, steps};
 
-use crate::chapter::ChapterParser;
-use crate::check::{parse_seconds, probe_parser};
+use crate::chapter::required_chapter;
+use crate::check::{PROBE, TIMEOUT, probe, seconds};
+use crate::command_line::Words;
 use crate::done::Done;
-use crate::laws::ASKED;
 use crate::misuse::misuse;
-use crate::reader_crates::{ReaderCrates, TYPED, shell_word};
+use crate::reader_crates::{ReaderCrates, shell_word};
 use crate::sources;
 use crate::subprocess::{self, ProgramEnd};
 use background::BackgroundBuild;
@@ -43,32 +42,40 @@ use changes::FolderChanges;
 use laws::LawsResult;
 
 /// The arguments of `cargo rtrace watch`.
-#[derive(Args)]
 pub(crate) struct Arguments {
-    /// The chapter whose picture your crate or program should draw
-    #[arg(value_name = "CHAPTER", value_parser = ChapterParser(&Chapter::OF_THE_BOOK))]
     chapter: Chapter,
-
-    /// Your own program, which prints the picture; the current folder is watched
-    /// [default: the crate that `start` made, whose folder is watched]
-    #[arg(last = true, value_name = "PROGRAM", conflicts_with = "in_folder")]
+    /// The reader's program and its arguments; empty for the crate that `start` made.
     program: Vec<OsString>,
-
-    /// Where your crates are, if not in mine
-    #[arg(long = "in", value_name = "FOLDER")]
+    /// Where the reader's crates are; `None` for the usual folder.
     in_folder: Option<PathBuf>,
-
-    /// Your program draws the scene of this probe (see `cargo rtrace probes`)
-    #[arg(long, value_name = "NAME", value_parser = probe_parser())]
     probe: Option<Probe>,
-
-    /// How long your program may take
-    #[arg(long, value_name = "SECONDS", default_value = "10", value_parser = parse_seconds, allow_hyphen_values = true)]
+    /// How long the program may take.
     timeout: Duration,
-
-    /// Judge once, and end with 0 if the picture is right
-    #[arg(long)]
     once: bool,
+}
+
+impl Arguments {
+    /// Reads the arguments from a command line.
+    ///
+    /// # Errors
+    /// If a word is missing, is not what it should be, or contradicts
+    /// another.
+    pub(crate) fn read(words: &Words) -> Result<Self, Box<dyn Error>> {
+        let timeout = words.option(TIMEOUT, seconds)?;
+        let arguments = Self {
+            chapter: required_chapter(words)?,
+            program: words.program.clone(),
+            in_folder: words.path("--in <FOLDER>"),
+            probe: words.option(PROBE, probe)?,
+            timeout: timeout.unwrap_or(Duration::from_secs(10)),
+            once: words.has("--once"),
+        };
+        if arguments.in_folder.is_some() && !arguments.program.is_empty() {
+            let problem = "--in is for a crate that `start` made, not for a program after --";
+            return Err(words.command.misuse(problem));
+        }
+        Ok(arguments)
+    }
 }
 
 /// Judges the reader's crate or program at once and after each save, and prints each answer, until
@@ -149,7 +156,7 @@ impl WatchedProgram {
             (env::current_dir()?, Done::find(None))
         };
         if !folder.is_dir() {
-            let make = if TYPED.contains(&chapter) {
+            let make = if Chapter::TYPED.contains(&chapter) {
                 format!("Make it with {}, or name", crates.start_command(chapter))
             } else {
                 "Name".to_owned()
@@ -294,7 +301,7 @@ impl WatchedProgram {
             ..Attempt::new(self.task, &context)
         };
         let mut answer = attempt.answer(judge_file(&self.task, bytes, 0, &context));
-        if answer.is_right() && !is_crate && ASKED.contains(&chapter) {
+        if answer.is_right() && !is_crate && Chapter::WITH_SPHERES.contains(&chapter) {
             answer.rows.push(laws_hint(chapter));
         }
         Ok(answer)

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use std::rc::Rc;
 
 use laws::answers::Answers;
-use slips::{ChapterProgram, Output};
+use slips::{ChapterCode, ChapterProgram, Output};
 
 use super::edit::RankedEdit;
 use super::functions::RustFn;

@@ -15,7 +15,7 @@ use check::{guess, judge, judge_file, judge_guessed};
 use common::rtweekend::*;
 use difference::png;
 use slips::Chapter::{self, *};
-use slips::{ChapterProgram, Edit, Edition, Slip};
+use slips::{ChapterCode, ChapterProgram, Edit, Edition, Slip};
 
 use changes::{black, ellipse, gray, green_box, mirrored, odd, raised, row, same};
 
