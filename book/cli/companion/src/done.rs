@@ -29,7 +29,7 @@ impl Arguments {
     /// If there is a text, and it is blank.
     pub(crate) fn read(words: &Words) -> Result<Self, Box<dyn Error>> {
         let text = words
-            .values()
+            .values
             .iter()
             .map(|it| it.to_string_lossy().into_owned());
         let text: Vec<String> = text.collect();

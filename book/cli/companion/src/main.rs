@@ -39,7 +39,7 @@ fn run() -> ExitCode {
     let request = Request::read(env::args_os().skip(1));
     match request.map(launcher::run_own) {
         Ok(Ok(done)) => misuse::exit_code_of(done),
-        Ok(Err(words)) if words.command.name == "check" => check::check(&words),
+        Ok(Err(words)) if words.command.name() == "check" => check::check(&words),
         Ok(Err(words)) => misuse::exit_code_of(run_command(&words)),
         Err(error) => misuse::exit_code(Err(error)),
     }
@@ -47,7 +47,7 @@ fn run() -> ExitCode {
 
 /// Runs a command that the launcher has handed on.
 fn run_command(words: &Words) -> Result<ExitCode, Box<dyn Error>> {
-    match words.command.name {
+    match words.command.name() {
         "watch" => return watch::watch(&watch::Arguments::read(words)?),
         "laws" => return laws::laws(&laws::Arguments::read(words)?),
         "start" => start::start(&start::Arguments::read(words)?)?,

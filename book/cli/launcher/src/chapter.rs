@@ -17,12 +17,16 @@ use crate::command_line::{Words, suggestion};
 /// If the word means no chapter of the command; the message lists them, and names the one that is
 /// most alike.
 pub fn chapter(words: &Words) -> Result<Option<Chapter>, Box<dyn Error>> {
-    let Some(typed) = words.values().first() else {
+    let Some(typed) = words.values.first() else {
         return Ok(None);
     };
-    let mut chapters = words.command.chapters.iter();
+    let mut chapters = words.command.chapters().iter();
     let found = chapters.find(|&&chapter| is_meant(typed, chapter)).copied();
-    let names = words.command.chapters.iter().map(|chapter| chapter.name());
+    let names = words
+        .command
+        .chapters()
+        .iter()
+        .map(|chapter| chapter.name());
     found.map(Some).ok_or_else(|| {
         let typed = typed.to_string_lossy();
         words.refused("CHAPTER", &typed, &choose_one_of(&typed, names))

@@ -8,7 +8,7 @@ pub mod book;
 pub mod cargo;
 pub mod chapter;
 pub mod command_line;
-pub mod commands;
+
 pub mod draw;
 mod drawing;
 pub mod limited;
@@ -40,7 +40,7 @@ pub fn run_own(request: Request) -> Result<Result<ExitCode, Box<dyn Error>>, Wor
             let printed = output::to_stdout(|out| out.write_all(text.as_bytes()));
             done(printed.map_err(Into::into))
         }
-        Request::Run(words) => match words.command.name {
+        Request::Run(words) => match words.command.name() {
             "book" => book::book(&book::Arguments::read(&words)),
             "show" => done(show::Arguments::read(&words).and_then(|it| show::show(&it))),
             _ => return Err(words),

@@ -51,7 +51,7 @@ impl ChapterOrPicture {
     /// extension, or `-`.
     fn read(words: &Words) -> Result<Option<Self>, Box<dyn Error>> {
         let chapter = chapter(words);
-        match words.values().first().map(Path::new) {
+        match words.values.first().map(Path::new) {
             Some(path)
                 if chapter.is_err()
                     && (path == "-" || path.extension().is_some() || path.is_file()) =>
@@ -69,7 +69,7 @@ impl Arguments {
     /// # Errors
     /// If a word is not what it should be, or contradicts another.
     pub(crate) fn read(words: &Words) -> Result<Self, Box<dyn Error>> {
-        let picture = words.values().get(1).map(PathBuf::from);
+        let picture = words.values.get(1).map(PathBuf::from);
         let edition = |typed: &str| {
             let named = Edition::ALL.into_iter().find(|it| it.name() == typed);
             named.ok_or_else(|| choose_one_of(typed, Edition::ALL.iter().map(|it| it.name())))

@@ -41,7 +41,7 @@ impl Arguments {
             let width = typed.parse().ok().filter(|it| (1..=WIDEST).contains(it));
             width.ok_or_else(|| format!("choose a whole number of pixels from 1 to {WIDEST}"))
         };
-        let scene = words.values().first().map(PathBuf::from);
+        let scene = words.values.first().map(PathBuf::from);
         Ok(Self {
             scene: scene.ok_or_else(|| words.command.misuse("SCENE is missing"))?,
             width: words.option("--width <N>", width)?,
