@@ -14,7 +14,7 @@ class CheckPage {
     constructor(form) {
         this.form = form;
         this.judge = new Judge();
-        this.lists = ["chapter", "probe", "edition"].map((name) => form.elements[name]);
+        this.lists = ["chapter", "probe"].map((name) => form.elements[name]);
         this.status = form.querySelector(".verdict");
         this.rest = form.querySelector(".rest");
         this.tries = form.querySelector(".tries");

@@ -1,19 +1,17 @@
 //! Generators of the programs that may have drawn a picture: right ones, and those with known
 //! mistakes.
 
-use slips::{Chapter, Edition, PROBES, Probe, Slip, SphereCount};
+use slips::{Chapter, PROBES, Probe, Slip, SphereCount};
 
 use crate::candidate::{Candidate, Conversion};
 use crate::context::Evidence;
 use crate::task::Task;
 
-/// Returns the right programs of the task, at least one: by each edition that counts as right, the
-/// latest first, and after each step before the last.
+/// Returns the right programs of the task, at least one: by each version that counts as right,
+/// version 4 first, and after each step before the last.
 pub(crate) fn right_programs(evidence: &Evidence) -> Vec<Candidate> {
     let steps = steps(evidence).into_iter();
-    let tasks = by_editions(evidence, evidence.task)
-        .into_iter()
-        .chain(steps);
+    let tasks = versions(evidence, evidence.task).into_iter().chain(steps);
     tasks.map(|task| right(evidence, task)).collect()
 }
 
@@ -36,12 +34,12 @@ pub(crate) fn programs_of_other_tasks(evidence: &Evidence) -> Vec<Candidate> {
     let chapters = Chapter::OF_THE_BOOK.into_iter();
     let chapters = chapters.filter(|&chapter| chapter != own.chapter && !is_sky);
     let all = tasks.chain(chapters.map(|chapter| own.of_chapter(chapter)));
-    let all = all.flat_map(|task| by_editions(evidence, task));
+    let all = all.flat_map(|task| versions(evidence, task));
     let all = all.filter(|task| !task.has_another_shape());
     all.map(|task| right(evidence, task)).collect()
 }
 
-/// Iterates over programs with one slip, in groups: one for each edition, shape, step, formula of
+/// Iterates over programs with one slip, in groups: one for each version, shape, step, formula of
 /// chapters 3 and 4, and conversion; the likeliest group first.
 pub(crate) fn programs_with_one_slip(evidence: &Evidence) -> impl Iterator<Item = Vec<Candidate>> {
     let rights = with_slips_in(evidence);
@@ -64,14 +62,15 @@ pub(crate) fn programs_with_one_slip(evidence: &Evidence) -> impl Iterator<Item 
     })
 }
 
-/// Iterates over programs with two slips, in groups: by version 4 and by the `nearest` edition, in
-/// each shape and after each step.
+/// Iterates over programs with two slips, in groups: by version 4, and by version 3 if that is the
+/// `nearest`, in each shape and after each step.
 pub(crate) fn programs_with_two_slips(
     evidence: &Evidence,
-    nearest: Edition,
+    nearest: &Task,
 ) -> impl Iterator<Item = Vec<Candidate>> {
+    let is_older = nearest.is_by_version_3();
     let rights = with_slips_in(evidence).into_iter();
-    let rights = rights.filter(move |it| [Edition::V4, nearest].contains(&it.task.edition));
+    let rights = rights.filter(move |it| is_older || !it.task.is_by_version_3());
     rights.map(|right| {
         let slips: Vec<&'static Slip> = evidence.slips(&right.task).collect();
         let all = (0..slips.len()).flat_map(|n| (n + 1..slips.len()).map(move |m| (n, m)));
@@ -100,27 +99,27 @@ fn with(right: &Candidate, slips: Vec<&'static Slip>) -> Candidate {
     }
 }
 
-/// Returns the task by each edition that counts as right, in the size of the picture.
-fn by_editions(evidence: &Evidence, task: Task) -> Vec<Task> {
+/// Returns the task by each version that counts as right, in the size of the picture.
+fn versions(evidence: &Evidence, task: Task) -> Vec<Task> {
     let (width, height) = (evidence.reading.width, evidence.reading.height);
-    task.by_editions(width, height).collect()
+    evidence.context.versions(&task, width, height)
 }
 
-/// Returns the task after each step before the last, but for those that the reader is past, by the
-/// latest edition that counts as right.
+/// Returns the task after each step before the last, but for those that the reader is past, by
+/// version 4.
 fn steps(evidence: &Evidence) -> Vec<Task> {
     let own = evidence.task;
     let before = evidence.context.steps.len().saturating_sub(1);
     let steps = (0..before).map(|step| own.at_step(step));
     let steps = steps.filter(|step| !evidence.is_past(step));
-    let tasks = steps.filter_map(|task| by_editions(evidence, task).into_iter().next());
+    let tasks = steps.map(|task| versions(evidence, task)[0]);
     tasks.collect()
 }
 
 /// Returns the right programs in which slips are made: in the picture's shape, and in the chapter's
 /// own, since a slip may give the picture its shape.
 fn with_slips_in(evidence: &Evidence) -> Vec<Candidate> {
-    let fitting = by_editions(evidence, evidence.task);
+    let fitting = versions(evidence, evidence.task);
     let shaped = fitting.iter().filter(|task| task.has_another_shape());
     let own: Vec<Task> = shaped.map(|task| task.in_own_shape()).collect();
     let tasks = fitting.into_iter().chain(own).chain(steps(evidence));

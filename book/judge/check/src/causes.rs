@@ -1,9 +1,10 @@
 //! The causes for which a picture is refused before its pixels are judged: its shape, its numbers,
 //! and what it shows.
 
-use slips::{ChapterProgram, Edition, Languages, Slip};
+use slips::{ChapterProgram, Languages, Slip};
 
 use crate::reading::{Cause, Reading};
+use crate::sentences::by;
 use crate::task::Task;
 
 /// The most pixels that a picture of a wrong shape may have to be explained. To draw the right
@@ -50,13 +51,10 @@ pub(crate) fn not_as_wide(task: &Task, reading: &Reading) -> Option<Cause> {
     })
 }
 
-/// Refuses a picture that no edition of the task draws in this size, and names the slips that do;
-/// `None` if an edition does.
+/// Refuses a picture of a size that the task does not draw, and names the slips that do; `None` if
+/// the task draws it.
 pub(crate) fn wrong_shape(task: &Task, width: u32, height: u32) -> Option<Cause> {
-    if task
-        .by_editions(width, height)
-        .any(|task| !task.has_another_shape())
-    {
+    if !task.fitting(width, height).has_another_shape() {
         return None;
     }
     let name = task.chapter.name();
@@ -132,10 +130,7 @@ pub(crate) fn another(wanted: &Task, others: &[Task], languages: Languages) -> C
 /// Names the chapter whose picture this is.
 fn another_chapter(wanted: &Task, other: &Task) -> Cause {
     let (own, name) = (wanted.chapter.name(), other.chapter.name());
-    let by = match other.edition {
-        Edition::V4 => String::new(),
-        edition => format!(" by version {}", edition.name()),
-    };
+    let by = by(other);
     let missing = match other.chapter < wanted.chapter {
         true => format!("What {own} adds is not seen: is it called, and is its answer used? "),
         false => String::new(),

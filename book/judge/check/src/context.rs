@@ -43,6 +43,15 @@ pub struct Context<'a> {
 const REFUTING: usize = 50;
 
 impl Context<'_> {
+    /// Returns the task by each version of the book whose picture counts as right, for a picture of
+    /// that size: version 4, and version 3 in the chapter's own shape unless the reader types our
+    /// files.
+    pub(crate) fn versions(&self, task: &Task, width: u32, height: u32) -> Vec<Task> {
+        let newest = task.fitting(width, height);
+        let older = newest.by_version_3().filter(|_| self.sources.is_empty());
+        [newest].into_iter().chain(older).collect()
+    }
+
     /// Returns the line of a slip (known mistake), wrong and right, in the chapter of the task: in the
     /// book's C++ and in Rust, or in Rust alone.
     pub(crate) fn slip_lines(&self, slip: &Slip, task: &Task) -> Vec<Edit> {

@@ -1,6 +1,6 @@
 //! Classification of a picture by the nearest program, where the reader names no chapter.
 
-use slips::{Chapter, Edition, PROBES};
+use slips::{Chapter, PROBES};
 
 use crate::candidate::Candidate;
 use crate::candidates::{programs_with_one_slip, right_programs};
@@ -35,13 +35,12 @@ pub fn guess_task(reading: &Reading) -> Task {
     nearest.1
 }
 
-/// Returns the right programs of the chapter by each edition, and of its probes by version 4, each
+/// Returns the right programs of the chapter by each version, and of its probes by version 4, each
 /// with the task that is guessed if it is the nearest.
 fn right_ones(evidence: &Evidence) -> Vec<(Task, Candidate)> {
     let (task, reading) = (evidence.task, evidence.reading);
     let probes = PROBES.iter().filter(|probe| probe.spheres.is_some());
-    let newest = Task::of(task.chapter).only_by_edition(Edition::V4);
-    let probes = probes.filter_map(|&probe| newest.with_probe(probe));
+    let probes = probes.filter_map(|&probe| Task::new(task.chapter, Some(probe)));
     let probes = probes.map(|task| task.fitting(reading.width, reading.height));
     let own = right_programs(evidence);
     let plain = own[0].clone();

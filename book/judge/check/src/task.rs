@@ -8,13 +8,10 @@ use common::rtweekend::Picture;
 use crate::names::companion_command;
 use crate::pixels::{distance, spread};
 use crate::reading::Reading;
-use slips::{
-    Chapter, ChapterCode, ChapterProgram, Edition, Languages, Probe, Slip, steps, width_line,
-};
+use slips::{Chapter, ChapterCode, ChapterProgram, Languages, Probe, Slip, steps, width_line};
 
 /// The picture that a reader was asked to draw: a chapter's, whole or as far as a step of it, with
-/// a [`Probe`] (a changed scene) or without, by one edition of the book, in the chapter's own shape
-/// or in another.
+/// a [`Probe`] (a changed scene) or without, in the chapter's own shape or in another.
 #[derive(Clone, Copy, Debug)]
 pub struct Task {
     /// The chapter whose program draws the picture.
@@ -22,10 +19,8 @@ pub struct Task {
     /// The probe, a small change of the chapter's width or spheres; `None` for the book's own
     /// picture.
     pub probe: Option<Probe>,
-    /// The edition of the book whose program draws the picture.
-    pub edition: Edition,
-    /// True if the picture of no other edition counts as right.
-    insists: bool,
+    /// True if version 3 of the book draws the picture, and not version 4.
+    is_by_version_3: bool,
     /// The step on the way to the chapter after which the program is drawn, counted from 0; `None`
     /// for the whole chapter.
     step: Option<usize>,
@@ -34,14 +29,13 @@ pub struct Task {
 }
 
 impl Task {
-    /// Makes the task to draw the whole chapter as the book has it, without a probe and in its own
-    /// shape. Version 4 is the edition, but the pictures of others count as right, too.
+    /// Makes the task to draw the whole chapter as version 4 of the book has it, without a probe and
+    /// in its own shape.
     pub fn of(chapter: Chapter) -> Self {
         Self {
             chapter,
             probe: None,
-            edition: Edition::V4,
-            insists: false,
+            is_by_version_3: false,
             step: None,
             shape: None,
         }
@@ -54,22 +48,26 @@ impl Task {
         probe.map_or(Some(task), |probe| task.with_probe(probe))
     }
 
-    /// Returns this task by the given edition in place of its own, so that the pictures of editions
-    /// with another [`name`](Edition::name) are wrong.
-    pub fn only_by_edition(mut self, edition: Edition) -> Self {
-        (self.edition, self.insists) = (edition, true);
-        self
+    /// Returns this task by version 3 of the book; `None` in a shape that is not the chapter's own.
+    pub fn by_version_3(mut self) -> Option<Self> {
+        self.is_by_version_3 = true;
+        self.shape.is_none().then_some(self)
+    }
+
+    /// Returns true if version 3 of the book draws the picture.
+    pub fn is_by_version_3(&self) -> bool {
+        self.is_by_version_3
     }
 
     /// Returns this task with the given probe in place of an earlier one, and in the chapter's own
-    /// shape; step and edition are kept. `None` if the chapter draws fewer spheres than the probe
+    /// shape; step and version are kept. `None` if the chapter draws fewer spheres than the probe
     /// has.
     pub fn with_probe(mut self, probe: Probe) -> Option<Self> {
         (self.probe, self.shape) = (Some(probe), None);
         probe.fits(self.chapter).then_some(self)
     }
 
-    /// Returns the task to draw the whole chapter by the same edition, without a probe.
+    /// Returns the task to draw the whole chapter by the same version, without a probe.
     pub(crate) fn whole_chapter(self) -> Self {
         self.of_chapter(self.chapter)
     }
@@ -91,7 +89,7 @@ impl Task {
         Some(Self { chapter, ..self })
     }
 
-    /// Returns the task to draw another whole chapter by the same edition, without a probe.
+    /// Returns the task to draw another whole chapter by the same version, without a probe.
     pub(crate) fn of_chapter(mut self, chapter: Chapter) -> Self {
         (self.chapter, self.probe, self.step, self.shape) = (chapter, None, None, None);
         self
@@ -130,7 +128,7 @@ impl Task {
     }
 
     /// Returns the command that checks a picture of this task's chapter, with its probe if there is
-    /// one; it ends with `PICTURE`, which stands for the file. Step and edition are not in it.
+    /// one; it ends with `PICTURE`, which stands for the file. Step and version are not in it.
     pub fn command(&self) -> String {
         let (companion, chapter) = (companion_command(), self.chapter.name());
         match self.probe {
@@ -144,26 +142,6 @@ impl Task {
     pub fn command_with_probe(&self, probe: Probe) -> String {
         let (companion, chapter) = (companion_command(), self.chapter.name());
         format!("{companion} check {chapter} --probe {} PICTURE", probe.name)
-    }
-
-    /// Returns this task by each edition whose picture counts as right, in a picture of that size,
-    /// the latest edition first. In the shape of version 4, editions of another shape are left out,
-    /// but for versions 1 and 2: many readers keep the rays and the factor of these.
-    pub(crate) fn by_editions(self, width: u32, height: u32) -> impl Iterator<Item = Self> {
-        Edition::ALL
-            .into_iter()
-            .filter(move |edition| !self.insists || edition.name() == self.edition.name())
-            .map(move |edition| Self { edition, ..self }.fitting(width, height))
-            .filter(move |it| {
-                it.edition.is_version_1_or_2() || !it.is_in_a_later_shape(width, height)
-            })
-    }
-
-    /// Returns true if the picture has the shape of version 4 and the edition of this task has
-    /// another; false if no other edition counts as right.
-    pub(crate) fn is_in_a_later_shape(&self, width: u32, height: u32) -> bool {
-        let latest = self.in_own_shape().only_by_edition(Edition::V4);
-        !self.insists && self.has_another_shape() && latest.height(width) == height
     }
 
     /// Returns this task for a picture of `width` × `height` pixels, in place of an earlier shape:
@@ -187,7 +165,7 @@ impl Task {
     }
 
     /// Returns the program that draws the task, with these slips (known mistakes) made in it; the
-    /// right program for none. Edition and shape come first, then step, probe and slips; a slip
+    /// right program for none. The shape comes first, then step, probe, version and slips; a slip
     /// that can't be made changes nothing.
     pub fn program(&self, slips: &[&Slip]) -> ChapterProgram {
         let right = || self.kept("", || self.right_program());
@@ -209,7 +187,7 @@ impl Task {
     fn kept(&self, slip: &'static str, make: impl FnOnce() -> ChapterProgram) -> ChapterProgram {
         type Key = (
             Chapter,
-            Edition,
+            bool,
             Option<usize>,
             Option<(u32, u32)>,
             [&'static str; 2],
@@ -218,7 +196,7 @@ impl Task {
         let probe = self.probe.map_or("", |probe| probe.name);
         let key = (
             self.chapter,
-            self.edition,
+            self.is_by_version_3,
             self.step,
             self.shape,
             [probe, slip],
@@ -238,13 +216,16 @@ impl Task {
 
     /// Makes the program that draws the task without a mistake.
     fn right_program(&self) -> ChapterProgram {
-        let mut program = self.edition.program_of_shape(self.chapter, self.shape);
+        let mut program = ChapterProgram::right_of_shape(self.chapter, self.shape);
         if let Some(step) = self.step {
             program = steps::of_chapter(self.chapter)[step].applied_to(&program);
         }
-        match self.probe {
-            Some(probe) => probe.applied_to(&program).unwrap_or(program),
-            None => program,
+        if let Some(probed) = self.probe.and_then(|it| it.applied_to(&program)) {
+            program = probed;
+        }
+        match self.is_by_version_3 {
+            true => slips::version_3().applied_to(&program),
+            false => program,
         }
     }
 
@@ -260,7 +241,7 @@ impl Task {
         self.program(&[]).run(width).size().1
     }
 
-    /// Draws the sky of the same edition without spheres, `width` × `height` pixels.
+    /// Draws the sky of the same version without spheres, `width` × `height` pixels.
     pub(crate) fn sky_picture(&self, width: u32, height: u32) -> Picture {
         self.of_chapter(Chapter::Gradient)
             .right_picture(width, height)
@@ -281,7 +262,7 @@ impl Task {
     pub(crate) fn is_as_compiled(&self) -> bool {
         let is_changed = self.step.is_some() || self.shape.is_some();
         let has_spheres = self.probe.is_some_and(|probe| probe.spheres.is_some());
-        self.edition == Edition::V4 && !is_changed && !has_spheres
+        !self.is_by_version_3 && !is_changed && !has_spheres
     }
 }
 

@@ -5,7 +5,7 @@
 
 use common::rtweekend::Picture;
 use difference::Difference;
-use slips::{Edition, Probe, Slip, SphereCount};
+use slips::{Probe, Slip, SphereCount};
 
 use crate::answer::Row;
 use crate::candidate::{Conversion, Unexplained};
@@ -50,13 +50,11 @@ pub enum Verdict {
     },
 }
 
-/// A picture that an edition of the book draws, to the last bit or within the tolerance.
+/// A picture that version 4 or 3 of the book draws, to the last bit or within the tolerance.
 #[derive(Clone, Debug)]
 pub struct RightPicture {
-    /// The task that the picture fulfills, by the latest edition that draws it.
+    /// The task that the picture fulfills, by version 4 if that draws it.
     pub task: Task,
-    /// All editions that draw the picture, the latest first.
-    pub editions: Vec<Edition>,
     /// Width in pixels.
     pub width: u32,
     /// Height in pixels.
@@ -74,12 +72,9 @@ pub struct RightPicture {
 /// The explanation of a picture that is not right to the last bit.
 #[derive(Debug)]
 pub struct Finding {
-    /// The task beside which the picture is explained, by the edition and the step that suit the
+    /// The task beside which the picture is explained, by the version and the step that suit the
     /// picture best.
     pub task: Task,
-    /// All editions that explain as many pixels, that of [`task`](Self::task) first; version 4
-    /// alone if the task is by that.
-    pub editions: Vec<Edition>,
     /// The right picture of the task, in the size of the reader's.
     pub right: Picture,
     /// The reader's picture, as a viewer shows it.

@@ -29,12 +29,12 @@
 mod catalogue;
 mod code;
 mod edit;
-mod edition;
 mod files;
 pub mod lawful;
 mod output;
 mod probes;
 mod program;
+mod shape;
 mod slip;
 pub mod steps;
 mod trace;
@@ -42,11 +42,10 @@ mod wrong_picture;
 
 use course::chapter;
 
-pub use catalogue::{all, find, unnamed};
+pub use catalogue::{all, find, unnamed, version_3};
 pub use code::{ChapterCode, ChapterFile};
 pub use course::chapter::{Chapter, SphereCount};
 pub use edit::Edit;
-pub use edition::Edition;
 pub use files::{program_files, typed_files};
 pub use interpreter::{Ball, SphereHit};
 pub use output::Output;

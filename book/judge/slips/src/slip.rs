@@ -31,6 +31,9 @@ pub struct Slip {
     pub page: &'static str,
     /// A sentence about the effect of the slip on the picture, and its reason.
     pub why: &'static str,
+    /// The version by which it is no mistake, in words: `by version 3 of the book`. Empty for a
+    /// mistake.
+    pub right: &'static str,
     /// The edits, right to wrong; one or more of them occur in each chapter that has the line.
     pub(super) edits: Vec<Edit>,
     /// The issues that report the slip, with `, ` between them.

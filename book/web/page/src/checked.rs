@@ -15,7 +15,7 @@ use check::task::Task;
 use check::verdict::Verdict;
 use check::{guess, judge, judge_guessed};
 use difference::difference_picture;
-use slips::{Chapter, Edition, PROBES, Probe, Slip};
+use slips::{Chapter, PROBES, Probe, Slip};
 
 use crate::rgba;
 
@@ -29,9 +29,6 @@ pub struct CheckRequest {
     /// The [`Probe`] that the reader drew: a small change of the chapter's scene that shows what
     /// its own picture hides. `None` for the chapter's own scene.
     pub probe: Option<Probe>,
-    /// The only edition of *Ray Tracing in One Weekend* whose picture counts as right, or `None` if
-    /// all do.
-    pub edition: Option<Edition>,
 }
 
 /// The verdict on a picture file, with all that the page shows of it: words, and pixels to compare.
@@ -50,15 +47,15 @@ pub struct CheckResponse {
 /// The picture and the programs that [`CheckResponse::inspect`] compares at a pixel.
 struct Traced {
     reading: Reading,
-    /// The scene of the right picture, in the edition that the reader's picture was compared with.
+    /// The scene of the right picture, by the version that the reader's picture was compared with.
     task: Task,
     /// The slips that draw the reader's picture, or `None` if no known ones do.
     mistake: Option<Vec<&'static Slip>>,
 }
 
 impl CheckRequest {
-    /// Reads a request from four fields with zero bytes between them: the name of the file, and the
-    /// indices of chapter, probe and edition in the lists of [`choices`], counted from 1. A field
+    /// Reads a request from three fields with zero bytes between them: the name of the file, and the
+    /// indices of chapter and probe in the lists of [`choices`], counted from 1. A field
     /// that is 0, missing, too large or no number stands for no choice.
     pub fn read(text: &str) -> Self {
         let mut fields = text.split('\0');
@@ -68,7 +65,6 @@ impl CheckRequest {
             name,
             chapter: place().and_then(|it| Chapter::OF_THE_BOOK.get(it).copied()),
             probe: place().and_then(|it| PROBES.get(it).copied()),
-            edition: place().and_then(|it| Edition::ALL.get(it).copied()),
         }
     }
 
@@ -80,9 +76,7 @@ impl CheckRequest {
             (chapter, _) => Task::of(chapter.unwrap_or(Chapter::BuildTest)),
         };
         let probed = self.probe.and_then(|probe| plain.with_probe(probe));
-        let task = probed.unwrap_or(plain);
-        self.edition
-            .map_or(task, |edition| task.only_by_edition(edition))
+        probed.unwrap_or(plain)
     }
 
     /// Judges the bytes of a picture file, as the command `check` does. A file that is no picture
@@ -180,12 +174,11 @@ impl CheckRequest {
 }
 
 /// Returns the options of the page's form as plain text, one per line, with tabs between the list's
-/// name (`chapter`, `probe` or `edition`), the option's value, and the words that are shown.
+/// name (`chapter` or `probe`), the option's value, and the words that are shown.
 pub fn choices() -> String {
     let chapters = Chapter::OF_THE_BOOK.map(|it| format!("chapter\t{}\t{0}", it.name()));
     let probes = PROBES.map(|it| format!("probe\t{}\t{0}", it.name));
-    let editions = Edition::ALL.map(|it| format!("edition\t{}\t{it}", it.name()));
-    [&chapters[..], &probes, &editions].concat().join("\n")
+    [&chapters[..], &probes].concat().join("\n")
 }
 
 /// Writes the facts for the script: chapter, probe, cause, the size with the first pixel that

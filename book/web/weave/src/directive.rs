@@ -26,7 +26,6 @@ pub(crate) enum Woven {
 /// | `{{live FIGURE NAME}}` | a number that this live figure says, also when it is moved |
 /// | `{{chart NAME}}` | the chart, and a table of its numbers |
 /// | `{{changes NAME}}` | the differences between a chapter's picture and the one before |
-/// | `{{editions}}` | the pictures of each edition of the book |
 /// | `{{slip NAME CHAPTER}}` | the wrong picture that this slip draws |
 /// | `{{slips LOOK}}` | all slips of a look; also `{{slips LOOK NAMES}}`, `{{slips LOOK not NAMES}}` |
 /// | `{{symptoms SLIPS}}` | the parts of the page of slips, each as the picture of its slip, and all slips by name |
@@ -50,7 +49,6 @@ pub(crate) fn resolve(text: &str, folder: &Path, listed: &mut Listed) -> Result<
         "figure" => figure::figure(rest),
         "chart" => figure::chart(folder, rest),
         "changes" => changes::changes(rest),
-        "editions" => Ok(slip::editions()),
         "slip" => slip::slip(first, second),
         "slips" => slip::gallery(rest),
         "symptoms" => slip::symptoms(folder, rest),
@@ -58,7 +56,7 @@ pub(crate) fn resolve(text: &str, folder: &Path, listed: &mut Listed) -> Result<
         "step" => step::step(first, second),
         _ => Err(format!(
             "there is no directive `{name}`: choose code, traced, figure, live, chart, changes, \
-             editions, slip, slips, step, snapshot, symptoms or value"
+             slip, slips, step, snapshot, symptoms or value"
         )),
     };
     block.map(Woven::Block)

@@ -1,4 +1,4 @@
-//! Pictures of slips and of editions, drawn while the book is woven.
+//! Pictures of slips, drawn while the book is woven.
 
 use std::path::Path;
 use std::sync::LazyLock;
@@ -7,7 +7,7 @@ use base64::prelude::{BASE64_STANDARD, Engine as _};
 use common::rtweekend::Picture;
 use difference::png;
 use rayon::prelude::*;
-use slips::{Chapter, Edit, Edition, Languages, Slip, Unseen, WrongPicture};
+use slips::{Chapter, Edit, Languages, Slip, Unseen, WrongPicture};
 
 use crate::ground::{escaped, read, split};
 
@@ -27,35 +27,6 @@ pub(crate) fn slip(name: &str, chapter: &str) -> Result<String, String> {
         chapter.name()
     ))
 }
-
-/// Returns three pictures of each edition of the book, and how it differs from ours. Of the two
-/// programs of version 1, it shows one.
-pub(crate) fn editions() -> String {
-    // To see the two programs of version 1 apart takes a comparison of bits.
-    let mut editions = Edition::ALL.to_vec();
-    editions.retain(|edition| *edition != Edition::V1InDouble);
-    editions.sort();
-    editions.into_par_iter().map(one_edition).collect()
-}
-
-fn one_edition(edition: Edition) -> String {
-    let chapters = [Chapter::BuildTest, Chapter::Normals, Chapter::HittableList];
-    let pictures = chapters.map(|chapter| {
-        let picture = edition.program(chapter).run(EDITION_WIDTH).picture();
-        image(&picture, &format!("{} by {edition}", chapter.name()))
-    });
-    let differs = match edition {
-        Edition::V4 => String::new(),
-        older => format!(": {}", older.differs_by().join("; in the build test ")),
-    };
-    format!(
-        "<figure class=\"edition\">{}<figcaption><b>{edition}</b>{differs}</figcaption></figure>\n\n",
-        pictures.concat()
-    )
-}
-
-/// The width of an edition's picture in pixels.
-const EDITION_WIDTH: u32 = 144;
 
 /// Returns the slips of a look (a kind of wrong picture), with their pictures. `chosen` is `LOOK`;
 /// `LOOK NAME NAME` for only the slips with these names or made in chapters with these names; or

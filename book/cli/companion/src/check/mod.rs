@@ -16,7 +16,7 @@ use check::task::Task;
 use check::verdict::Verdict;
 use check::{guess, judge, judge_guessed};
 use common::engine::output;
-use slips::{Chapter, Edition, PROBES, Probe};
+use slips::{Chapter, PROBES, Probe};
 
 use input::PictureInput;
 
@@ -32,7 +32,6 @@ pub(crate) struct Arguments {
     /// The reader's program and its arguments; empty if there is none.
     program: Vec<OsString>,
     probe: Option<Probe>,
-    edition: Option<Edition>,
     /// How many levels a component may be off.
     tolerance: u8,
     /// How long the program may take.
@@ -70,10 +69,6 @@ impl Arguments {
     /// If a word is not what it should be, or contradicts another.
     pub(crate) fn read(words: &Words) -> Result<Self, Box<dyn Error>> {
         let picture = words.values.get(1).map(PathBuf::from);
-        let edition = |typed: &str| {
-            let named = Edition::ALL.into_iter().find(|it| it.name() == typed);
-            named.ok_or_else(|| choose_one_of(typed, Edition::ALL.iter().map(|it| it.name())))
-        };
         let levels = |typed: &str| {
             let levels = typed.parse();
             levels.map_err(|_| "choose a whole number of levels from 0 to 255".to_owned())
@@ -83,7 +78,6 @@ impl Arguments {
             picture,
             program: words.program.clone(),
             probe: words.option(PROBE, probe)?,
-            edition: words.option("--edition <VERSION>", edition)?,
             tolerance: words.option("--tolerance <N>", levels)?.unwrap_or(0),
             timeout: words.option(TIMEOUT, seconds)?.unwrap_or(PATIENCE),
         };
@@ -190,20 +184,15 @@ impl Arguments {
     }
 
     fn task(&self, chapter: Chapter) -> Result<Task, Box<dyn Error>> {
-        let task = Task::new(chapter, self.probe).ok_or_else(|| {
+        Ok(Task::new(chapter, self.probe).ok_or_else(|| {
             format!(
                 "this chapter has no place for the spheres of that probe; `{} probes CHAPTER` lists those it has",
                 companion_command()
             )
-        })?;
-        Ok(match self.edition {
-            Some(edition) => task.only_by_edition(edition),
-            None => task,
-        })
+        })?)
     }
 
-    /// Finds the task whose picture comes nearest, with the probe and the edition that the
-    /// arguments name.
+    /// Finds the task whose picture comes nearest, with the probe that the arguments name.
     fn guessed(&self, reading: &Reading) -> Result<Task, Box<dyn Error>> {
         let guessed = guess::guess_task(reading);
         let task = self.task(guessed.chapter)?;

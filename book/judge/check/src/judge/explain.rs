@@ -105,7 +105,7 @@ pub(crate) fn explain(evidence: &Evidence) -> Explanation {
 
 /// Chooses the right program beside which a picture is described that no candidate draws: the
 /// nearest one, if it draws one in [`PART`] pixels of a sample and has less than half as many wrong
-/// ones as the latest edition; or else the latest edition's.
+/// ones as version 4's; or else version 4's.
 fn described_beside(evidence: &Evidence, nearest: Candidate) -> Candidate {
     let reading = evidence.reading;
     let sampled = spread(SAMPLE, reading.pixels.len() as u32).count();
@@ -115,7 +115,7 @@ fn described_beside(evidence: &Evidence, nearest: Candidate) -> Candidate {
     };
     let asked = right_programs(evidence).swap_remove(0);
     let is_like = PART * (sampled - off(&nearest)) > sampled;
-    // Half a pixel, which sets editions apart, says nothing where much else is off.
+    // Half a pixel, which sets the versions apart, says nothing where much else is off.
     let is_nearer = nearest.task.step().is_some() || 2 * off(&nearest) < off(&asked);
     if is_like && is_nearer { nearest } else { asked }
 }
@@ -227,7 +227,7 @@ fn two_mistakes(evidence: &Evidence, nearest: &Candidate, all: &Unexplained) -> 
     if evidence.reading.has_one_color() {
         return None;
     }
-    let pairs = programs_with_two_slips(evidence, nearest.task.edition);
+    let pairs = programs_with_two_slips(evidence, &nearest.task);
     let found = first(evidence, all, pairs)?;
     Some(in_the_text(evidence, found)).filter(|it| it.candidates.len() <= PAIRS)
 }

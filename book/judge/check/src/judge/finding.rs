@@ -2,7 +2,7 @@
 //! own lines.
 
 use difference::Comparison;
-use slips::{Edition, Slip};
+use slips::Slip;
 
 use super::explain::{Explanation, Fit, explain};
 use crate::candidate::{Candidate, Unexplained};
@@ -34,11 +34,9 @@ impl Finding {
             }
             Explanation::AlmostRight(fit) => Self {
                 almost_right: Some(fit.unexplained),
-                editions: fit.editions(reading),
                 ..Self::beside(&evidence, &fit.candidates[0])
             },
             Explanation::Mistakes(fit) => Self {
-                editions: fit.editions(reading),
                 mistakes: Some(Mistakes::of(&fit)),
                 ..Self::beside(&evidence, &fit.candidates[0])
             },
@@ -95,7 +93,6 @@ impl Finding {
         let program = by.task.without_probe().program(&by.slips);
         Self {
             task,
-            editions: vec![task.edition],
             right,
             yours,
             difference,
@@ -119,29 +116,6 @@ impl Finding {
             finding.drawn = evidence.drawing_mutants(&right.task).clone();
         }
         finding
-    }
-}
-
-impl Fit {
-    /// Returns all editions whose version of the first program leaves as many pixels unexplained,
-    /// in the same columns and rows, its own first. If that is version 4, returns it alone.
-    fn editions(&self, reading: &Reading) -> Vec<Edition> {
-        let it = &self.candidates[0];
-        let own = it.task.edition;
-        if own == Edition::V4 {
-            return vec![own];
-        }
-        let tasks = it.task.by_editions(reading.width, reading.height);
-        let is_same = |task: &Task| {
-            let candidate = Candidate {
-                task: *task,
-                ..it.clone()
-            };
-            candidate.unexplained(reading, self.unexplained.off) == Some(self.unexplained)
-        };
-        let same = tasks.filter(is_same).map(|task| task.edition);
-        let others = same.filter(|edition| *edition != own);
-        [own].into_iter().chain(others).collect()
     }
 }
 

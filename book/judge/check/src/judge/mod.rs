@@ -7,7 +7,6 @@ mod explain;
 mod finding;
 
 use difference::Comparison;
-use slips::Edition;
 
 use crate::causes;
 use crate::context::Context;
@@ -29,16 +28,11 @@ pub fn judge_file(task: &Task, bytes: &[u8], tolerance: u8, context: &Context) -
 
 /// Judges a picture that was read: whether it fulfills the task, and if not, what explains that.
 ///
-/// The picture is right if an edition of the book draws it with every color component at most
+/// The picture is right if version 4 or 3 of the book draws it with every color component at most
 /// `tolerance` levels off (0 asks for equality), unless the reader's functions answer otherwise
 /// than the chapter's and a mistake or a repair explains that. A reader's files are judged by
 /// version 4 alone.
 pub fn judge(task: &Task, reading: &Reading, tolerance: u8, context: &Context) -> Verdict {
-    let newest = task.only_by_edition(Edition::V4);
-    let task = match context.sources.is_empty() {
-        true => task,
-        false => &newest,
-    };
     if let Some(cause) = causes::invalid_levels(reading) {
         let finding = Finding::of(task, reading, context).ok();
         return Verdict::NotAPicture { cause, finding };
@@ -49,7 +43,7 @@ pub fn judge(task: &Task, reading: &Reading, tolerance: u8, context: &Context) -
     let shape = another_width.or_else(|| causes::wrong_shape(task, width, height));
     if may_be_right
         && (shape.is_none() || causes::is_a_shape_to_choose(width, height))
-        && let Some(right) = RightPicture::of(task, reading, tolerance)
+        && let Some(right) = RightPicture::of(task, reading, tolerance, context)
     {
         return of_right(task, reading, context, right, shape.is_some());
     }
@@ -124,12 +118,12 @@ fn of_right(
 }
 
 impl RightPicture {
-    /// Finds the first edition that draws the picture to the last bit, or else the first that
-    /// draws it within the tolerance; `None` if no edition does.
-    fn of(task: &Task, reading: &Reading, tolerance: u8) -> Option<Self> {
+    /// Finds the first version that draws the picture to the last bit, or else the first that
+    /// draws it within the tolerance; `None` if none does.
+    fn of(task: &Task, reading: &Reading, tolerance: u8, context: &Context) -> Option<Self> {
         let (width, height) = (reading.width, reading.height);
         let within = |tolerance| {
-            let tasks = task.by_editions(width, height);
+            let tasks = context.versions(task, width, height).into_iter();
             let off = |task: Task| {
                 let is_near = task.may_be_shown_by(reading, tolerance);
                 let right = is_near.then(|| task.right_picture(width, height))?;
@@ -139,11 +133,10 @@ impl RightPicture {
                 };
                 (levels <= tolerance).then_some((task, off, levels))
             };
-            let near: Vec<_> = tasks.filter_map(off).collect();
-            let &(task, off, levels) = near.first()?;
+            let mut near = tasks.filter_map(off);
+            let (task, off, levels) = near.next()?;
             Some(Self {
                 task,
-                editions: near.iter().map(|(task, ..)| task.edition).collect(),
                 width,
                 height,
                 off,

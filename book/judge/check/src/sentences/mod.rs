@@ -7,7 +7,7 @@ mod verdicts;
 
 use std::iter;
 
-use slips::{Chapter, Edition, Languages, Slip, steps};
+use slips::{Chapter, Languages, Slip, steps};
 
 use crate::answer::{Row, RowKind};
 use crate::candidate::Unexplained;
@@ -45,12 +45,12 @@ fn step_of(chapter: Chapter, step: usize) -> String {
     format!("Step {} of {}", step + 1, steps::of_chapter(chapter).len())
 }
 
-/// Names the first of some editions: ` by version 3`. Returns an empty text if version 4, which the
-/// chapters follow, is among them.
-fn by(editions: &[Edition]) -> String {
-    match editions.contains(&Edition::V4) {
-        true => String::new(),
-        false => format!(" by version {}", editions[0].name()),
+/// Says by which version of the book a task is drawn: ` by version 3 of the book`. Returns an empty
+/// text for version 4, which the chapters follow.
+pub(crate) fn by(task: &Task) -> String {
+    match task.is_by_version_3() {
+        true => format!(" {}", slips::version_3().right),
+        false => String::new(),
     }
 }
 

@@ -19,7 +19,7 @@ impl Attempt<'_> {
     /// Answers that the picture is right: to the last bit, within the tolerance, or in a shape of
     /// its own; or that it is right and the laws are not obeyed.
     pub(crate) fn right(&self, right: &RightPicture) -> Answer {
-        let by = by(&right.editions);
+        let by = by(&right.task);
         let size = match (right.width, right.height) {
             (1, 1) => "its one pixel".to_owned(),
             (width, height) => format!("all {width} × {height} pixels"),
@@ -59,10 +59,13 @@ impl Attempt<'_> {
             (Some(_), None) => "that was the last chapter to type".to_owned(),
             (None, _) => String::new(),
         };
+        let older = Some(slips::version_3()).filter(|_| right.task.is_by_version_3());
         Answer {
             done,
+            read: older.into_iter().collect(),
             ..Answer::of(Grade::Right, &self.name, "right", rest)
         }
+        .with(older.map(|it| Row::new(RowKind::Besides, it.why)))
         .with(self.to_test_more(right))
         .then(next)
     }
@@ -85,7 +88,7 @@ impl Attempt<'_> {
         } else {
             "look at these pixels: the book's program draws them otherwise".to_owned()
         };
-        let rest = format!("{}{but}.", by(&finding.editions));
+        let rest = format!("{}{but}.", by(&finding.task));
         Answer::of(Grade::OnTheWay, &self.name, "right", rest).then(next)
     }
 
@@ -114,7 +117,7 @@ impl Attempt<'_> {
     pub(crate) fn wrong(&self, finding: &Finding) -> Answer {
         let count = finding.difference.as_ref().map_or(0, |it| it.count);
         let (pixels, from) = (differ(count, finding.total()), named(&finding.task));
-        let rest = format!(": {pixels} from {from}{}.", by(&finding.editions));
+        let rest = format!(": {pixels} from {from}{}.", by(&finding.task));
         let nearly = "right within one level, but not to the last bit";
         let answer = match finding.task.step() {
             Some(step) if count == 0 => {

@@ -7,7 +7,7 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::fmt;
 
-use slips::{Chapter, ChapterProgram, Edition, Slip};
+use slips::{Chapter, ChapterProgram, Slip};
 
 pub use interpreter::SourceFile;
 
@@ -28,9 +28,8 @@ pub struct Sources {
     slip_lines: RefCell<BTreeMap<Key, SlipLine>>,
 }
 
-/// A slip by its name and, as some have none, its address, and a task by its chapter, edition and
-/// step.
-type Key = (&'static str, usize, Chapter, Edition, Option<usize>);
+/// A slip by its name and, as some have none, its address, and a task by its chapter and step.
+type Key = (&'static str, usize, Chapter, Option<usize>);
 
 /// A line of a reader's source file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -94,7 +93,6 @@ impl Sources {
             slip.name,
             std::ptr::from_ref(slip) as usize,
             task.chapter,
-            task.edition,
             task.step(),
         );
         let mut known = self.slip_lines.borrow_mut();

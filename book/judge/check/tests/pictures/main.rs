@@ -15,7 +15,7 @@ use check::{guess, judge, judge_file, judge_guessed};
 use common::rtweekend::*;
 use difference::png;
 use slips::Chapter::{self, *};
-use slips::{ChapterCode, ChapterProgram, Edit, Edition, Slip};
+use slips::{ChapterCode, ChapterProgram, Edit, Slip};
 
 use changes::{black, ellipse, gray, green_box, mirrored, odd, raised, row, same};
 
@@ -154,26 +154,47 @@ fn laid_out(chapter: Chapter, verdict: Verdict) -> Vec<String> {
 }
 
 #[test]
-fn each_edition_is_right_and_known_by_its_picture_alone() {
+fn version_3_is_right_and_known_by_its_picture_alone() {
     for chapter in Chapter::OF_THE_BOOK {
-        for edition in Edition::ALL {
-            let picture = edition.program(chapter).run(WIDTH).picture();
-            let reading = Reading::of(&picture);
-            let (task, verdict) = judge_guessed(
-                &guess::guess_task(&reading),
-                &reading,
-                0,
-                &Context::default(),
-            );
-            let Verdict::Right(right) = verdict else {
-                panic!("{chapter:?} by {edition:?}: {}", said(&verdict));
-            };
-            assert!(right.editions.contains(&edition), "{chapter:?}");
-            // Chapters 3 and 4 draw the same.
-            let is_it = task.chapter == chapter || chapter == Chapter::HalfBSphere;
-            assert!(is_it, "{chapter:?} is taken for {:?}", task.chapter);
+        let ours = ChapterProgram::right(chapter);
+        for program in [ours.clone(), slips::version_3().applied_to(&ours)] {
+            for width in [WIDTH, 128, 227] {
+                let picture = program.run(width).picture();
+                let reading = Reading::of(&picture);
+                let guessed = guess::guess_task(&reading);
+                let (task, verdict) = judge_guessed(&guessed, &reading, 0, &Context::default());
+                let Verdict::Right(right) = &verdict else {
+                    panic!("{chapter:?} at {width} wide: {}", said(&verdict));
+                };
+                let is_ours = picture == chapter.picture(width);
+                assert_eq!(right.task.is_by_version_3(), !is_ours, "{chapter:?}");
+                assert_eq!(verdict.exit_code(), 0);
+                // Chapters 3 and 4 draw the same.
+                let is_it = task.chapter == chapter || chapter == Chapter::HalfBSphere;
+                assert!(is_it, "{chapter:?} is taken for {:?}", task.chapter);
+            }
         }
     }
+}
+
+/// Whose line differs in the two versions is not named, and some are known by version 4's line.
+#[test]
+#[ignore = "it judges some eighty pictures"]
+fn a_slip_is_named_in_a_picture_by_version_3() {
+    let (mut named, mut all) = (0, 0);
+    for chapter in [Chapter::BuildTest, Chapter::HittableList] {
+        let older = slips::version_3().applied_to(&ChapterProgram::right(chapter));
+        let right = older.run(WIDTH).picture();
+        for slip in slips::all() {
+            let picture = slip.applied_to(&older).run(WIDTH).picture();
+            if picture != right && picture != chapter.picture(WIDTH) {
+                all += 1;
+                named += usize::from(said(&answer(chapter, &picture)).contains(slip.name));
+            }
+        }
+    }
+    println!("of {all} pictures by version 3, the slip of {named} is named");
+    assert!(10 * named >= 9 * all, "of {all} only {named} are named");
 }
 
 /// A picture of other colors is described, and never right.
@@ -202,20 +223,15 @@ fn with(chapter: Chapter, edit: &Edit) -> ChapterProgram {
 /// Pixels that are not square are no choice.
 #[test]
 fn an_egg_is_not_right() {
-    for edition in [Edition::V4, Edition::V3] {
-        for (width, height) in [(160, 120), (160, 90)] {
-            let task = Task::of(Chapter::RedSphere)
-                .only_by_edition(edition)
-                .fitting(width, height);
-            let egg = task.program(&[slip("viewport-width-four")]);
-            let picture = egg.run(width).picture();
-            assert_eq!((picture.width(), picture.height()), (width, height));
-            let said = said(&answer(Chapter::RedSphere, &picture));
-            assert_eq!(
-                said, "viewport-width-four",
-                "{edition:?}, {width} × {height}"
-            );
-        }
+    let own = Task::of(Chapter::RedSphere);
+    let older = own.by_version_3().expect("it has the chapter's shape");
+    for (task, height) in [(own, 120), (own, 90), (older, 90)] {
+        let egg = task.fitting(160, height);
+        let egg = egg.program(&[slip("viewport-width-four")]);
+        let picture = egg.run(160).picture();
+        assert_eq!((picture.width(), picture.height()), (160, height));
+        let said = said(&answer(Chapter::RedSphere, &picture));
+        assert_eq!(said, "viewport-width-four", "160 × {height}");
     }
 }
 

@@ -44,7 +44,7 @@ extern "C" fn inspect(column: u32, row: u32) -> usize {
     of_the_answer(|it| it.inspect(column, row).into())
 }
 
-/// Returns the chapters, probes and editions that the page's form offers.
+/// Returns the chapters and probes that the page's form offers.
 #[unsafe(no_mangle)]
 extern "C" fn choices() -> usize {
     keep(checked::choices())
