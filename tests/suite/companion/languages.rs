@@ -179,7 +179,7 @@ fn the_lines_of_the_page_put_a_function_in_python_and_cpp_under_the_laws() {
         assert!(language.is_built(&desk, &far_root));
         let broken = desk.run(&laws);
         let said = text(&broken.stdout).replace(" --timeout 60", "");
-        let name = "far-root: (-b + sqrt(discriminant))";
+        let name = "far-root: return (-b + std::sqrt(discriminant))";
         assert!(said.contains(name), "{said}");
         assert_eq!(broken.status.code(), Some(1));
         if language.fence == "python" {

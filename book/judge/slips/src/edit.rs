@@ -30,13 +30,7 @@ impl Edit {
 
     /// Returns true if the edit is no text but makes all numbers single precision.
     pub(crate) fn is_precision(&self) -> bool {
-        *self == Self::new("f64", "f32") || self.is_as_in_cpp()
-    }
-
-    /// Returns true if the edit makes all numbers but levels single precision, as in C++, where the
-    /// constant of the levels is a double.
-    pub(crate) fn is_as_in_cpp(&self) -> bool {
-        *self == Self::new("double", "float")
+        *self == Self::new("f64", "f32")
     }
 
     /// Returns a text in which every occurrence of the [`right`](Self::right) code is replaced, or

@@ -77,8 +77,7 @@ impl Output {
             );
         }
         let program = &self.program;
-        let code = program.levels.as_deref().unwrap_or(program.code());
-        let levels = code.call_with_color("print", color)?;
+        let levels = program.code().call_with_color("print", color)?;
         levels.try_into().ok()
     }
 

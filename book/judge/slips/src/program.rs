@@ -15,8 +15,6 @@ pub struct ChapterProgram {
     /// The chapter that the program is meant to be.
     pub chapter: Chapter,
     code: interpreter::Program,
-    /// The code in double precision, if levels are computed so and all else in single precision.
-    pub(crate) levels: Option<Box<interpreter::Program>>,
 }
 
 /// The functions of vectors and rays that a program may have in its text. Where it has none, or has
@@ -38,11 +36,7 @@ impl ChapterProgram {
     /// Makes the program of a chapter from the code that a reader typed for it, and that the
     /// interpreter has read. Nothing is run or checked.
     pub fn from_reader(chapter: Chapter, code: interpreter::Program) -> Self {
-        Self {
-            chapter,
-            code,
-            levels: None,
-        }
+        Self { chapter, code }
     }
 
     /// Reads the program of a chapter from its own text.
@@ -62,7 +56,7 @@ impl ChapterProgram {
         let mut program = self.clone();
         for edit in edits {
             if edit.is_precision() && self.chapter != Chapter::BuildTest {
-                program = program.in_single_precision(edit);
+                program = program.in_single_precision();
             } else if !self.change(edit, &mut changed) {
                 return None;
             }
@@ -130,23 +124,15 @@ impl ChapterProgram {
         if VECTOR_FUNCTIONS.contains(&function) {
             code = code.instead_of_the_library(&VECTOR_FUNCTIONS);
         }
-        let levels = self.levels.as_ref();
-        let levels = levels.map(|it| it.patched(function, text).ok().map(Box::new));
-        Some(Self {
-            code,
-            levels: levels.flatten(),
-            ..*self
-        })
+        Some(Self { code, ..*self })
     }
 
-    /// Returns the program with every number and result rounded to single precision, levels too
-    /// unless the edit says that C++ computes these in double.
-    fn in_single_precision(&self, edit: &Edit) -> Self {
+    /// Returns the program with every number and result rounded to single precision.
+    fn in_single_precision(&self) -> Self {
         let code = self.code.instead_of_the_library(&VECTOR_FUNCTIONS);
         Self {
-            chapter: self.chapter,
             code: code.in_single_precision(),
-            levels: edit.is_as_in_cpp().then(|| Box::new(code)),
+            ..*self
         }
     }
 
