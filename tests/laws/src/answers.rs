@@ -8,7 +8,7 @@ use std::fs::OpenOptions;
 use std::io::Write;
 use std::path::Path;
 
-use crate::question::{Functions, Question};
+use crate::question::Question;
 use crate::verdict::{BrokenLaw, Complaint, Outcome, Report};
 
 /// The name of the environment variable that holds the path of the file to which a
@@ -21,28 +21,10 @@ pub const ANSWERS_VARIABLE: &str = "LAWS_ANSWERS";
 pub struct Answered {
     /// The question, with all numbers that the function was given.
     pub question: Question,
-    /// The numbers that the function answered, in the order of [`Question::put_to`]; empty for a
-    /// miss.
+    /// The numbers that the function answered, empty for a miss: `t` for a root, 0 for a hit that is
+    /// only decided, three components for a color or vector, six for a ray. A record has `t`, 1 or 0
+    /// for the front face, the point and the normal; that of a tangent only `t`.
     pub answer: Vec<f64>,
-}
-
-impl Answered {
-    /// Returns true if the program answers this question equally, but for roundings.
-    fn is_given_by(&self, program: &dyn Functions) -> bool {
-        let Self { question, answer } = self;
-        question.answers_agree(answer, &question.put_to(program))
-    }
-}
-
-/// A comparison of recorded answers with those of another program: how many there are, and how many
-/// differ.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Mismatch {
-    /// How many questions are recorded in all, also if the count stopped before the last.
-    pub asked: usize,
-    /// How many of these questions the other program answers otherwise; at most the limit of
-    /// [`Answers::mismatch_with`].
-    pub differing: usize,
 }
 
 /// The answers that a program's functions gave to [`Question`]s, recorded in order.
@@ -51,39 +33,6 @@ pub struct Answers {
     /// Each question with its answer, in the order in which they were asked; empty if nothing was
     /// asked.
     pub given: Vec<Answered>,
-}
-
-impl Answers {
-    /// Puts all `questions` to the functions of `program`, in their order, and records the answers.
-    /// A panic in the program is passed on.
-    pub fn of(program: &dyn Functions, questions: Vec<Question>) -> Self {
-        let questions = questions.into_iter();
-        let answered = questions.map(|question| {
-            let answer = question.put_to(program);
-            Answered { question, answer }
-        });
-        Self {
-            given: answered.collect(),
-        }
-    }
-
-    /// Returns true if `program` answers the last of the recorded questions equally, up to
-    /// rounding; also if none is recorded.
-    pub fn last_is_given_by(&self, program: &dyn Functions) -> bool {
-        let last = self.given.last();
-        last.is_none_or(|it| it.is_given_by(program))
-    }
-
-    /// Puts the recorded questions to `program`, in their order, and counts the answers that differ
-    /// from the recorded ones by more than rounding. Stops when `most` of them differ; if `most` is
-    /// 0, nothing is asked.
-    pub fn mismatch_with(&self, program: &dyn Functions, most: usize) -> Mismatch {
-        let differing = self.given.iter().filter(|it| !it.is_given_by(program));
-        Mismatch {
-            asked: self.given.len(),
-            differing: differing.take(most).count(),
-        }
-    }
 }
 
 /// The outcome of a [`Trial`](crate::Trial) of one function, as an [`AnswerFile`] has it.
@@ -216,7 +165,9 @@ mod tests {
     use common::rtweekend::*;
 
     use super::*;
-    use crate::{Case, ChapterScene, Trial};
+    use crate::prelude::PRELUDE_FUNCTIONS;
+    use crate::question::telling_cases;
+    use crate::{Case, ChapterScene, Trial, strategies};
 
     /// Runs a trial whose answers go to a file, and returns the file's text and the outcome.
     fn lines(trial: impl Fn(&Trial) -> Outcome) -> (String, Outcome) {
@@ -266,14 +217,18 @@ mod tests {
 
     #[test]
     fn questions_of_all_kinds_read_back() {
-        let kinds = [
-            Question::of_prelude(),
-            Question::of_sphere(Question::Decision),
-            Question::of_record(),
-            Question::of_list(),
-            Question::of_ray_color(),
-        ];
-        for question in kinds.concat() {
+        let prelude = PRELUDE_FUNCTIONS.iter().flat_map(|it| it.telling_cases());
+        let [decisions, roots] = [Question::Decision, Question::Root].map(|kind| {
+            let cases = telling_cases(&strategies::ordinary());
+            cases.into_iter().map(kind)
+        });
+        let records = telling_cases(&strategies::ordinary_with_interval());
+        let lists = telling_cases(&strategies::worlds());
+        let pixels = telling_cases(&strategies::pixels());
+        let questions = prelude.map(Question::Prelude).chain(decisions).chain(roots);
+        let questions = questions.chain(records.into_iter().map(Question::Record));
+        let questions = questions.chain(lists.into_iter().map(Question::Nearest));
+        for question in questions.chain(pixels.into_iter().map(Question::PixelRay)) {
             let numbers = question.numbers();
             let read = Question::read(question.kind(), &numbers).expect("it is a question");
             assert_eq!((read.kind(), read.numbers()), (question.kind(), numbers));

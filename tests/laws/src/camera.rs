@@ -2,7 +2,7 @@
 
 use common::rtweekend::*;
 
-use crate::case::{of_ray, vector};
+use crate::case::{numbers_of_ray, vector};
 use crate::question::nearly_equal;
 use crate::verdict::{BrokenLaw, LawResult};
 
@@ -22,12 +22,15 @@ pub struct CameraPixel {
 /// the viewport at `t` = 1.
 pub fn the_ray_of_a_pixel_goes_through_its_center(ray: &Ray, pixel: &CameraPixel) -> LawResult {
     let right = pixel.expected_ray();
-    BrokenLaw::unless(nearly_equal(&of_ray(*ray), &of_ray(right)), || BrokenLaw {
-        law: "the ray of a pixel goes from the eye through the pixel's center".into(),
-        found: format!("from {} to {} at t = 1", ray.origin, ray.at(1.0)),
-        allowed: format!("from the origin to {}, for {pixel:?}", right.direction),
-        read: "chapter 1: the viewport and its grid of pixels".into(),
-    })
+    BrokenLaw::unless(
+        nearly_equal(&numbers_of_ray(*ray), &numbers_of_ray(right)),
+        || BrokenLaw {
+            law: "the ray of a pixel goes from the eye through the pixel's center".into(),
+            found: format!("from {} to {} at t = 1", ray.origin, ray.at(1.0)),
+            allowed: format!("from the origin to {}, for {pixel:?}", right.direction),
+            read: "chapter 1: the viewport and its grid of pixels".into(),
+        },
+    )
 }
 
 impl CameraPixel {

@@ -93,7 +93,7 @@ impl fmt::Display for Case {
         let [center, radius, ray] = [
             &self.center.to_array()[..],
             &[self.radius],
-            &of_ray(self.ray),
+            &numbers_of_ray(self.ray),
         ]
         .map(code);
         write!(
@@ -149,7 +149,7 @@ impl fmt::Display for IntervalCase {
 }
 
 /// Lists the numbers of a ray: origin, then direction.
-pub(crate) fn of_ray(ray: Ray) -> Vec<f64> {
+pub fn numbers_of_ray(ray: Ray) -> Vec<f64> {
     [ray.origin.to_array(), ray.direction.to_array()].concat()
 }
 

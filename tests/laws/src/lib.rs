@@ -21,10 +21,9 @@ pub mod strategies;
 pub mod trial;
 pub mod verdict;
 
-pub use answers::Mismatch;
 pub use case::{Case, IntervalCase, RangeSolver};
 pub use common::rtweekend::{Color, Point3, Ray, Vec3};
-pub use question::{Functions, Question};
+pub use question::Question;
 pub use ray_color::ChapterScene;
 pub use strategies::config;
 pub use trial::Trial;

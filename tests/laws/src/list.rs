@@ -2,7 +2,7 @@
 
 use common::rtweekend::*;
 
-use crate::case::{Case, IntervalCase, code, of_ray, vector};
+use crate::case::{Case, IntervalCase, code, numbers_of_ray, vector};
 use crate::nearer_root::said;
 use crate::record::RecordSolver;
 use crate::verdict::{BrokenLaw, LawResult};
@@ -54,7 +54,7 @@ impl World {
         let sphere = |&(center, radius): &_| format!("({}, {radius:?})", vector(center));
         let spheres: Vec<String> = self.spheres.iter().map(sphere).collect();
         let spheres = spheres.join(",\n    ");
-        let ray = code(&of_ray(self.ray));
+        let ray = code(&numbers_of_ray(self.ray));
         let [t_min, t_max] = [self.t_min, self.t_max].map(|end| code(&[end]));
         format!(
             "let spheres = vec![\n    {spheres},\n];\nlet ray = {ray};\n\
@@ -69,7 +69,7 @@ impl World {
     pub(crate) fn numbers(&self) -> Vec<f64> {
         let spheres = self.spheres.iter();
         let spheres = spheres.flat_map(|(center, radius)| [center.x, center.y, center.z, *radius]);
-        let ray = of_ray(self.ray).into_iter();
+        let ray = numbers_of_ray(self.ray).into_iter();
         let ends = [self.t_min, self.t_max];
         ray.chain(ends).chain(spheres).collect()
     }

@@ -4,9 +4,8 @@
 use common::rtweekend::*;
 use proptest::prelude::*;
 
-use crate::case::{code, of_ray, vector};
+use crate::case::{code, numbers_of_ray, vector};
 use crate::nearer_root::U;
-use crate::question::Functions;
 use crate::strategies::{ahead_if_zero, samples, whole_vector};
 use crate::verdict::{BrokenLaw, LawResult};
 
@@ -101,14 +100,14 @@ impl PreludeFunction {
 
     /// Lists twenty questions, always the same ones, by whose answers mistakes in this function
     /// differ.
-    pub(crate) fn telling_cases(&'static self) -> Vec<PreludeQuestion> {
+    pub fn telling_cases(&'static self) -> Vec<PreludeQuestion> {
         samples(&self.questions(), 20)
     }
 }
 
 impl PreludeQuestion {
     /// Returns the answer of a prelude as numbers.
-    pub(crate) fn put_to(&self, prelude: &Prelude) -> Vec<f64> {
+    pub fn put_to(&self, prelude: &Prelude) -> Vec<f64> {
         (self.function.answer)(prelude, self)
     }
 
@@ -161,19 +160,6 @@ impl Prelude<'_> {
             at: &|ray, t| ray.at(t),
         }
     }
-
-    /// Calls `act` with the vector functions of `program` as a [`Prelude`], and returns the result
-    /// of `act`. The length is the root of the program's squared length. Operators and rays, for
-    /// which [`Functions`] has no methods, are those of `common`.
-    pub fn of_program<T>(program: &dyn Functions, act: impl FnOnce(&Prelude) -> T) -> T {
-        act(&Prelude {
-            dot: &|u, v| program.dot(u, v),
-            length_squared: &|v| program.length_squared(v),
-            length: &|v| program.length_squared(v).sqrt(),
-            normalize: &|v| program.normalize(v),
-            ..Prelude::of_common()
-        })
-    }
 }
 
 /// All functions of a [`Prelude`], from `mul` to `at`: each comes after those of which it may be
@@ -199,7 +185,7 @@ pub static PRELUDE_FUNCTIONS: [PreludeFunction; 10] = {
         function("normalize(v)", 4.0 * U, |it, a| {
             numbers((it.normalize)(a.v))
         }),
-        function("ray(u, v)", 0.0, |it, a| of_ray((it.ray)(a.u, a.v))),
+        function("ray(u, v)", 0.0, |it, a| numbers_of_ray((it.ray)(a.u, a.v))),
         function("at(Ray::new(u, v), t)", 0.0, |it, a| {
             numbers((it.at)(Ray::new(a.u, a.v), a.t))
         }),

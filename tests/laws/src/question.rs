@@ -7,19 +7,20 @@ use common::rtweekend::*;
 use proptest::strategy::Strategy;
 
 use crate::camera::CameraPixel;
-use crate::case::{Case, IntervalCase, of_ray};
+use crate::case::{Case, IntervalCase};
 use crate::list::World;
 use crate::oracle::ExactCase;
-use crate::prelude::{PRELUDE_FUNCTIONS, Prelude, PreludeQuestion};
-use crate::ray_color;
+use crate::prelude::{PRELUDE_FUNCTIONS, PreludeQuestion};
 use crate::record::RecordedHit;
-use crate::strategies::{self, samples};
+use crate::strategies::samples;
+
+pub use crate::case::numbers_of_ray;
 
 /// A question to one function of a program, with all numbers that the function is given. Each
 /// variant is for one kind of function.
 #[derive(Clone, Debug)]
 pub enum Question {
-    /// Small numbers for a function or operator on the program's vectors or rays, its [`Prelude`].
+    /// Small numbers for a function or operator on the program's vectors or rays, its [`Prelude`](crate::prelude::Prelude).
     Prelude(PreludeQuestion),
     /// A ray and a sphere for the `hit_sphere` of chapter 2, which only decides between hit and
     /// miss.
@@ -37,94 +38,12 @@ pub enum Question {
     PixelRay(CameraPixel),
 }
 
-/// The functions of a program, in the form in which a [`Question`] calls them. The provided methods
-/// are those of `common`, which are right, for programs without a camera or vectors of their own.
-pub trait Functions {
-    /// Returns the nearer `t` at which the line of the ray meets the sphere, in lengths of the
-    /// direction, negative behind the origin; any number for a hit if the program only decides.
-    /// `None` for a miss.
-    fn hit_sphere(&self, case: &Case) -> Option<f64>;
-    /// Returns the record of the nearest hit of a sphere between the ends of an interval, both
-    /// excluded; `None` for a miss.
-    fn record(&self, asked: &IntervalCase) -> Option<RecordedHit>;
-    /// Returns the `t` of the nearest hit of several spheres between the ends of an interval, both
-    /// excluded, in lengths of the direction; `None` for a miss.
-    fn nearest(&self, world: &World) -> Option<f64>;
-    /// Returns the color of what the ray meets in the program's scene, each component linear from 0
-    /// to 1.
-    fn ray_color(&self, ray: &Ray) -> Color;
-
-    /// Returns the ray that the program's camera casts through a pixel; provided: the right one.
-    fn pixel_ray(&self, pixel: &CameraPixel) -> Ray {
-        pixel.expected_ray()
-    }
-    /// Returns the dot product of two vectors.
-    fn dot(&self, u: Vec3, v: Vec3) -> f64 {
-        u.dot(v)
-    }
-    /// Returns the squared length of a vector.
-    fn length_squared(&self, v: Vec3) -> f64 {
-        v.length_squared()
-    }
-    /// Returns the unit vector in the direction of `v`, which no question makes zero.
-    fn normalize(&self, v: Vec3) -> Vec3 {
-        v.normalize()
-    }
-}
-
 /// How many questions tell mistakes in one function apart. With fewer, some mistakes give equal
 /// answers.
 const TELLING: u32 = 250;
 
 impl Question {
-    /// Lists twenty [telling questions](telling_cases) to each of the ten functions on vectors and
-    /// rays, function by function, in the order of [`PRELUDE_FUNCTIONS`].
-    pub fn of_prelude() -> Vec<Self> {
-        let telling = PRELUDE_FUNCTIONS.iter().flat_map(|it| it.telling_cases());
-        telling.map(Self::Prelude).collect()
-    }
-
-    /// Lists [telling questions](telling_cases) about one ray and one sphere: whether the ray hits,
-    /// if `kind` is [`Question::Decision`], or at which `t`, if it is [`Question::Root`].
-    pub fn of_sphere(kind: fn(Case) -> Self) -> Vec<Self> {
-        of(kind, &strategies::ordinary())
-    }
-
-    /// Lists [telling questions](telling_cases) that ask for the record of a ray's hit with one
-    /// sphere in an interval.
-    pub fn of_record() -> Vec<Self> {
-        of(Self::Record, &strategies::ordinary_with_interval())
-    }
-
-    /// Lists [telling questions](telling_cases) that ask for the `t` of a ray's nearest hit with
-    /// several spheres.
-    pub fn of_list() -> Vec<Self> {
-        of(Self::Nearest, &strategies::worlds())
-    }
-
-    /// Lists [telling questions](telling_cases) that ask for the color of a ray.
-    pub fn of_ray_color() -> Vec<Self> {
-        of(Self::RayColor, &ray_color::rays())
-    }
-
-    /// Calls the function of `program` that the question is about, and returns the answer as
-    /// numbers: empty for a miss, `t` for a root, 0 for a hit that is only decided, three
-    /// components for a color or vector, six for a ray. A record has `t`, 1 or 0 for the front
-    /// face, the point and the normal, in this order; that of a tangent only `t`. A panic in the
-    /// program is passed on.
-    pub fn put_to(&self, program: &dyn Functions) -> Vec<f64> {
-        match self {
-            Self::Prelude(asked) => Prelude::of_program(program, |prelude| asked.put_to(prelude)),
-            Self::Decision(case) => decided(program.hit_sphere(case).is_some()),
-            Self::Root(case) => program.hit_sphere(case).into_iter().collect(),
-            Self::Record(asked) => of_hit(asked, program.record(asked)),
-            Self::Nearest(world) => program.nearest(world).into_iter().collect(),
-            Self::RayColor(ray) => program.ray_color(ray).to_array().to_vec(),
-            Self::PixelRay(pixel) => of_ray(program.pixel_ray(pixel)),
-        }
-    }
-
-    /// Returns true if two answers to this question, in the form of [`put_to`](Self::put_to), are
+    /// Returns true if two answers to this question, as a [`Trial`](crate::Trial) records them, are
     /// equal, up to rounding.
     pub fn answers_agree(&self, one: &[f64], other: &[f64]) -> bool {
         match self {
@@ -149,7 +68,7 @@ impl Question {
     /// Lists all numbers of the question in the order in which a file of answers has them: of a
     /// case as [`Case::numbers`], then `t_min` and `t_max`; of a ray the origin, then the
     /// direction; of a pixel the width, the column and the row; of a list the ray, both ends, then
-    /// center and radius of each sphere; for a [`Prelude`] two vectors and `t`.
+    /// center and radius of each sphere; for a [`Prelude`](crate::prelude::Prelude) two vectors and `t`.
     pub fn numbers(&self) -> Vec<f64> {
         match self {
             Self::Prelude(PreludeQuestion { u, v, t, .. }) => {
@@ -160,7 +79,7 @@ impl Question {
                 [&case.numbers()[..], &[*t_min, *t_max]].concat()
             }
             Self::Nearest(world) => world.numbers(),
-            Self::RayColor(ray) => of_ray(*ray),
+            Self::RayColor(ray) => numbers_of_ray(*ray),
             Self::PixelRay(CameraPixel { width, i, j }) => {
                 [width, i, j].map(|&it| it.into()).to_vec()
             }
@@ -199,11 +118,6 @@ impl Question {
     }
 }
 
-/// Turns the first 250 cases of a strategy into questions.
-fn of<T: Debug>(kind: fn(T) -> Question, strategy: &impl Strategy<Value = T>) -> Vec<Question> {
-    telling_cases(strategy).into_iter().map(kind).collect()
-}
-
 /// Draws the first 250 values of a strategy, in its order. They are the same in every run, and
 /// enough that different mistakes in a function give different answers.
 pub fn telling_cases<T: Debug>(strategy: &impl Strategy<Value = T>) -> Vec<T> {
@@ -223,13 +137,13 @@ pub fn nearly_equal(one: &[f64], other: &[f64]) -> bool {
 }
 
 /// Lists a decision's number: 0 for a hit, none for a miss.
-pub(crate) fn decided(is_hit: bool) -> Vec<f64> {
+pub fn decided(is_hit: bool) -> Vec<f64> {
     is_hit.then_some(0.0).into_iter().collect()
 }
 
 /// Lists the numbers of a record: `t`, the front face as 0 or 1, the point, the normal. A miss has
 /// none; a tangent only `t`, since there rounding decides which side is hit.
-pub(crate) fn of_hit(asked: &IntervalCase, hit: Option<RecordedHit>) -> Vec<f64> {
+pub fn numbers_of_hit(asked: &IntervalCase, hit: Option<RecordedHit>) -> Vec<f64> {
     let Some(hit) = hit else {
         return Vec::new();
     };

@@ -5,7 +5,7 @@ use common::rtweekend::*;
 use proptest::prelude::*;
 use proptest::sample::select;
 
-use crate::case::{Case, code, of_ray};
+use crate::case::{Case, code, numbers_of_ray};
 use crate::nearer_root::{BAND, U};
 use crate::oracle::ExactCase;
 use crate::record::normal_bound;
@@ -87,7 +87,7 @@ impl ChapterScene {
 
     /// Writes the body of a test that asks about this ray again.
     pub(crate) fn as_test(self, ray: &Ray) -> String {
-        let ray = code(&of_ray(*ray));
+        let ray = code(&numbers_of_ray(*ray));
         format!(
             "let ray = {ray};\nlet law = laws::ray_color::a_ray_has_its_color_from_anywhere;\n\
              laws::holds(law(laws::ChapterScene::{self:?}, ray_color(&ray), &ray));"
@@ -151,7 +151,7 @@ fn sky(ray: &Ray) -> Color {
 /// Makes the rays that a `ray_color` is asked: from the eye and farther in front of the sphere, from
 /// behind, beside and above it, from inside, and from far away, past it and at it, with directions
 /// so long that t is small, and so short that it is in the thousands.
-pub(crate) fn rays() -> impl Strategy<Value = Ray> {
+pub fn rays() -> impl Strategy<Value = Ray> {
     let v = Vec3::new;
     let from = vec![
         v(0.0, 0.0, 0.0),

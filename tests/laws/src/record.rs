@@ -11,7 +11,7 @@ use crate::nearer_root::{
     self, U, a_tangent_is_a_hit_and_its_root_is_exact, the_point_lies_on_the_sphere,
 };
 use crate::oracle::ExactCase;
-use crate::question::{Question, of_hit, telling_cases};
+use crate::question::{Question, numbers_of_hit, telling_cases};
 use crate::strategies::{
     any_case, in_front, integers, ordinary, ordinary_with_interval, with_interval,
 };
@@ -118,7 +118,7 @@ pub(crate) fn suite<'a>(record: &'a RecordSolver<'a>) -> LawSuite<'a, IntervalCa
         ],
         telling: telling_cases(&ordinary_with_interval()),
         question: Question::Record,
-        answer: Box::new(|asked| of_hit(asked, record(asked))),
+        answer: Box::new(|asked| numbers_of_hit(asked, record(asked))),
         laws: LAWS
             .map(|law| Box::new(move |asked: &IntervalCase| law(record, asked)) as _)
             .into(),

@@ -15,14 +15,14 @@ use proptest::test_runner::{Config, TestError, TestRunner};
 
 use crate::answers::{self, ANSWERS_VARIABLE, Answered, Answers};
 use crate::camera::{CameraPixel, the_ray_of_a_pixel_goes_through_its_center};
-use crate::case::{Case, of_ray};
+use crate::case::{Case, numbers_of_ray};
 use crate::face::{SetFaceNormal, the_normal_is_turned_against_the_ray};
 use crate::list::{ListSolver, World, the_nearest_of_all_members_is_returned};
 use crate::nearer_root::{self, Solver};
 use crate::prelude::{
     PRELUDE_FUNCTIONS, Prelude, PreludeQuestion, small_numbers_are_worked_out_by_head,
 };
-use crate::question::{Question, decided, of_hit, telling_cases};
+use crate::question::{Question, decided, numbers_of_hit, telling_cases};
 use crate::ray_color::{self, ChapterScene, a_ray_has_its_color_from_anywhere};
 use crate::record::{self, RecordSolver};
 use crate::strategies::{self, config};
@@ -126,7 +126,7 @@ impl Trial {
             // What is wrong with the list alone is no mistake of its spheres.
             let asked = telling_cases(&strategies::ordinary_with_interval()).into_iter();
             let own = asked.map(|asked| {
-                let answer = of_hit(&asked, record(&asked));
+                let answer = numbers_of_hit(&asked, record(&asked));
                 let question = Question::Record(asked);
                 Answered { question, answer }
             });
@@ -169,7 +169,7 @@ impl Trial {
             kinds: vec![strategies::pixels().boxed()],
             telling: telling_cases(&strategies::pixels()),
             question: Question::PixelRay,
-            answer: Box::new(|pixel| of_ray(ray(pixel))),
+            answer: Box::new(|pixel| numbers_of_ray(ray(pixel))),
             laws: vec![Box::new(|pixel| {
                 the_ray_of_a_pixel_goes_through_its_center(&ray(pixel), pixel)
             })],

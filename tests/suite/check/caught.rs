@@ -2,10 +2,10 @@
 
 use std::sync::LazyLock;
 
-use laws::answers::Answers;
+use check::lawful;
 use laws::{Complaint, Question, Report, Trial};
 use rayon::prelude::*;
-use slips::{Chapter, ChapterProgram, Languages, Slip, Unseen, lawful};
+use slips::{Chapter, ChapterProgram, Languages, Slip, Unseen};
 
 #[test]
 fn every_slip_is_caught() {
@@ -31,8 +31,9 @@ fn a_slip_that_breaks_a_law_has_other_answers_than_a_right_program() {
     };
     let lawless = OUTCOMES.iter().filter(of_functions);
     for Outcome { slip, chapter, .. } in lawless {
-        let answers = Answers::of(&slip.program(*chapter), lawful::questions(*chapter));
-        let mismatch = answers.mismatch_with(&ChapterProgram::right(*chapter), 1);
+        let answers = lawful::answers_of(&slip.program(*chapter), lawful::questions(*chapter));
+        let mismatch =
+            lawful::mismatch_with(&answers, *chapter, &ChapterProgram::right(*chapter), 1);
         assert_eq!(mismatch.differing, 1, "{} in {chapter:?}", slip.name);
     }
 }
@@ -93,7 +94,7 @@ pub(crate) fn first_report(program: &ChapterProgram) -> Option<Box<Report>> {
         cases: 60,
         ..Trial::default()
     };
-    let outcome = program.try_all_laws(&trial);
+    let outcome = lawful::try_all_laws(program, &trial);
     match lawful::explained(outcome, program.chapter, Languages::Rust) {
         Err(Complaint::Broken(report)) => Some(report),
         _ => None,

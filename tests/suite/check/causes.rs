@@ -1,8 +1,9 @@
 //! The first report about a function names the mistake that was made in it, where its
 //! answers are those of a known one.
 
+use check::lawful;
 use laws::{ChapterScene, Report, Trial};
-use slips::{Chapter, Languages, Slip, lawful};
+use slips::{Chapter, Languages, Slip};
 
 use crate::caught::{OUTCOMES, first_report};
 use suite::slip;

@@ -5,7 +5,7 @@
 pub mod source;
 
 use interpreter::SourceFile;
-use slips::{Chapter, ChapterCode, lawful};
+use slips::{Chapter, ChapterCode};
 
 /// Lists the files that a reader types in a chapter, in the order in which they are typed. Each has
 /// the chapter's own text with `todo!()` in place of the body of each function to be typed. They
@@ -198,12 +198,22 @@ pub fn test(chapter: Chapter, own_prelude: bool) -> String {
     };
     let test = format!("{test}{list}{prelude}")
         .replace("my_chapter", &format!("my_{}", chapter.name()))
-        .replace("MyScene", &format!("{:?}", lawful::scene(chapter)));
+        .replace("MyScene", scene(chapter));
     match chapter {
         // It only decides whether there is a root.
         Chapter::RedSphere => test
             .replace(".nearer_root(", ".decision(")
             .replace("Option<f64>", "bool"),
         _ => test,
+    }
+}
+
+/// Returns the name of the `ChapterScene` whose colors the chapter's `ray_color` returns.
+fn scene(chapter: Chapter) -> &'static str {
+    match chapter {
+        Chapter::BuildTest | Chapter::Gradient => "Sky",
+        Chapter::RedSphere => "Disc",
+        Chapter::Normals | Chapter::HalfBSphere => "Ball",
+        Chapter::HittableList | Chapter::SpeedVsAccuracy => "List",
     }
 }

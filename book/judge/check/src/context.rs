@@ -3,11 +3,11 @@
 
 use std::cell::OnceCell;
 
-use laws::Mismatch;
 use slips::{ChapterProgram, Edit, Languages, Probe, Slip};
 
 use crate::blind_spots;
 use crate::candidate::Candidate;
+use crate::lawful::Mismatch;
 use crate::reading::Reading;
 use crate::search::{self, DrawingMutants, Repair};
 pub(crate) use crate::sources::LineStatus;

@@ -20,6 +20,7 @@ pub mod context;
 pub mod guess;
 pub mod html;
 mod judge;
+pub mod lawful;
 mod pixels;
 pub mod reading;
 mod search;

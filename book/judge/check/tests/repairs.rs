@@ -261,7 +261,7 @@ fn said(chapter: Chapter, files: &[SourceFile], is_wrong: bool) -> Vec<Row> {
     // Step 1 of the normals shows the red sphere.
     let mut shown = [chapter, Chapter::RedSphere].into_iter();
     let is_hidden = is_wrong && shown.any(|it| picture == it.picture(WIDTH));
-    let compare = |_: &ChapterProgram| laws::Mismatch {
+    let compare = |_: &ChapterProgram| check::lawful::Mismatch {
         asked: 1,
         differing: 1,
     };

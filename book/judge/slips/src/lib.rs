@@ -30,7 +30,6 @@ mod catalogue;
 mod code;
 mod edit;
 mod files;
-pub mod lawful;
 mod output;
 mod probes;
 mod program;

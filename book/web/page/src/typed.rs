@@ -11,6 +11,7 @@ use check::attempt::{Attempt, Commands, LawsStatus};
 use check::context::Context;
 use check::html::{self, HostPage};
 use check::judge;
+use check::lawful;
 use check::names::companion_command;
 use check::reading::Reading;
 use check::sentences;
@@ -18,9 +19,8 @@ use check::sources::Sources;
 use check::task::Task;
 use common::rtweekend::*;
 use interpreter::{Fault, FaultKind, SourceFile, SourceSpan};
-use laws::answers::Answers;
 use laws::{Complaint, Trial};
-use slips::{Chapter, ChapterCode, ChapterProgram, Languages, Slip, lawful, steps};
+use slips::{Chapter, ChapterCode, ChapterProgram, Languages, Slip, steps};
 
 use crate::habits;
 use crate::typing::Caret;
@@ -177,7 +177,7 @@ impl Draft {
         let task = Task::of(self.chapter);
         let asked = ChapterProgram::from_reader(self.chapter, program.clone());
         let laws = laws_of(&asked);
-        let answers = Answers::of(&asked, lawful::questions(self.chapter));
+        let answers = lawful::answers_of(&asked, lawful::questions(self.chapter));
         let compare = |program: &ChapterProgram| {
             lawful::mismatch_with(&answers, self.chapter, program, MOST_UNLIKE)
         };
@@ -332,7 +332,7 @@ fn laws_of(program: &ChapterProgram) -> Option<LawsStatus> {
         cases: CASES,
         ..Trial::default()
     };
-    let outcome = program.try_laws(&trial);
+    let outcome = lawful::try_laws(program, &trial);
     Some(
         match lawful::explained(outcome, program.chapter, Languages::Rust) {
             Ok(()) => LawsStatus::Obeyed,

@@ -14,10 +14,11 @@ use ::laws::record::RecordedHit;
 use ::laws::verdict::rows_as_text;
 use ::laws::{Case, Complaint, IntervalCase, Question, Report, Trial};
 use check::any_language::{self, FunctionKind, FunctionVerdict};
+use check::lawful;
 use check::names;
 use common::engine::output;
 use common::rtweekend::*;
-use slips::{Chapter, Languages, lawful};
+use slips::{Chapter, Languages};
 
 use crate::chapter::required_chapter;
 use crate::check::{TIMEOUT, seconds};

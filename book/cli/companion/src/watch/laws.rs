@@ -8,7 +8,8 @@ use std::time::Duration;
 use ::laws::answers::{ANSWERS_VARIABLE, AnswerFile, Answers, FunctionOutcome};
 use ::laws::{Complaint, Outcome};
 use check::attempt::LawsStatus;
-use slips::{Chapter, Languages, lawful};
+use check::lawful;
+use slips::{Chapter, Languages};
 
 use crate::limited;
 use crate::subprocess::{self, ProgramEnd};

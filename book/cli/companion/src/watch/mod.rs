@@ -19,6 +19,7 @@ use check::answer::{Answer, Row, RowKind};
 use check::attempt::{Attempt, Commands, LawsStatus};
 use check::context::Context;
 use check::judge_file;
+use check::lawful;
 use check::names::{companion_command, name_from_here};
 use check::reading::read;
 use check::sentences::step_done_line;
@@ -26,7 +27,7 @@ use check::sources::Sources;
 use check::task::Task;
 use common::engine::output;
 use common::rtweekend::Picture;
-use slips::{Chapter, ChapterCode, ChapterProgram, Languages, Probe, Slip, lawful, steps};
+use slips::{Chapter, ChapterCode, ChapterProgram, Languages, Probe, Slip, steps};
 
 use crate::chapter::required_chapter;
 use crate::check::{PROBE, TIMEOUT, probe, seconds};

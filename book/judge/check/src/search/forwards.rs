@@ -12,6 +12,7 @@ use super::functions::RustFn;
 use super::goal::{answers, some_of};
 use super::mutation;
 use super::tree::squeezed;
+use crate::lawful;
 use crate::pixels::{distance, spread};
 use crate::reading::Reading;
 use crate::sources::{CorrectedLine, LineComparison, LineStatus, StatementDiff};
@@ -204,7 +205,9 @@ impl Mutant {
     fn behaves_like(&self, other: &Self) -> bool {
         let both = self.does.as_ref().zip(other.does.as_ref());
         both.is_some_and(|(one, other)| {
-            one.small == other.small && one.answers.mismatch_with(&other.program, 1).differing == 0
+            let program = &other.program;
+            let mismatch = || lawful::mismatch_with(&one.answers, program.chapter, program, 1);
+            one.small == other.small && mismatch().differing == 0
         })
     }
 }

@@ -7,8 +7,9 @@
 use common::rtweekend::*;
 use interpreter::{ExpectedPixel, Program};
 use laws::answers::Answers;
-use slips::{Chapter, lawful};
+use slips::Chapter;
 
+use crate::lawful;
 use crate::pixels::spread;
 use crate::reading::Reading;
 
@@ -96,7 +97,7 @@ impl Goal {
     /// asked.
     pub(super) fn is_answered_by(&self, program: &Program) -> bool {
         let program = slips::ChapterProgram::from_reader(self.chapter, program.clone());
-        self.answers.mismatch_with(&program, 1).differing == 0
+        lawful::mismatch_with(&self.answers, self.chapter, &program, 1).differing == 0
     }
 
     /// Returns true if a program reaches the goal: it draws the pixels and gives the answers.
@@ -109,5 +110,5 @@ impl Goal {
 /// Asks a program questions about all of its functions, and returns them with its answers.
 pub(super) fn answers(program: &slips::ChapterProgram) -> Answers {
     let questions = lawful::questions(program.chapter).into_iter();
-    Answers::of(program, questions.step_by(ASKED).collect())
+    lawful::answers_of(program, questions.step_by(ASKED))
 }
