@@ -42,7 +42,7 @@ pub type Solver<'a> = dyn Fn(Point3, f64, &Ray) -> Option<f64> + 'a;
 pub const U: f64 = f64::EPSILON / 2.0;
 
 /// The half width of the band in which rounding may decide between hit and miss, for the
-/// discriminant D = h² − a·c of an [`ExactCase`](crate::oracle::ExactCase), relative to a·M with M
+/// discriminant D = h² − a·c of an [`ExactCase`], relative to a·M with M
 /// = |oc|² + r²: while |D| is above `BAND`·a·M, the computed D has the right sign.
 pub const BAND: f64 = 24.0 * U;
 

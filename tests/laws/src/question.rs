@@ -20,7 +20,7 @@ pub use crate::case::numbers_of_ray;
 /// variant is for one kind of function.
 #[derive(Clone, Debug)]
 pub enum Question {
-    /// Small numbers for a function or operator on the program's vectors or rays, its [`Prelude`](crate::prelude::Prelude).
+    /// Small numbers for a function or operator on the program's vectors or rays.
     Prelude(PreludeQuestion),
     /// A ray and a sphere for the `hit_sphere` of chapter 2, which only decides between hit and
     /// miss.
@@ -37,10 +37,6 @@ pub enum Question {
     /// A pixel for the camera, which returns the ray through the pixel.
     PixelRay(CameraPixel),
 }
-
-/// How many questions tell mistakes in one function apart. With fewer, some mistakes give equal
-/// answers.
-const TELLING: u32 = 250;
 
 impl Question {
     /// Returns true if two answers to this question, as a [`Trial`](crate::Trial) records them, are
@@ -68,7 +64,7 @@ impl Question {
     /// Lists all numbers of the question in the order in which a file of answers has them: of a
     /// case as [`Case::numbers`], then `t_min` and `t_max`; of a ray the origin, then the
     /// direction; of a pixel the width, the column and the row; of a list the ray, both ends, then
-    /// center and radius of each sphere; for a [`Prelude`](crate::prelude::Prelude) two vectors and `t`.
+    /// center and radius of each sphere; for a prelude two vectors and `t`.
     pub fn numbers(&self) -> Vec<f64> {
         match self {
             Self::Prelude(PreludeQuestion { u, v, t, .. }) => {
@@ -121,7 +117,7 @@ impl Question {
 /// Draws the first 250 values of a strategy, in its order. They are the same in every run, and
 /// enough that different mistakes in a function give different answers.
 pub fn telling_cases<T: Debug>(strategy: &impl Strategy<Value = T>) -> Vec<T> {
-    samples(strategy, TELLING)
+    samples(strategy, 250)
 }
 
 /// Returns true if two answers have equally many numbers, and each pair of them differs by at most

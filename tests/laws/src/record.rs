@@ -72,23 +72,21 @@ fn nearer_root_of(
 }
 
 fn a_tangent_in_the_interval_is_a_hit(record: &RecordSolver, asked: &IntervalCase) -> LawResult {
-    let is_inside = |root| asked.t_min < root && root < asked.t_max;
-    match nearer_root::exact_tangent(&asked.case).is_some_and(is_inside) {
-        true => {
-            a_tangent_is_a_hit_and_its_root_is_exact(&nearer_root_of(record, asked), &asked.case)
-        }
-        false => Ok(()),
-    }
+    let IntervalCase { case, t_min, t_max } = asked;
+    let root = nearer_root::exact_tangent(case).filter(|root| t_min < root && root < t_max);
+    root.map_or(Ok(()), |_| {
+        a_tangent_is_a_hit_and_its_root_is_exact(&nearer_root_of(record, asked), case)
+    })
 }
 
 fn on_the_whole_line_t_is_the_nearer_root(
     record: &RecordSolver,
     asked: &IntervalCase,
 ) -> LawResult {
-    match *asked == IntervalCase::unbounded(asked.case) {
-        true => nearer_root::obeys_every_law(&nearer_root_of(record, asked), &asked.case),
-        false => Ok(()),
+    if *asked != IntervalCase::unbounded(asked.case) {
+        return Ok(());
     }
+    nearer_root::obeys_every_law(&nearer_root_of(record, asked), &asked.case)
 }
 
 fn what_is_recorded_belongs_to_t(record: &RecordSolver, asked: &IntervalCase) -> LawResult {
