@@ -1,51 +1,37 @@
 //! Monte Carlo: how exact each method of chapter 6 is, on as many cases as you like.
+//!
+//! `--cases N` says how many cases in each regime and how many pixels of the book (10 000 without
+//! it), `--seed N` which. `--record` asks a million cases, 3840 × 2160 pixels, and 100 000 cases at
+//! each level, and keeps the result in `book/notes/measured`.
 
 use std::error::Error;
-use std::io;
+use std::io::{self, Write};
 use std::num::NonZeroUsize;
 
-use clap::Parser;
-use common::engine::output;
 use figures::table::{Record, Table};
+use lexopt::{Arg::Long, ValueExt};
 use measure::accuracy;
 use speed_vs_accuracy::METHODS;
 
-/// How exact each method of chapter 6 is.
-#[derive(Parser)]
-struct Arguments {
-    /// How many cases in each regime, and how many pixels of the book
-    #[arg(long, value_name = "N", default_value = "10000")]
-    cases: NonZeroUsize,
-
-    /// Which cases
-    #[arg(long, value_name = "N", default_value_t = 1)]
-    seed: u64,
-
-    /// Ask a million cases, 3840 × 2160 pixels, and 100 000 cases at each level, and
-    /// keep the result in book/notes/measured
-    #[arg(long, conflicts_with_all = ["cases", "seed"])]
-    record: bool,
-
-    /// The word that `cargo bench` says to every benchmark
-    #[arg(long, hide = true)]
-    bench: bool,
-}
-
 fn main() -> Result<(), Box<dyn Error>> {
-    let Arguments {
-        cases,
-        seed,
-        record,
-        ..
-    } = Arguments::parse();
+    let (mut cases, mut seed, mut record) = (10_000, 1, false);
+    let mut words = lexopt::Parser::from_env();
+    while let Some(word) = words.next()? {
+        match word {
+            Long("cases") => cases = words.value()?.parse::<NonZeroUsize>()?.get(),
+            Long("seed") => seed = words.value()?.parse()?,
+            Long("record") => record = true,
+            // The word that `cargo bench` says to every benchmark.
+            Long("bench") => {}
+            odd => return Err(odd.unexpected().into()),
+        }
+    }
     if record {
         keep(accuracy::table(METHODS, 1_000_000, usize::MAX, seed))?;
         return Ok(keep(accuracy::sweeps(100_000, seed))?);
     }
-    let table = accuracy::table(METHODS, cases.get(), cases.get(), seed);
-    Ok(output::to_stdout(|out| {
-        out.write_all(table.text().as_bytes())
-    })?)
+    let table = accuracy::table(METHODS, cases, cases, seed);
+    Ok(io::stdout().write_all(table.text().as_bytes())?)
 }
 
 /// Writes the table, with the command that made it, into the file that the book shows.

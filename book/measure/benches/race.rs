@@ -1,35 +1,23 @@
 //! Macrobenchmark: the chapters' programs against the book's own in C++, in turns.
+//!
+//! `--rounds N` says how often each picture is drawn (9 times without it; an odd number has a
+//! median). `--record` keeps the numbers in `book/notes/speed`, which a page shows.
 
+use std::env;
 use std::error::Error;
 use std::hint::black_box;
+use std::io::{self, Write};
+use std::num::NonZeroU32;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Instant;
-use std::{env, io};
 
-use clap::Parser;
-use common::engine::output;
 use figures::records::Race;
 use figures::table::Table;
+use lexopt::{Arg::Long, ValueExt};
 use measure::spread::Spread;
 use measure::{machine, rival};
 use slips::{Chapter, ChapterCode};
-
-/// Draws each picture in turns with the C++ program, and says how long it took.
-#[derive(Parser)]
-struct Arguments {
-    /// How often each picture is drawn; an odd number has a median
-    #[arg(long, value_name = "N", default_value_t = 9, value_parser = clap::value_parser!(u32).range(1..))]
-    rounds: u32,
-
-    /// Keep the numbers in book/notes/speed; a page shows them
-    #[arg(long)]
-    record: bool,
-
-    /// The word that `cargo bench` says to every benchmark
-    #[arg(long, hide = true)]
-    bench: bool,
-}
 
 /// The width of the pictures in pixels, at which tracing takes most of the time.
 const WIDEST: u32 = 3840;
@@ -38,7 +26,17 @@ const WIDEST: u32 = 3840;
 const COURSES: [&str; 2] = ["nowhere", "traced"];
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let arguments = Arguments::parse();
+    let (mut rounds, mut record) = (9, false);
+    let mut words = lexopt::Parser::from_env();
+    while let Some(word) = words.next()? {
+        match word {
+            Long("rounds") => rounds = words.value()?.parse::<NonZeroU32>()?.get(),
+            Long("record") => record = true,
+            // The word that `cargo bench` says to every benchmark.
+            Long("bench") => {}
+            odd => return Err(odd.unexpected().into()),
+        }
+    }
     let programs = build_chapters()?;
     // Cargo runs a benchmark in the folder of its package.
     let rival = rival::compile(Path::new("rival/book.cc"), &programs.join("race"));
@@ -56,7 +54,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             let times = run_race(
                 *chapter,
                 to == "traced",
-                arguments.rounds,
+                rounds,
                 rival.as_deref(),
                 &programs,
             )?;
@@ -65,7 +63,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             races.push(race);
         }
     }
-    if arguments.record && rival.is_some() {
+    if record && rival.is_some() {
         let about = [("machine".to_owned(), machine)].into();
         measure::save(&Table { about, rows: races })?;
     }
@@ -167,5 +165,5 @@ fn shown(race: &Race) -> String {
 }
 
 fn say(what: &str) -> Result<(), io::Error> {
-    output::to_stdout(|out| out.write_all(what.as_bytes()))
+    io::stdout().write_all(what.as_bytes())
 }

@@ -12,10 +12,9 @@ pub mod scene_file;
 pub mod spread;
 pub mod wrong_pixels;
 
-use std::io;
 use std::path::Path;
+use std::{fs, io};
 
-use common::engine::output;
 use figures::table::{Record, Table};
 
 /// Writes a table into the file of `book/notes` from which the book shows it, in place of an
@@ -25,5 +24,5 @@ use figures::table::{Record, Table};
 /// If the file can't be written.
 pub fn save<Row: Record>(table: &Table<Row>) -> io::Result<()> {
     let file = Path::new("../notes").join(Row::FILE);
-    output::to_file(&file, |out| out.write_all(table.text().as_bytes()))
+    fs::write(file, table.text())
 }

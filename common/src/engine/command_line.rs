@@ -1,14 +1,14 @@
 //! The command line of a chapter: a width, and where the picture goes.
 
 use std::env;
-use std::io::{self, IsTerminal, Write};
+use std::fs::{self, File};
+use std::io::{self, BufWriter, ErrorKind, IsTerminal, Write};
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
+use std::process::{self, ExitCode};
 
 use lexopt::{Arg, ValueExt};
 
-use super::output;
 use super::picture::Picture;
 
 /// The widths, in pixels, that a command line may ask for. At the largest one, as a PNG file, the
@@ -28,18 +28,24 @@ pub fn main(book_width: u32, picture: fn(u32) -> Picture) -> ExitCode {
             return ExitCode::from(2);
         }
     };
-    let written = match wish {
-        Wish::Help => output::to_stdout(|out| out.write_all(usage(book_width).as_bytes())),
-        Wish::Stdout(width) => output::to_stdout(|out| picture(width).write_p3(out)),
-        Wish::File(width, path) => output::to_file(&path, |out| picture(width).write_p3(out)),
+    let written = match &wish {
+        Wish::Help => print(|out| out.write_all(usage(book_width).as_bytes())),
+        Wish::Stdout(width) => print(|out| picture(*width).write_p3(out)),
+        Wish::File(width, path) => save(&picture(*width), path),
     };
-    match written {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            complain(&error.to_string());
-            ExitCode::FAILURE
-        }
-    }
+    let Err(cause) = written else {
+        return ExitCode::SUCCESS;
+    };
+    let place = match &wish {
+        Wish::File(_, path) => &format!("{path:?}"),
+        _ => "standard output",
+    };
+    let fix = match cause.kind() {
+        ErrorKind::StorageFull => "Free some space, or write to another disk.",
+        _ => "Name a file that you may write, in a folder that is there.",
+    };
+    complain(&format!("cannot write {place}: {cause}\n{fix}"));
+    ExitCode::FAILURE
 }
 
 /// Reads a width in pixels from a command line.
@@ -52,6 +58,34 @@ pub fn parse_width(text: &str) -> Result<u32, String> {
         let (least, most) = WIDTHS.into_inner();
         format!("choose a whole number of pixels from {least} to {most}, such as 400")
     })
+}
+
+/// Writes to standard output. A reader that has seen enough and closes the pipe, as `head` does, is
+/// no error.
+fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+    let mut stdout = BufWriter::new(io::stdout().lock());
+    match write(&mut stdout).and_then(|()| stdout.flush()) {
+        Err(cause) if cause.kind() == ErrorKind::BrokenPipe => Ok(()),
+        printed => printed,
+    }
+}
+
+/// Writes a file, which appears whole or not at all: it is renamed when it is complete.
+fn save(picture: &Picture, path: &Path) -> io::Result<()> {
+    // A link stays a link.
+    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    if fs::metadata(&target).is_ok_and(|old| old.permissions().readonly()) {
+        return Err(ErrorKind::PermissionDenied.into());
+    }
+    let partial = target.with_extension(format!("{}.partial", process::id()));
+    let mut out = BufWriter::with_capacity(1 << 16, File::create_new(&partial)?);
+    let written = picture.write_p3(&mut out).and_then(|()| out.flush());
+    let saved = written.and_then(|()| fs::rename(&partial, target));
+    if saved.is_err() {
+        // The first failure is the one to report, whether or not this works.
+        let _ = fs::remove_file(&partial);
+    }
+    saved
 }
 
 /// The request of a command line: help, or a picture of this width in pixels to standard output or
@@ -86,11 +120,8 @@ impl Wish {
             }
             None => Ok(Self::Stdout(width)),
             Some(dash) if dash == Path::new("-") => Ok(Self::Stdout(width)),
-            Some(path) if promises_another_format(&path) => Err(format!(
-                "{path:?} would not be what its name says: this program writes .ppm files"
-            )
-            .into()),
-            Some(path) => Ok(Self::File(width, path)),
+            Some(path) if is_ppm(&path) => Ok(Self::File(width, path)),
+            Some(path) => Err(format!("{path:?}: this program writes .ppm files").into()),
         }
     }
 }
@@ -101,9 +132,9 @@ fn no_option(typed: &str) -> lexopt::Error {
     format!("there is no option {typed:?}").into()
 }
 
-fn promises_another_format(path: &Path) -> bool {
-    path.extension()
-        .is_some_and(|extension| !extension.eq_ignore_ascii_case("ppm"))
+fn is_ppm(path: &Path) -> bool {
+    let extension = path.extension();
+    extension.is_some_and(|extension| extension.eq_ignore_ascii_case("ppm"))
 }
 
 fn complain(about: &str) {

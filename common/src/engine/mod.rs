@@ -2,12 +2,11 @@
 //!
 //! In the order in which a pixel passes through it: [`render()`] asks for colors,
 //! `block` stores them many at a time, [`Picture`] cuts the picture into strips,
-//! `ring` spreads these over threads, `p3` makes text of them, [`output`] writes it to
-//! standard output or a file, and [`main`] is the command line of a chapter.
+//! `ring` spreads these over threads, `p3` makes text of them, and [`main`] is the command line of
+//! a chapter, which writes it to standard output or a file.
 
 mod block;
 mod command_line;
-pub mod output;
 mod p3;
 mod picture;
 mod render;

@@ -1,10 +1,12 @@
 //! Command lines: what is shown, what is refused, and in which words.
 
 use std::fs;
+#[cfg(unix)]
+use std::{fs::Permissions, os::unix::fs::PermissionsExt};
 
 use check::reading;
 use insta::assert_snapshot;
-use suite::command::{assert_success, program, run, text};
+use suite::command::{assert_success, path_of, program, run, text};
 use suite::desk::Desk;
 use suite::drawn::{p3, pictures};
 
@@ -15,6 +17,7 @@ fn a_chapter_explains_itself_when_asked_and_when_misunderstood() {
     let (_, usage) = help.split_once('\n').expect("what it says");
     let said = desk.transcript(
         "gradient picture.PNG
+         gradient /dev/null
          gradient a.ppm b.ppm
          gradient a.ppm --width
          gradient --width 0
@@ -44,6 +47,43 @@ fn the_first_command_hands_on_what_it_does_not_do_itself() {
             ["launcher", "rtrace"].map(|name| desk.run(&format!("{name} {line}")));
         assert_eq!(handed_on, itself, "{line}");
     }
+}
+
+/// The cargo of this test builds all chapters but one, and no companion.
+#[cfg(unix)]
+#[test]
+fn while_a_chapter_does_not_compile_the_others_are_drawn_and_the_last_companion_answers() {
+    let desk = Desk::default();
+    desk.write_picture("mine.ppm", &normals::picture(100));
+    let programs = pictures().map(|(chapter, _)| path_of(chapter.name()));
+    let built = programs.iter().filter(|path| !path.ends_with("normals"));
+    let said: String = built
+        .map(|path| {
+            format!(
+                "echo '{{\"executable\":\"{}\",\"fresh\":true}}'\n",
+                path.display()
+            )
+        })
+        .collect();
+    desk.write("cargo", format!("#!/bin/sh\n{said}exit 101\n"));
+    fs::set_permissions(desk.path("cargo"), Permissions::from_mode(0o755)).expect("it may run");
+    let run_with_it = |line| run(desk.command(line).env("CARGO", desk.path("cargo")));
+
+    let drawn = run_with_it("launcher");
+    assert_eq!(drawn.status.code(), Some(1));
+    let said = text(&drawn.stdout);
+    assert!(
+        said.contains("normals           does not compile"),
+        "{said}"
+    );
+    assert_eq!(said.matches("ms to draw").count(), 5, "{said}");
+    assert!(text(&drawn.stderr).contains("a picture is missing"));
+
+    let checked = run_with_it("launcher check normals mine.ppm");
+    assert!(text(&checked.stderr).contains("the last one answers"));
+    assert!(text(&checked.stdout).starts_with("mine.ppm is right"));
+    let shown = run_with_it("launcher show normals --output -");
+    assert_eq!((shown.status.code(), shown.stdout.len()), (Some(1), 0));
 }
 
 #[test]

@@ -38,7 +38,6 @@ fn what_can_not_be_written_is_said_with_what_helps() {
         "normals missing/a.ppm
          normals folder.ppm
          normals kept.ppm
-         normals \"\"
          rtrace show normals --output missing/a.png",
     );
     // Of Windows alone.
@@ -117,11 +116,15 @@ mod on_unix {
         symlink(&target, &link).expect("a link");
         fs::set_permissions(&target, Permissions::from_mode(0o640)).expect("the mode is set");
         let mut old = File::open(&target).expect("the old file");
-        desk.run("normals link.ppm");
+        desk.run("rtrace show normals -o link.ppm");
         assert_eq!(std::io::read_to_string(&mut old).expect("it"), "old");
         assert!(link.is_symlink() && !target.is_symlink());
         assert!(fs::read(&target).expect("it") == p3(&normals::picture(400)));
         let mode = fs::metadata(&target).expect("it").permissions().mode();
         assert_eq!(mode & 0o777, 0o640);
+        // A chapter asks for no permissions, but a link stays a link there, too.
+        desk.run("gradient link.ppm");
+        assert!(link.is_symlink() && !target.is_symlink());
+        assert!(fs::read(&target).expect("it") == p3(&gradient::picture(400)));
     }
 }

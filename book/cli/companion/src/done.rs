@@ -8,11 +8,11 @@ use std::time::SystemTime;
 
 use check::names::{self, name_from_here};
 use check::sentences::{picture_done_line, step_done_line};
-use common::engine::output;
 use slips::{Chapter, steps};
 
 use crate::command_line::Words;
 use crate::limited;
+use crate::output;
 use crate::reader_crates::ReaderCrates;
 use crate::wrap::wrap_hanging;
 

@@ -2,7 +2,6 @@
 
 use std::error::Error;
 
-use common::engine::output;
 use common::rtweekend::*;
 use figures::number::three_digits;
 use laws::oracle::ExactRoot;
@@ -10,6 +9,7 @@ use measure::accuracy::{exact, ulps_off};
 use speed_vs_accuracy::{Case, METHODS, Method, Precision, Solve};
 
 use crate::command_line::Words;
+use crate::output;
 
 /// The arguments of `cargo rtrace hit`.
 pub(crate) struct Arguments {

@@ -19,7 +19,7 @@ use std::process::ExitCode;
 use std::thread;
 
 use launcher::command_line::{self, Request, Words};
-use launcher::{chapter, limited, misuse, terminal};
+use launcher::{chapter, limited, misuse, output, terminal};
 
 /// The size of the stack in bytes: reading and running a reader's text recurse for each level of
 /// it. Only the part that is used takes memory.

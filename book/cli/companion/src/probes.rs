@@ -5,11 +5,11 @@ use std::fmt::Write;
 
 use check::names::companion_command;
 use check::task::Task;
-use common::engine::output;
 use slips::{Chapter, Languages, PROBES};
 
 use crate::chapter::chapter;
 use crate::command_line::Words;
+use crate::output;
 
 /// Prints the probes that a chapter has spheres for, each with what it shows and the lines to
 /// change.

@@ -4,11 +4,10 @@ use std::error::Error;
 use std::path::PathBuf;
 use std::process::{Command, ExitCode};
 
-use common::engine::output;
 use course::names::name_from_here;
 
 use crate::command_line::Words;
-use crate::{cargo, draw};
+use crate::{cargo, draw, output};
 
 /// The arguments of `cargo rtrace book`.
 #[derive(Default)]

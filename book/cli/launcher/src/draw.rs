@@ -5,12 +5,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use common::engine::output;
 use course::chapter::Chapter;
 use course::names::name_from_here;
 
 use crate::cargo::{self, Package};
 use crate::drawing::Drawing;
+use crate::output;
 use crate::save::{PictureFormat, save};
 
 /// Has cargo build the programs of these chapters, and each draw its picture at the book's width

@@ -13,6 +13,7 @@ pub mod draw;
 mod drawing;
 pub mod limited;
 pub mod misuse;
+pub mod output;
 mod save;
 mod show;
 pub mod terminal;
@@ -22,7 +23,6 @@ pub use course::names;
 use std::error::Error;
 use std::process::ExitCode;
 
-use common::engine::output;
 use course::chapter::Chapter;
 
 use command_line::{Request, Words};

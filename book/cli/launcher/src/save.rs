@@ -3,9 +3,10 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use common::engine::output;
 use common::rtweekend::Picture;
 use png::{BitDepth, ColorType, Compression, Filter};
+
+use crate::output;
 
 /// The format of a picture file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use common::engine::{output, parse_width};
+use common::engine::parse_width;
 use course::chapter::Chapter;
 use course::names;
 
@@ -13,6 +13,7 @@ use crate::command_line::Words;
 use crate::draw;
 use crate::drawing::Drawing;
 use crate::misuse::misuse;
+use crate::output;
 use crate::save::{PictureFormat, save};
 use crate::terminal::{self, Palette};
 

@@ -1,50 +1,42 @@
 //! Microbenchmark: how long each method of chapter 6 takes.
+//!
+//! `--quick` takes a tenth of the rounds: seconds instead of a minute or two. `--record` keeps the
+//! result in `book/notes/measured/timings.csv`. `--only KEY --runs N` runs one loop so often and
+//! measures nothing: valgrind watches.
 
 mod about;
 mod instructions;
 mod one_by_one;
 
 use std::error::Error;
+use std::io::{self, Write};
 
-use clap::Parser;
-use common::engine::output;
 use figures::records::Timing;
 use figures::table::Table;
+use lexopt::{Arg::Long, ValueExt};
 
 use measure::contest::{Contest, Effort};
 
-/// How long each method of chapter 6 takes.
-#[derive(Parser)]
-struct Arguments {
-    /// A tenth of the rounds: within seconds instead of a minute or two
-    #[arg(long)]
-    quick: bool,
-
-    /// Keep the result in book/notes/measured/timings.csv
-    #[arg(long)]
-    record: bool,
-
-    /// Run this loop so often and measure nothing: valgrind watches
-    #[arg(long, hide = true, requires = "runs")]
-    only: Option<String>,
-
-    /// How often
-    #[arg(long, hide = true)]
-    runs: Option<usize>,
-
-    /// The word that `cargo bench` says to every benchmark
-    #[arg(long, hide = true)]
-    bench: bool,
-}
-
 /// Takes all times, and prints or saves them.
 fn main() -> Result<(), Box<dyn Error>> {
-    let arguments = Arguments::parse();
-    if let (Some(key), Some(runs)) = (arguments.only, arguments.runs) {
+    let (mut quick, mut record, mut only, mut runs) = (false, false, None, 1);
+    let mut words = lexopt::Parser::from_env();
+    while let Some(word) = words.next()? {
+        match word {
+            Long("quick") => quick = true,
+            Long("record") => record = true,
+            Long("only") => only = Some(words.value()?.string()?),
+            Long("runs") => runs = words.value()?.parse()?,
+            // The word that `cargo bench` says to every benchmark.
+            Long("bench") => {}
+            odd => return Err(odd.unexpected().into()),
+        }
+    }
+    if let Some(key) = only {
         instructions::run(counted(), &key, runs);
         return Ok(());
     }
-    let effort = Effort::new(arguments.quick);
+    let effort = Effort::new(quick);
     let mut contests = counted();
     let with_count: usize = contests.iter().map(|contest| contest.0.len()).sum();
     contests.extend(one_by_one::elsewhere());
@@ -55,8 +47,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     for row in &mut timings.rows[..with_count] {
         row.instructions = instructions::of(row);
     }
-    output::to_stdout(|out| out.write_all(timings.text().as_bytes()))?;
-    if arguments.record {
+    io::stdout().write_all(timings.text().as_bytes())?;
+    if record {
         measure::save(&timings)?;
     }
     Ok(())

@@ -8,10 +8,10 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
-use common::engine::output;
 use launcher::limited;
 use launcher::misuse::misuse;
 use launcher::names::{escaped_name, name_from_here};
+use launcher::output;
 
 /// Puts a new folder in the place of `folder`, which is missing, empty, or was made by an earlier
 /// call. `make` fills the new one, whose path it gets: an empty folder beside `folder`.

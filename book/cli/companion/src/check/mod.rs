@@ -15,7 +15,6 @@ use check::reading::{self, Reading};
 use check::task::Task;
 use check::verdict::Verdict;
 use check::{guess, judge, judge_guessed};
-use common::engine::output;
 use slips::{Chapter, PROBES, Probe};
 
 use input::PictureInput;
@@ -23,6 +22,7 @@ use input::PictureInput;
 use crate::chapter::{chapter, choose_one_of};
 use crate::command_line::Words;
 use crate::misuse::complain;
+use crate::output;
 use crate::wrap::lay_out;
 
 /// The arguments of `cargo rtrace check`.

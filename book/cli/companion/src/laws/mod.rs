@@ -16,13 +16,13 @@ use ::laws::{Case, Complaint, IntervalCase, Question, Report, Trial};
 use check::any_language::{self, FunctionKind, FunctionVerdict};
 use check::lawful;
 use check::names;
-use common::engine::output;
 use common::rtweekend::*;
 use slips::{Chapter, Languages};
 
 use crate::chapter::required_chapter;
 use crate::check::{TIMEOUT, seconds};
 use crate::command_line::Words;
+use crate::output;
 use crate::reader_crates::shell_word;
 use dialogue::{Dialogue, DialogueFailure};
 

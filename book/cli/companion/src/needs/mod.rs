@@ -12,7 +12,6 @@ use std::sync::atomic::Ordering::Relaxed;
 use std::time::{Duration, Instant};
 
 use check::names;
-use common::engine::output;
 use measure::contest::Effort;
 use measure::cost;
 use measure::needs::PrecisionNeeds;
@@ -23,6 +22,7 @@ use speed_vs_accuracy::{METHODS, Precision, Scene};
 use crate::command_line::Words;
 use crate::limited;
 use crate::misuse::misuse;
+use crate::output;
 
 /// The arguments of `cargo rtrace needs`.
 pub(crate) struct Arguments {

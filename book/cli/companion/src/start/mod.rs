@@ -12,13 +12,13 @@ use std::path::{Path, PathBuf};
 use carry::EarlierCrate;
 use check::names::name_from_here;
 use check::workspace::workspace;
-use common::engine::output;
 use interpreter::SourceFile;
 use slips::{Chapter, steps};
 
 use crate::chapter::required_chapter;
 use crate::command_line::Words;
 use crate::misuse::misuse;
+use crate::output;
 use crate::reader_crates::ReaderCrates;
 use crate::wrap::wrap_hanging;
 

@@ -25,7 +25,6 @@ use check::reading::read;
 use check::sentences::step_done_line;
 use check::sources::Sources;
 use check::task::Task;
-use common::engine::output;
 use common::rtweekend::Picture;
 use slips::{Chapter, ChapterCode, ChapterProgram, Languages, Probe, Slip, steps};
 
@@ -34,6 +33,7 @@ use crate::check::{PROBE, TIMEOUT, probe, seconds};
 use crate::command_line::Words;
 use crate::done::Done;
 use crate::misuse::misuse;
+use crate::output;
 use crate::reader_crates::{ReaderCrates, shell_word};
 use crate::sources;
 use crate::subprocess::{self, ProgramEnd};
