@@ -43,8 +43,7 @@ pub fn companion() -> Result<Command, Box<dyn Error>> {
     const SAYS: &str = "Building the companion, which judges, watches and measures: the first time, about a minute";
     let built = build(&[COMPANION], SAYS)?;
     let last = || {
-        let program = build_folders(draw::find_workspace().ok()?).1.join("rtrace");
-        let program = program.with_extension(env::consts::EXE_EXTENSION);
+        let program = built.path(COMPANION);
         program.is_file().then(|| {
             complain("rtrace: cargo has not built the companion anew; the last one answers");
             program
@@ -72,15 +71,22 @@ pub fn weaver() -> Result<Command, Box<dyn Error>> {
 
 /// The programs that cargo has built.
 pub struct Built {
-    programs: Vec<PathBuf>,
+    /// The folder of all programs, also of those that could not be built.
+    folder: PathBuf,
+    names: Vec<String>,
     said: String,
 }
 
 impl Built {
     /// Returns the path of a package's program; `None` if cargo could not build it.
     pub fn program(&self, package: Package) -> Option<PathBuf> {
-        let is_it = |path: &&PathBuf| path.file_stem() == Some(package.program.as_ref());
-        self.programs.iter().find(is_it).cloned()
+        let is_built = self.names.iter().any(|name| name == package.program);
+        is_built.then(|| self.path(package))
+    }
+
+    fn path(&self, package: Package) -> PathBuf {
+        let path = self.folder.join(package.program);
+        path.with_extension(env::consts::EXE_EXTENSION)
     }
 
     /// Makes the error for a program that cargo could not build, with what cargo has said unless
@@ -129,7 +135,7 @@ pub fn build(packages: &[Package], says: &str) -> Result<Built, Box<dyn Error>> 
         .arg(workspace.join("Cargo.toml"))
         .arg("--target-dir")
         .arg(target)
-        // Standard output then tells where each program is.
+        // Standard output then tells which programs are built.
         .args(["--message-format", "json-render-diagnostics"]);
     let built = run_cargo(build, says).map_err(|cause| {
         format!(
@@ -139,16 +145,17 @@ pub fn build(packages: &[Package], says: &str) -> Result<Built, Box<dyn Error>> 
     })?;
     let printed = String::from_utf8_lossy(&built.printed);
     Ok(Built {
-        programs: printed.lines().filter_map(executable).collect(),
+        folder: programs,
+        names: printed.lines().filter_map(program_built).collect(),
         said: built.said,
     })
 }
 
-/// Returns the path of the program that a line of cargo, an object in JSON, says to be up to date.
-fn executable(line: &str) -> Option<PathBuf> {
+/// Returns the name of the program that a line of cargo, an object in JSON, says to be up to date.
+fn program_built(line: &str) -> Option<String> {
     let (_, path) = line.split_once("\"executable\":\"")?;
     let (path, _) = path.split_once("\",")?;
-    Some(path.replace("\\\\", "\\").into())
+    Some(Path::new(path).file_stem()?.to_str()?.to_owned())
 }
 
 /// Returns the folder of all that cargo builds, and the one of the programs in it: those that the
