@@ -5,74 +5,123 @@ use speed_vs_accuracy::{Case, Method, exact_discriminant};
 use crate::decimal::{PLACES, agreeing, exponent, places};
 use crate::prelude::*;
 
-/// The numbers that `half_b` computes for a ray, beside the exact ones: how cancellation in the
-/// discriminant D = h² − a·c takes digits away.
+/// Two numbers whose difference is D, as a method rounds them.
+#[derive(Clone, Copy)]
+pub(crate) struct Terms {
+    /// What a reader calls them.
+    pub(crate) names: [&'static str; 2],
+    values: [f64; 2],
+}
+
+impl Terms {
+    /// Computes h² and a·c, as `half_b` and `half_b_q` do.
+    pub(crate) fn of_half_b(case: &Case) -> Self {
+        Self {
+            names: ["*h*²", "*ac*"],
+            values: [case.h() * case.h(), case.a() * case.c()],
+        }
+    }
+
+    /// Computes a·r² and a·l² = |d × oc|², as `cross_q` does.
+    pub(crate) fn of_cross_q(case: &Case) -> Self {
+        let oc = case.center - case.ray.origin;
+        let across = case.ray.direction.cross(oc);
+        Self {
+            names: ["*ar*²", "*al*²"],
+            values: [
+                case.a() * (case.radius * case.radius),
+                across.length_squared(),
+            ],
+        }
+    }
+
+    /// Counts the leading digits that the two have in common.
+    pub(crate) fn agreeing(&self) -> usize {
+        let [one, other] = self.values.map(|it| places(it, self.first()));
+        agreeing(&one, &other)
+    }
+
+    /// Computes D from the two.
+    pub(crate) fn difference(&self) -> f64 {
+        self.values[0] - self.values[1]
+    }
+
+    /// Returns the power of ten of the first digit that is drawn: that of the larger one. Neither
+    /// is negative, so D is not larger.
+    fn first(&self) -> i32 {
+        let [one, other] = self.values.map(exponent);
+        one.max(other)
+    }
+}
+
+/// The numbers that a method computes for a ray, beside the exact ones: how cancellation in the
+/// discriminant D takes digits away.
 pub(crate) struct Numbers {
-    /// h², rounded.
-    h_squared: f64,
-    /// a·c, rounded.
-    ac: f64,
-    /// D as `half_b` computes it.
-    pub(crate) discriminant: f64,
+    /// What the method makes D of; or how it keeps all digits of D, in a few words.
+    pub(crate) terms: Result<Terms, &'static str>,
     /// D, correct to an ulp.
     pub(crate) exact_discriminant: f64,
-    /// The root that `half_b` finds, or `None` for a miss.
+    /// The root that the method finds, or `None` for a miss.
     pub(crate) t: Option<f64>,
     /// The true root, rounded once, or `None` for a miss.
     pub(crate) exact_t: Option<f64>,
 }
 
 impl Numbers {
-    /// Computes the numbers for a `case`, whose ray has to start outside of the sphere.
-    pub(crate) fn of(case: &Case) -> Self {
+    /// Computes the numbers for a `case`, whose ray has to start outside of the sphere, by a
+    /// `method` and its `terms`.
+    pub(crate) fn of(case: &Case, method: Method, terms: Result<Terms, &'static str>) -> Self {
         let nearest = |method| case.put_to(method, 0.0, f64::INFINITY);
         let exact_discriminant = exact_discriminant(case.center, case.radius, &case.ray);
         Self {
-            h_squared: case.h() * case.h(),
-            ac: case.a() * case.c(),
-            discriminant: case.discriminant(),
+            terms,
             exact_discriminant: exact_discriminant.expect("finite numbers"),
-            t: nearest(&Method::HALF_B),
+            t: nearest(&method),
             exact_t: nearest(&Method::EXACT),
         }
     }
 
-    /// Counts the leading digits that h² and a·c have in common.
-    pub(crate) fn agreeing(&self) -> usize {
-        let [one, other] = [self.h_squared, self.ac].map(|it| places(it, self.first()));
-        agreeing(&one, &other)
-    }
-
-    /// Counts the leading digits of t that are right; returns `None` unless `half_b` and the exact
-    /// answer both are hits.
+    /// Counts the leading digits of t that are right; returns `None` unless the method and the
+    /// exact answer both are hits.
     pub(crate) fn right_digits(&self) -> Option<usize> {
         let (t, exact) = (self.t?, self.exact_t?);
         let first = exponent(t).max(exponent(exact));
         Some(agreeing(&places(t, first), &places(exact, first)))
     }
 
-    /// Returns the error of D, relative to the exact D.
-    pub(crate) fn error(&self) -> f64 {
-        ((self.discriminant - self.exact_discriminant) / self.exact_discriminant).abs()
+    /// Draws six rows of digits: the two terms, D, the exact D, t and the exact t.
+    pub(crate) fn draw(&self, svg: &mut Svg) {
+        let x = self.exact_discriminant;
+        let (name, first) = match &self.terms {
+            Ok(terms) => {
+                self.draw_difference(svg, terms);
+                ("exactly", terms.first())
+            }
+            Err(words) => {
+                svg.small_label("ink", spot(200.0, 317.0), Middle, words);
+                ("*D* exactly", exponent(x))
+            }
+        };
+        let [_, _, zeros] = self.digits_of_discriminant(x, first);
+        let y = 355.0;
+        let exact = DigitRow { y, name, x, first };
+        exact.draw(svg, &[("faint", zeros), ("ink", PLACES)]);
+        exact.draw_value(svg);
+        self.draw_roots(svg);
     }
 
-    /// Draws six rows of digits: h², a·c, D, the exact D, t and the exact t.
-    pub(crate) fn draw(&self, svg: &mut Svg) {
-        let first = self.first();
+    /// Draws the two terms, the digits in which they agree struck out, and D.
+    fn draw_difference(&self, svg: &mut Svg, terms: &Terms) {
+        let first = terms.first();
         let row = |y, name, x| DigitRow { y, name, x, first };
-        let struck = [("faint struck", self.agreeing()), ("ink", PLACES)];
-        row(298.0, "*h*²", self.h_squared).draw(svg, &struck);
-        row(317.0, "*ac*", self.ac).draw(svg, &struck);
-        let [zeros, right, exact_zeros] = self.digits_of_discriminant();
-        let found = row(336.0, "*D*", self.discriminant);
+        let struck = [("faint struck", terms.agreeing()), ("ink", PLACES)];
+        row(298.0, terms.names[0], terms.values[0]).draw(svg, &struck);
+        row(317.0, terms.names[1], terms.values[1]).draw(svg, &struck);
+        let discriminant = terms.difference();
+        let [zeros, right, _] = self.digits_of_discriminant(discriminant, first);
+        let found = row(336.0, "*D*", discriminant);
         found.draw(svg, &[("faint", zeros), (RIGHT, right), (WRONG, PLACES)]);
-        let exact = row(355.0, "exactly", self.exact_discriminant);
-        exact.draw(svg, &[("faint", exact_zeros), ("ink", PLACES)]);
-        for DigitRow { y, x, .. } in [found, exact] {
-            let words = format!("= {}", printed(x));
-            svg.small_label("ink", spot(290.0, y), Start, &words);
-        }
-        self.draw_roots(svg);
+        found.draw_value(svg);
     }
 
     fn draw_roots(&self, svg: &mut Svg) {
@@ -95,25 +144,20 @@ impl Numbers {
         }
     }
 
-    /// Returns three lengths in the digits of D: of the zeros that should be there, of these with
-    /// the right digits behind them, and of all zeros of the exact D.
-    fn digits_of_discriminant(&self) -> [usize; 3] {
-        let both = [self.discriminant, self.exact_discriminant];
-        let [found, exact] = both.map(|it| places(it, self.first()));
+    /// Returns three lengths in the digits of a `discriminant`, from the place of ten to the power
+    /// `first` on: of the zeros that should be there, of these with the right digits behind them,
+    /// and of all zeros of the exact D.
+    fn digits_of_discriminant(&self, discriminant: f64, first: i32) -> [usize; 3] {
+        let both = [discriminant, self.exact_discriminant];
+        let [found, exact] = both.map(|it| places(it, first));
         let shared = zeros(&found).min(zeros(&exact));
-        let has_right_sign = self.discriminant * self.exact_discriminant > 0.0;
+        let has_right_sign = discriminant * self.exact_discriminant > 0.0;
         let right = if has_right_sign {
             agreeing(&found, &exact)
         } else {
             shared
         };
         [shared, right, zeros(&exact)]
-    }
-
-    /// Returns the power of ten of the first digit that is drawn: that of the larger one of h² and
-    /// a·c. D is less than h², because c is positive here.
-    fn first(&self) -> i32 {
-        exponent(self.h_squared).max(exponent(self.ac))
     }
 }
 
@@ -150,6 +194,12 @@ impl DigitRow {
         svg.digits(at, &stretches.collect::<Vec<_>>());
         let words = format!("· {}", power_of_ten(self.first));
         svg.small_label("ink", at.right(160.0), Start, &words);
+    }
+
+    /// Writes the number, rounded, behind its digits.
+    fn draw_value(&self, svg: &mut Svg) {
+        let words = format!("= {}", printed(self.x));
+        svg.small_label("ink", spot(290.0, self.y), Start, &words);
     }
 }
 

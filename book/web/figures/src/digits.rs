@@ -1,9 +1,9 @@
-//! Digits of D and t that are lost with distance: a star goes away. A ray of it is chosen by
-//! its pixel.
+//! Digits of D and t that are lost with distance: a star goes away, and a reader chooses the
+//! method that draws it. A ray of it is chosen by its pixel.
 
 use speed_vs_accuracy::{Arithmetic, Case, Lens, Method, Scene, USUAL_T_MIN};
 
-use crate::cancellation::Numbers;
+use crate::cancellation::{Numbers, Terms};
 use crate::prelude::*;
 
 parameters! {
@@ -11,14 +11,60 @@ parameters! {
     pixel: Vec3 =
         Parameter::whole("Pixel, to the right of the middle", -7.0, 7.0, -3.0),
         Parameter::whole("Pixel, above the middle", -7.0, 7.0, 2.0);
+    eye: f64 = Parameter::choice("The left picture", NAMES);
 }
+
+/// A way to draw the star: a method, as a reader knows it.
+struct Eye {
+    /// The words of the list, and of the caption.
+    name: &'static str,
+    method: Method,
+    /// Computes what the method makes D of, or says how it keeps all digits.
+    terms: fn(&Case) -> Result<Terms, &'static str>,
+}
+
+/// The ways that a reader can choose for the left picture; the right one is drawn by the last.
+const EYES: [Eye; 5] = [
+    Eye {
+        name: "as chapter 5 has it",
+        method: Method::HALF_B,
+        terms: |case| Ok(Terms::of_half_b(case)),
+    },
+    Eye {
+        name: "first cure: cross_q",
+        method: Method::CROSS_Q,
+        terms: |case| Ok(Terms::of_cross_q(case)),
+    },
+    Eye {
+        name: "second cure: half_b_q",
+        method: Method::HALF_B_Q,
+        terms: |case| Ok(Terms::of_half_b(case)),
+    },
+    Eye {
+        name: "third cure: compensated",
+        method: Method::COMPENSATED,
+        terms: |_| Err("The cross product keeps what rounding takes."),
+    },
+    Eye {
+        name: "exact",
+        method: Method::EXACT,
+        terms: |_| Err("Whole numbers never round."),
+    },
+];
+const NAMES: &[&str] = &[
+    EYES[0].name,
+    EYES[1].name,
+    EYES[2].name,
+    EYES[3].name,
+    EYES[4].name,
+];
 
 /// The radius of the star. Its square is no round number: else *a·c* would be a little less than a
 /// round number, and have no digit in common with it.
 const RADIUS: f64 = 6.0 / 7.0;
 
-/// The live figure: a star at a distance that a reader chooses, seen by two methods, and the digits
-/// of one ray.
+/// The live figure: a star at a distance that a reader chooses, seen by a method and as it is, and
+/// the digits of one ray.
 pub(crate) static LIVE: Live<Parameters> = Live {
     figure: figure!("digits"),
     handles: &[
@@ -36,30 +82,34 @@ pub(crate) static LIVE: Live<Parameters> = Live {
 
 fn answer(it: &Parameters) -> DrawnFigure {
     let case = it.case();
-    let found = Numbers::of(&case);
+    let Eye { method, terms, .. } = it.eye();
+    let found = Numbers::of(&case, *method, terms(&case));
     let away = power_of_ten(it.exponent as i32);
-    let agreeing = found.agreeing();
+    let of_terms = found.terms.as_ref().map_or(String::new(), |terms| {
+        let [one, other] = terms.names;
+        let agreeing = terms.agreeing();
+        let of_discriminant = of_discriminant(terms.difference(), found.exact_discriminant);
+        format!(" {one} and {other} agree in {agreeing} of their 17 digits. {of_discriminant}")
+    });
+    let of_t = of_t(&found, case.ray.direction.length() / RADIUS);
+    let sentence = format!("The star is {away} radii away.{of_terms} {of_t}");
+    let agreeing = Terms::of_half_b(&case).agreeing();
     let digits = if agreeing == 1 { "digit" } else { "digits" };
-    let sentence = format!(
-        "{away} radii away *h*² and *ac* agree in {agreeing} of their 17 digits. {} {}",
-        of_discriminant(&found),
-        of_t(&found, case.ray.direction.length() / RADIUS),
-    );
     let agree = format!("{agreeing} {digits}");
     let says = [("distance", away), ("agree", agree)];
     DrawnFigure::new(draw(it, &found), sentence, says)
 }
 
-/// Says how many digits of D are left.
-fn of_discriminant(found: &Numbers) -> String {
-    match found.error() {
+/// Says how many digits of a `discriminant` are right.
+fn of_discriminant(discriminant: f64, exact: f64) -> String {
+    match ((discriminant - exact) / exact).abs() {
         0.0 => "*D* has lost no digit.".to_owned(),
         ..0.001 => "*D* is off by less than a thousandth of itself.".to_owned(),
         error @ ..0.5 => format!("*D* is off by {} % of itself.", printed(100.0 * error)),
         _ => format!(
             "*D* is only rounding error: it should be {}, and is computed as {}.",
-            printed(found.exact_discriminant),
-            printed(found.discriminant)
+            printed(exact),
+            printed(discriminant)
         ),
     }
 }
@@ -72,9 +122,9 @@ fn of_t(found: &Numbers, radii: f64) -> String {
             "Of the 17 digits of *t* {right} are right, and it is off by {} radii.",
             printed(radii * (t - exact).abs())
         ),
-        (Some(_), _, _) => "The ray misses the star, and half_b sees a hit.".to_owned(),
-        (None, Some(_), _) => "The ray hits the star, and half_b sees a miss.".to_owned(),
-        (None, None, _) => "The ray misses the star, as half_b says.".to_owned(),
+        (Some(_), _, _) => "The ray misses the star, and the left picture has a hit.".to_owned(),
+        (None, Some(_), _) => "The ray hits the star, and the left picture has a miss.".to_owned(),
+        (None, None, _) => "The ray misses the star, in both pictures.".to_owned(),
     }
 }
 
@@ -87,13 +137,11 @@ const PER_RADIUS: f64 = 5.5;
 /// makes up. Behind them is so little of the sky that it has few colors.
 const CLOSER: f64 = 16.0;
 
-/// The planes of the two stars' pictures, in pixels from the middle of each, and the methods that
-/// draw them.
+/// The planes of the two stars' pictures, in pixels from the middle of each.
 const SKIES: [Plane; 2] = [
     Plane::new(97.75, 115.75, SIDE),
     Plane::new(301.75, 115.75, SIDE),
 ];
-const EYES: [Method; 2] = [Method::HALF_B, Method::CERTIFIED_T];
 const SIDE: f64 = 12.5;
 
 /// The axis of distances, as powers of ten.
@@ -112,6 +160,11 @@ impl Parameters {
             radius: RADIUS,
             ray: self.scene().ray(&self.ray(self.pixel)),
         }
+    }
+
+    /// Returns how the left picture is drawn.
+    fn eye(&self) -> &'static Eye {
+        &EYES[self.eye as usize]
     }
 
     fn center(&self) -> Point3 {
@@ -145,13 +198,13 @@ impl Parameters {
     }
 }
 
-/// Draws the star by both methods, the axis of distances, and the digits of the chosen ray.
+/// Draws the star by the chosen method and exactly, the axis of distances, and the digits of the chosen ray.
 fn draw(it: &Parameters, numbers: &Numbers) -> Svg {
     let mut svg = LIVE.figure.sheet(410.0);
-    for (sky, method) in SKIES.into_iter().zip(EYES) {
-        svg.label("ink", spot(sky.origin.x, 14.0), Middle, method.name);
+    for (sky, eye) in SKIES.into_iter().zip([it.eye(), &EYES[4]]) {
+        svg.label("ink", spot(sky.origin.x, 14.0), Middle, eye.name);
         let corner = sky.origin - 0.5 * SIDE * f64::from(PIXELS);
-        PixelGrid { corner, side: SIDE }.draw(&mut svg, &it.picture(method));
+        PixelGrid { corner, side: SIDE }.draw(&mut svg, &it.picture(eye.method));
         let chosen = sky.point(it.pixel) - 0.5 * SIDE;
         svg.rect("black line", chosen, DVec2::splat(SIDE));
     }
