@@ -6,6 +6,7 @@ use std::path::Path;
 use slips::Chapter;
 
 use crate::controls;
+use crate::folded::folded;
 use crate::ground::{escaped, read};
 use crate::source::{self, SourceItem};
 
@@ -68,9 +69,10 @@ pub(crate) fn listing(
     let whose = whose(file);
     let id = name.replace(|it: char| !it.is_alphanumeric(), "-");
     let values = figure.map_or(Ok(String::new()), |figure| values(figure, &code))?;
+    let (code, folded) = folded(&code);
     Ok(format!(
         "<div class=\"listing\"><p class=\"source\" id=\"listing-{id}\"><span class=\"file\">{file}</span>{whose}{beside}</p>\
-         {tools}\n\n````rust\n{}\n````\n\n{values}</div>\n",
+         {tools}\n\n````rust\n{}\n````\n\n{values}</div>\n\n{folded}",
         code.trim_end(),
         tools = tools(file),
     ))

@@ -9,6 +9,7 @@ mod code;
 mod controls;
 mod directive;
 mod figure;
+mod folded;
 pub mod folder;
 mod ground;
 mod maths;
