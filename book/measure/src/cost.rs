@@ -141,7 +141,7 @@ macro_rules! loops {
 
 loops! {
     in f64 Double: double, half_b half_b_q cross_q compensated certified_hit certified_t double_double exact;
-    in f32 Single: single, half_b_f32 widened_half_b_q_f32 certified_f32;
+    in f32 Single: single, half_b_f32 widened_half_b_q_f32;
 }
 
 /// Makes a loop that calls `answer` with the numbers 0 to `count` − 1 whenever it is run, so that

@@ -4,7 +4,6 @@
 pub mod accuracy;
 pub mod contest;
 pub mod cost;
-pub mod lanes;
 pub mod machine;
 pub mod needs;
 pub mod rival;

@@ -20,7 +20,7 @@ m_hat = (s * f + (1 - s) * (1 + er)) * (1 + em);
 /\ s in [0, 1]
 ->
    a_hat - 1 in [-97b-58, 97b-58]   # 3u and a little
-/\ c_hat - (s - (1 - s)) in [-15b-54, 15b-54]   # 7.5u: less than 8u; BAND is 64u
+/\ c_hat - (s - (1 - s)) in [-15b-54, 15b-54]   # 7.5u
 /\ m_hat - 1 in [-9b-53, 9b-53]
 }
 

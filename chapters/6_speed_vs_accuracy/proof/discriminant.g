@@ -12,7 +12,7 @@ d_hat = (p * (1 + e1) - q * (1 + e2)) * (1 + e3);
 /\ e1 in [-1b-53, 1b-53] /\ e2 in [-1b-53, 1b-53] /\ e3 in [-1b-53, 1b-53]
 /\ h in [-1, 1] /\ c in [-1, 1]
 ->
-   d_hat - (h * h - c) in [-47b-54, 47b-54] }  # less than 24u; BAND is 64u
+   d_hat - (h * h - c) in [-47b-54, 47b-54] }  # 23.5u
 
 d_hat - (h * h - c) ->
     (2 * h * dh + dh * dh) + p * e1

@@ -8,7 +8,7 @@ first_hat = q_hat / (1 + da) * (1 + e1);       # q / a
 second_hat = (second * q + dc) / q_hat * (1 + e2);  # c / q
 
 { w * w - s * s in [-47b-54, 47b-54]    # bound D
-/\ s / w in [0.7, 1.23]                 # since w * w > 48u; BAND is 64u
+/\ s / w in [0.7, 1.23]                 # since w * w > 48u
 /\ q / q_hat in [0.7, 1.23]             # it lies between s / w and 1, but for rounding
 /\ q / q_hat / (1 + s / w) in [0.4, 0.59]
 /\ w / q_hat in [0, 1.001]              # q_hat is the sum of |h_hat| and w
@@ -21,8 +21,8 @@ second_hat = (second * q + dc) / q_hat * (1 + e2);  # c / q
 /\ ew in [-1b-53, 1b-53] /\ eq in [-1b-53, 1b-53]
 /\ e1 in [-1b-53, 1b-53] /\ e2 in [-1b-53, 1b-53]
 ->
-   (first_hat - q) * w in [-34b-53, 34b-53]
-/\ (second_hat - second) * w in [-34b-53, 34b-53]   # about half of BAND
+   (first_hat - q) * w in [-68b-54, 68b-54]
+/\ (second_hat - second) * w in [-68b-54, 68b-54]   # 34u
 }
 
 (w - s) * w -> (w * w - s * s) / (1 + s / w) { w <> 0, 1 + s / w <> 0 };

@@ -3,18 +3,15 @@
 //! Every serious way to intersect a ray with a sphere, in one place and over
 //! one signature.
 
+pub mod bounds;
 mod certified;
-mod lanes;
 mod method;
 mod methods;
 mod nearest;
 mod precision;
 mod workload;
 
-pub use certified::{
-    Stage, certified_f32, certified_hit, certified_t, exact, exact_discriminant, stage_of_hit,
-};
-pub use lanes::{BLOCK, certified_in_lanes, in_lanes};
+pub use certified::{Stage, certified_hit, certified_t, exact, exact_discriminant, stage_of_hit};
 pub use method::{Method, Solve};
 pub use methods::{
     compensated, cross_q, double_double, half_b, half_b_f32, half_b_q, widened_half_b_q_f32,
@@ -47,7 +44,6 @@ pub const METHODS: &[Method] = &[
     Method::EXACT,
     Method::HALF_B_F32,
     Method::WIDENED_HALF_B_Q_F32,
-    Method::CERTIFIED_F32,
 ];
 
 /// Returns the method of that name, such as `half_b`, or `None` if there is none.

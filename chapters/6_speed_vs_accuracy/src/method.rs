@@ -4,7 +4,7 @@ use common::rtweekend::*;
 
 use self::Solve::{Double, Single};
 
-use crate::certified::{certified_f32, certified_hit, certified_t, exact};
+use crate::certified::{certified_hit, certified_t, exact};
 use crate::methods::{
     compensated, cross_q, double_double, half_b, half_b_f32, half_b_q, widened_half_b_q_f32,
 };
@@ -68,9 +68,6 @@ impl Method {
     /// [`widened_half_b_q_f32`]: takes and returns `f32`, and computes as [`half_b_q`] in `f64`.
     pub const WIDENED_HALF_B_Q_F32: Self =
         Self::plain("widened_half_b_q_f32", Single(widened_half_b_q_f32));
-
-    /// [`certified_f32`]: [`certified_t`] for input and output in `f32`.
-    pub const CERTIFIED_F32: Self = Self::plain("certified_f32", Single(certified_f32)).certified();
 
     /// The method with which the others are compared in tables: `half_b`, that of chapter 5.
     pub const REFERENCE: Self = Self::HALF_B;

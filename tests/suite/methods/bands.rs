@@ -10,11 +10,10 @@ use laws::{Case, IntervalCase};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::select;
+use speed_vs_accuracy::bounds::{self, Bound, T_UNDIVIDED, U};
 
 use crate::hostile::{in_units, ulps_away};
 use crate::question;
-
-const U: f64 = f64::EPSILON / 2.0;
 
 /// A number that is compared with a band, in units of u = 2⁻⁵³ and of M = |oc|² + r².
 #[derive(Clone, Copy, Debug)]
@@ -39,17 +38,20 @@ pub(crate) fn at_a_band() -> impl Strategy<Value = IntervalCase> {
         3 => is_nearer.prop_map(|is_nearer| Above { is_nearer }),
         2 => is_nearer.prop_map(|is_nearer| Below { is_nearer }),
     ];
-    // The bands, what is proven of them, any other; and the two for the last digits of t, which
-    // are 2⁻¹⁶ and 2⁻¹⁵.
-    let bands = |tight: Vec<f64>| {
+    // A band, what is proven of it, any other; and the two for the last digits of t, which are
+    // 2⁻¹⁶ and 2⁻¹⁵.
+    let bands = |of: &[Bound], more: &[f64]| {
+        let of = of.iter();
+        let of = of.flat_map(|of| [of.by_hand, of.stated, of.band]);
+        let tight: Vec<f64> = of.chain(more.iter().copied()).collect();
         let size = prop_oneof![4 => select(tight), 1 => number(0.0..=130.0)];
         (size, any::<bool>()).prop_map(|(size, is_below)| if is_below { -size } else { size })
     };
     let digits = f64::exp2(37.0);
     let band = prop_oneof![
-        1 => (Just(C), bands(vec![0.0, 6.0, 8.0, 100.0])),
-        1 => (Just(D), bands(vec![0.0, 20.0, 24.0, 48.0, digits])),
-        2 => (at_an_end, bands(vec![0.0, 8.0, 34.0, 38.0, 48.0, 64.0, 2.0 * digits])),
+        1 => (Just(C), bands(&[bounds::C], &[0.0])),
+        1 => (Just(D), bands(&[bounds::D], &[0.0, 48.0, digits])),
+        2 => (at_an_end, bands(&[bounds::T, T_UNDIVIDED], &[0.0, 2.0 * digits])),
     ];
     let change = (0..12_usize, few_digits_or_many(), band, -3..=3);
     let any = (asked(), vec(change, 1..=2)).prop_map(|(asked, changes)| {
@@ -74,7 +76,9 @@ pub(crate) fn at_a_band() -> impl Strategy<Value = IntervalCase> {
 /// 0. The direction has a tiny component there, of which each last digit counts. A `t_min` that is
 /// nearly 0 asks the same of the filter for any range.
 fn across_from_below() -> impl Strategy<Value = IntervalCase> {
-    let band = prop_oneof![1 => Just(-64.0), 1 => select(vec![-34.0, -38.0, -48.0])];
+    let near = [bounds::T.stated, T_UNDIVIDED.stated, T_UNDIVIDED.band];
+    let near = select(near.map(|band| -band).to_vec());
+    let band = prop_oneof![1 => Just(-bounds::T.band), 1 => near];
     let radius = prop_oneof![number(0.5..=2.0), (2..=8).prop_map(|n| f64::from(n) / 4.0)];
     let t_min = select(vec![0.0, -0.0, 1e-300]);
     (radius, number(1.0..=2.0), t_min, band, -3..=3).prop_map(

@@ -18,9 +18,9 @@ fn a_small_ball_has_no_discriminant_from_400_away_in_f32_and_from_ten_million_in
         (
             400.0,
             Method::HALF_B_F32,
-            [Method::WIDENED_HALF_B_Q_F32, Method::CERTIFIED_F32],
+            &[Method::WIDENED_HALF_B_Q_F32][..],
         ),
-        (1e7, Method::HALF_B, [Method::CROSS_Q, Method::CERTIFIED_T]),
+        (1e7, Method::HALF_B, &[Method::CROSS_Q, Method::CERTIFIED_T]),
     ];
     for (x, fails, survive) in rows {
         let case = from(x);
@@ -28,7 +28,7 @@ fn a_small_ball_has_no_discriminant_from_400_away_in_f32_and_from_ten_million_in
         let right = in_front(&case.rounded(fails.precision()), &Method::EXACT).expect("it hits");
         assert!(x - right > 0.03);
         for method in survive {
-            let t = in_front(&case, &method).expect("it hits");
+            let t = in_front(&case, method).expect("it hits");
             let ulp = method.precision().epsilon() * x;
             assert!((t - right).abs() <= 2.0 * ulp, "{}: {t}", method.name);
         }

@@ -4,7 +4,6 @@ mod bands;
 mod contract;
 mod happened;
 mod hostile;
-mod lanes;
 mod measured;
 mod methods;
 mod neighbors;

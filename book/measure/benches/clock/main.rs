@@ -15,7 +15,7 @@ use figures::records::Timing;
 use figures::table::Table;
 use lexopt::{Arg::Long, ValueExt};
 
-use measure::contest::{Contest, Effort};
+use measure::contest::Effort;
 
 /// Takes all times, and prints or saves them.
 fn main() -> Result<(), Box<dyn Error>> {
@@ -33,11 +33,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
     if let Some(key) = only {
-        instructions::run(counted(), &key, runs);
+        instructions::run(one_by_one::in_order(), &key, runs);
         return Ok(());
     }
     let effort = Effort::new(quick);
-    let mut contests = counted();
+    let mut contests = Vec::from(one_by_one::in_order());
     let with_count: usize = contests.iter().map(|contest| contest.0.len()).sum();
     contests.extend(one_by_one::elsewhere());
     let mut timings = Table::<Timing> {
@@ -52,10 +52,4 @@ fn main() -> Result<(), Box<dyn Error>> {
         measure::save(&timings)?;
     }
     Ok(())
-}
-
-/// Returns the contests whose instructions are counted, too.
-fn counted() -> Vec<Contest> {
-    let contests = one_by_one::in_order().into_iter();
-    contests.chain(measure::lanes::contests()).collect()
 }

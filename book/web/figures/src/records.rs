@@ -54,13 +54,9 @@ pub struct Tightness {
     /// The letter of the bound in the proof, and the side of the bound that the witness comes close
     /// to.
     pub bound: String,
-    /// The unit of the three constants that follow: `u` = 2⁻⁵³, `u2` = u², the `bound` that is
-    /// computed with the numbers, or `log2` for exponents of two.
+    /// The unit of the constant that follows: `u` = 2⁻⁵³, `u2` = u², or `log2` for exponents of
+    /// two.
     pub unit: String,
-    /// The constant in the code.
-    pub constant: f64,
-    /// The least constant in the bound for which there is a proof.
-    pub proved: f64,
     /// The constant below which the witness is answered wrongly.
     pub attained: f64,
     /// The witness: center, radius, origin and direction, with all their digits.

@@ -1,24 +1,19 @@
 //! A static filter: plain `f64` with an error bound that holds for all questions alike.
 //!
 //! The first stage. Each comparison is a step of the proof, whose letter stands beside it. Only
-//! one thing is asked twice, whether the nearer root lies before `t_min`: `BEFORE_BAND` says why
+//! one thing is asked twice, whether the nearer root lies before `t_min`: `T_UNDIVIDED` says why
 //! the two answers agree.
 
 use super::refined::refined;
+use crate::bounds::{T, T_UNDIVIDED, U};
 use crate::workload::Case;
 
-/// The unit roundoff: the largest relative error of one operation in `f64`.
-pub(super) const U: f64 = f64::EPSILON / 2.0;
+/// The width of the band around zero in which a sign is uncertain, in units of M: one for bounds
+/// C, D and T.
+const BAND: f64 = T.band * U;
 
-/// The width of the band around zero in which a sign is uncertain, in units of M. Bound C, |ĉ − c|
-/// ≤ 8u·M, bound D, |D̂ − D| ≤ 24u·a·M, and bound T, |t̂ − t|·√D̂ ≤ 34u·M where D̂ is twice bound D
-/// or more, all fit into it.
-const BAND: f64 = 64.0 * U;
-
-/// The band for a root that is not divided yet: bound T is 38u·M there, and 48u·M are out. A root
-/// that is not found out by it is found, once divided, at most 55u·M before the range: so the two
-/// tests never contradict each other.
-const BEFORE_BAND: f64 = 48.0 * U;
+/// The band for a root that is not divided yet.
+const BEFORE_BAND: f64 = T_UNDIVIDED.band * U;
 
 /// Bound R: where D̂ > 2⁻¹⁶·a·M and |t̂|·√D̂ > 2⁻¹⁵·M, the refined t is less than
 /// 0.8 ulp off.
@@ -48,7 +43,7 @@ pub(super) fn filter<const ULP: bool>(case: &Case, t_min: f64, t_max: f64) -> f6
 /// The coefficients of a·t² − 2h·t + c = 0, rounded, with M and D: all that the filter knows of a
 /// case.
 #[derive(Clone, Copy)]
-pub(crate) struct Rounded {
+struct Rounded {
     a: f64,
     h: f64,
     c: f64,
@@ -60,7 +55,7 @@ pub(crate) struct Rounded {
 
 /// The root that the filter chose for a range of t, or its decision for a miss.
 #[derive(Clone, Copy)]
-pub(crate) struct FilteredRoot {
+struct FilteredRoot {
     /// The root, or infinity for a miss.
     t: f64,
     /// True for the farther root, false for the nearer one.
@@ -72,7 +67,7 @@ pub(crate) struct FilteredRoot {
 impl Rounded {
     /// Computes the coefficients of a case.
     #[inline(always)]
-    pub(crate) fn of(case: &Case) -> Self {
+    fn of(case: &Case) -> Self {
         let oc = case.center - case.ray.origin;
         let a = case.ray.direction.length_squared();
         let h = case.ray.direction.dot(oc);
@@ -89,8 +84,7 @@ impl Rounded {
     }
 
     /// Returns true for a certain miss that needs no root: by bound D the line meets nothing, or by
-    /// bound C the ray starts outside and does not turn towards the center. In lanes, where all
-    /// take the same way, the exit saves nothing.
+    /// bound C the ray starts outside and does not turn towards the center.
     #[inline(always)]
     fn is_missed(&self, t_min: f64) -> bool {
         let band = BAND * self.m;
@@ -103,7 +97,7 @@ impl Rounded {
     /// farther one, from outside the nearer one, or a miss if both are behind. `end` is the end of
     /// the range, if it has one. Step S of the proof, and step T for an end.
     #[inline(always)]
-    pub(crate) fn by_signs(&self, end: Option<f64>) -> FilteredRoot {
+    fn by_signs(&self, end: Option<f64>) -> FilteredRoot {
         let Self { a, h, c, m, .. } = *self;
         let sqrtd = self.discriminant.sqrt();
         let q = h + sqrtd.copysign(h);
@@ -131,7 +125,7 @@ impl Rounded {
     /// that comparison are multiplied by its denominator, so that one division is enough. Step T of
     /// the proof.
     #[inline(always)]
-    pub(crate) fn by_gaps(&self, t_min: f64, t_max: f64) -> FilteredRoot {
+    fn by_gaps(&self, t_min: f64, t_max: f64) -> FilteredRoot {
         let Self { a, h, c, m, .. } = *self;
         let sqrtd = self.discriminant.sqrt();
         let q = h + sqrtd.copysign(h);
@@ -159,7 +153,7 @@ impl Rounded {
     /// Returns the t of a chosen root, refined if its last digit counts: infinity for a miss, NaN
     /// if the choice is not certain.
     #[inline(always)]
-    pub(crate) fn answer<const ULP: bool>(&self, case: &Case, root: FilteredRoot) -> f64 {
+    fn answer<const ULP: bool>(&self, case: &Case, root: FilteredRoot) -> f64 {
         let (Self { a, h, m, .. }, t) = (*self, root.t);
         if !root.is_certain {
             return f64::NAN;

@@ -13,11 +13,9 @@ use std::array;
 use common::rtweekend::*;
 
 use super::exact::{inwards, split};
-use super::filter::{U, Unclear};
+use super::filter::Unclear;
+use crate::bounds::{U, W};
 use crate::methods::{DoubleDouble, DoubleQuadratic};
-
-/// Bound W: a root as a pair is off by no more than 64u² of itself.
-const W_BAND: f64 = 64.0 * U * U;
 
 /// Finds the nearest root in the range, decided exactly and rounded once.
 ///
@@ -34,7 +32,7 @@ pub(super) fn fixed_width(
 ) -> Result<Option<f64>, Unclear> {
     for root in pairs(center, radius, ray).ok_or(Unclear)? {
         let (above, below) = (root.minus(t_min), -root.minus(t_max));
-        let band = W_BAND * root.high.abs();
+        let band = W.band * U * U * root.high.abs();
         if above > band && below > band {
             return Ok(inwards(root.high, t_min, t_max));
         }

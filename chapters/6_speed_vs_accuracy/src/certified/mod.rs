@@ -21,18 +21,14 @@ mod fixed_width;
 mod refined;
 
 use common::rtweekend::*;
-use glam::Vec3 as SingleVec3;
 
 use crate::method::Method;
-use crate::methods::widened;
-use crate::precision::SingleRay;
 use crate::workload::Case;
 use filter::{Unclear, filter};
 use fixed_width::fixed_width;
 
 pub(crate) use exact::comes_before;
 pub use exact::{exact, exact_discriminant};
-pub(crate) use filter::{FilteredRoot, Rounded};
 
 /// Finds the nearest root with `t_min` < `t` < `t_max`. Hit or miss, and which of the two roots it
 /// is, are proven right for finite input, a direction that is not 0 and a range that holds an
@@ -61,23 +57,6 @@ pub fn certified_hit(
 #[inline]
 pub fn certified_t(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {
     staged::<true>(Case::new(center, radius, *ray), t_min, t_max).0
-}
-
-/// Finds the nearest root by [`certified_t`] for a sphere and a ray that are stored in `f32`:
-/// decides about them without an error, and returns `t` rounded to `f32`.
-///
-/// Cost: that of `certified_t`, and the conversions. Error: less than 0.51 ulp of an `f32`, with
-/// the exceptions of the [theorem](self). The numbers are widened first: a filter in `f32` would be
-/// uncertain from 600 radii on, and the last digit of t takes wider numbers anyway.
-#[inline]
-pub fn certified_f32(
-    center: SingleVec3,
-    radius: f32,
-    ray: &SingleRay,
-    t_min: f32,
-    t_max: f32,
-) -> Option<f32> {
-    widened(certified_t, center, radius, ray, t_min, t_max)
 }
 
 /// A stage of a certified method. A case that one stage cannot decide goes to the next, which is
@@ -112,7 +91,7 @@ fn staged<const ULP: bool>(case: Case, t_min: f64, t_max: f64) -> (Option<f64>, 
 /// the filter would wait for that.
 #[cold]
 #[inline(never)]
-pub(crate) fn later_stages(numbers: [f64; 10], t_min: f64, t_max: f64) -> (Option<f64>, Stage) {
+fn later_stages(numbers: [f64; 10], t_min: f64, t_max: f64) -> (Option<f64>, Stage) {
     let case = Case::from_numbers(numbers);
     match fixed_width(case.center, case.radius, &case.ray, t_min, t_max) {
         Ok(t) => (t, Stage::FixedWidth),

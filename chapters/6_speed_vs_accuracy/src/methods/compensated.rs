@@ -9,13 +9,12 @@ use super::half_b_q::nearest_by_q;
 /// sphere is far, and as [`half_b_q`](crate::half_b_q) does near its surface, with a c and a cross
 /// product that keep all their digits.
 ///
-/// Cost: 1 √, 1 ÷, and some 120 + or ×, 17 of them fused: quick where the processor fuses and
-/// the compiler may say so, as in lanes; else each is the call of a function. Error: that of
-/// the discriminant only, at most 12u·a·M near the surface, where u = 2⁻⁵³, a = d·d and
-/// M = oc·oc + r². Fails: at grazing rays, as every method must that rounds D; at |d|·|oc|
-/// above 1e150 or below 1e-150. Near means that c is less than 1/32 of oc·oc: there h² is at
-/// least as good a source of D as |d × oc|². Both are computed, so that lanes need not part.
-/// Source: the products are Kahan's; their bound is by Jeannerod, Louvet and Muller, 2013.
+/// Cost: 1 √, 1 ÷, and some 120 + or ×, 17 of them fused: each is the call of a function, unless
+/// the compiler may ask the processor to fuse. Error: that of the discriminant only, at most
+/// 12u·a·M near the surface. Fails: at grazing rays, as every method must that rounds D; at
+/// |d|·|oc| above 1e150 or below 1e-150. Near means that c is less than 1/32 of oc·oc: there h² is
+/// at least as good a source of D as |d × oc|². Source: the products are Kahan's; their bound is
+/// by Jeannerod, Louvet and Muller, 2013.
 /// A radius < 0 counts by its size. NaN, ∞, a direction of 0 or an overflow: `None`.
 #[inline(always)]
 pub fn compensated(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {

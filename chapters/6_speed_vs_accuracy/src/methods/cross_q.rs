@@ -7,8 +7,7 @@ use super::half_b_q::nearest_by_q;
 /// Finds the nearest root with `t_min` < `t` < `t_max`, with the discriminant by the identity of
 /// Lagrange: (d·oc)² + |d × oc|² is |d|²·|oc|², so D = a·r² − |d × oc|².
 ///
-/// Cost: 1 √, 1 ÷. Error of D: u·(6w·|d||oc| + 6w² + 6a·r²) with w = |d × oc|, u = 2⁻⁵³ and
-/// a = d·d. Fails: near the surface, where c has lost its digits, and by some ten thousand ulps
+/// Cost: 1 √, 1 ÷. Error of D: u·(6w·|d||oc| + 6w² + 6a·r²) with w = |d × oc|. Fails: near the surface, where c has lost its digits, and by some ten thousand ulps
 /// on the book's ground. Source: the discriminant as a distance is that of Haines, Günther and
 /// Akenine-Möller, *Precision Improvements for Ray/Sphere Intersection*, in Ray Tracing Gems,
 /// 2019; the cross product spares its division.

@@ -9,11 +9,11 @@ use super::error_free::{quick_two_sum, two_product, two_sum};
 /// Finds the nearest root with `t_min` < `t` < `t_max` as `half_b_q` does, with some 106 binary
 /// digits instead of 53; `t` is rounded at the end.
 ///
-/// Cost: 1 √, 2 to 4 ÷, and about 400 + or ×, 15 of them fused. Error: at most 72u²·a·M in D,
-/// where `half_b_q` has 24u·a·M; u = 2⁻⁵³, a = d·d, M = oc·oc + r². Fails: by the decision from
-/// 10¹³ radii on, once in a million; at |d|·|oc| above 1e154 or below 1e-140. Source: Dekker
-/// 1971; the error bounds of its operations: Joldes, Muller and Popescu, *Tight and rigorous
-/// error bounds for basic building blocks of double-word arithmetic*, 2017.
+/// Cost: 1 √, 2 to 4 ÷, and about 400 + or ×, 15 of them fused. Error: at most 72u²·a·M in
+/// D. Fails: by the decision from 10¹³ radii on, once in a million; at |d|·|oc| above 1e154 or
+/// below 1e-140. Source: Dekker 1971; the error bounds of its operations: Joldes, Muller and
+/// Popescu, *Tight and rigorous error bounds for basic building blocks of double-word arithmetic*,
+/// 2017.
 /// A radius < 0 counts by its size. NaN, ∞, a direction of 0 or an overflow: `None`.
 pub fn double_double(
     center: Point3,

@@ -5,9 +5,8 @@ use common::rtweekend::*;
 /// Finds the nearest root with `t_min` < `t` < `t_max` as chapter 5 does, to the bit, and makes no
 /// record of the hit.
 ///
-/// Cost: 1 √, 1 ÷, and a second ÷ if only the farther root is in range. Error: 24u·a·M in D,
-/// and with it about 12u·M/√D in t, where u = 2⁻⁵³, a = d·d and M = oc·oc + r². Fails: by the
-/// decision, once in a million from 10⁵ radii away, and a hundred times as often with each
+/// Cost: 1 √, 1 ÷, and a second ÷ if only the farther root is in range. Error: bound
+/// [`D`](crate::bounds::D), and with it about 12u·M/√D in t. Fails: by the decision, once in a million from 10⁵ radii away, and a hundred times as often with each
 /// factor of ten; by the digits of t near the surface and above a large sphere, where h − √D
 /// cancels; at |d|·|oc| above 1e154 or below 1e-154. Source: the book, chapter 6.2.
 /// A radius < 0 counts by its size. NaN, ∞, a direction of 0 or an overflow: `None`.

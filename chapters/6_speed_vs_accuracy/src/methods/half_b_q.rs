@@ -6,11 +6,10 @@ use common::rtweekend::*;
 /// root by a division in which nothing cancels; only the root that is returned is divided. Of all
 /// methods, the one to begin with.
 ///
-/// Cost: 1 √, 1 ÷; neither for a miss, or a ray from outside that turns away. Error: 24u·a·M in
-/// D as with `half_b`, where u = 2⁻⁵³, a = d·d and M = oc·oc + r²; but t keeps the digits that
-/// c has. Fails: where `half_b` does, save that a large sphere costs no digit as long as c is
-/// exact. Source: Numerical Recipes, §5.6; Forsythe, *How do you solve a quadratic equation?*,
-/// 1966.
+/// Cost: 1 √, 1 ÷; neither for a miss, or a ray from outside that turns away. Error: bound
+/// [`D`](crate::bounds::D) as with `half_b`; but t keeps the digits that c has. Fails: where
+/// `half_b` does, save that a large sphere costs no digit as long as c is exact. Source: Numerical
+/// Recipes, §5.6; Forsythe, *How do you solve a quadratic equation?*, 1966.
 /// A radius < 0 counts by its size. NaN, ∞, a direction of 0 or an overflow: `None`.
 #[inline]
 pub fn half_b_q(center: Point3, radius: f64, ray: &Ray, t_min: f64, t_max: f64) -> Option<f64> {

@@ -1,8 +1,8 @@
 //! Floating point: each method rounds as it goes and hopes for the best.
 //!
-//! In what is said about errors, u = 2⁻⁵³ is the largest relative error of one
-//! operation, and M = oc·oc + r². What a method costs is counted in √ and ÷,
-//! which take several times as long as + and ×.
+//! In what is said about errors, u = 2⁻⁵³ is the largest relative error of one operation, a = d·d,
+//! M = oc·oc + r², and letters are those of [`bounds`](crate::bounds). What a method costs is
+//! counted in √ and ÷, which take several times as long as + and ×.
 //!
 //! Both ends of the range are open, and a tangent is a hit. What a method answers where the
 //! formula ends stands beside it; the page of all methods has it as a table, of which each
@@ -25,4 +25,3 @@ pub use half_b_q::half_b_q;
 pub use single::{half_b_f32, widened_half_b_q_f32};
 
 pub(crate) use double_double::{DoubleDouble, DoubleQuadratic};
-pub(crate) use single::widened;

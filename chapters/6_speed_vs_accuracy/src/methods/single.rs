@@ -1,8 +1,8 @@
 //! Single precision: methods in `f32`.
 //!
 //! The same formulas as in `f64`, with u = 2⁻²⁴ instead of 2⁻⁵³ and exponents
-//! up to 1e38: all that fails in `f64` fails here too, and much nearer. The bound of
-//! `half_b` for D is all of it at 836 radii, and in `f64` at 1.9·10⁷.
+//! up to 1e38: all that fails in `f64` fails here too, and much nearer. Bound D is
+//! all of D at 836 radii, and in `f64` at 1.9·10⁷.
 
 use common::rtweekend::{Point3, Ray};
 use glam::Vec3;
@@ -54,23 +54,9 @@ pub fn widened_half_b_q_f32(
     t_min: f32,
     t_max: f32,
 ) -> Option<f32> {
-    widened(half_b_q, center, radius, ray, t_min, t_max)
-}
-
-/// Rounds what `solve` answers in `f64`; a root in the range that rounds to an end of it gives way
-/// inwards.
-#[inline(always)]
-pub(crate) fn widened(
-    solve: impl Fn(Point3, f64, &Ray, f64, f64) -> Option<f64>,
-    center: Vec3,
-    radius: f32,
-    ray: &SingleRay,
-    t_min: f32,
-    t_max: f32,
-) -> Option<f32> {
     let ray = Ray::new(ray.origin.as_dvec3(), ray.direction.as_dvec3());
     let center: Point3 = center.as_dvec3();
-    let t = solve(center, radius.into(), &ray, t_min.into(), t_max.into())? as f32;
+    let t = half_b_q(center, radius.into(), &ray, t_min.into(), t_max.into())? as f32;
     if t_min < t && t < t_max {
         return Some(t);
     }
