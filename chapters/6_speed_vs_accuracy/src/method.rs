@@ -35,41 +35,26 @@ pub enum Solve {
 impl Method {
     /// [`half_b`]: solves the quadratic equation with h = b/−2 in place of b, as chapter 5 does.
     pub const HALF_B: Self = Self::plain("half_b", Double(half_b));
-
-    /// [`half_b_q`]: takes the discriminant of `half_b`, and computes the roots without
-    /// cancellation.
+    /// [`half_b_q`]: takes the discriminant of `half_b`, and roots without cancellation.
     pub const HALF_B_Q: Self = Self::plain("half_b_q", Double(half_b_q));
-
-    /// [`cross_q`]: takes the discriminant from the distance of the line to the center, which it
-    /// computes by a cross product.
+    /// [`cross_q`]: takes the discriminant from a cross product.
     pub const CROSS_Q: Self = Self::plain("cross_q", Double(cross_q));
-
-    /// [`compensated`]: adds back the digits that rounding takes from center − origin, from the
-    /// cross product, and from the equation's c.
+    /// [`compensated`]: adds back the digits that rounding takes.
     pub const COMPENSATED: Self = Self::plain("compensated", Double(compensated));
-
-    /// [`certified_hit`]: always decides correctly between hit and miss; its t is as accurate as
-    /// that of [`half_b_q`].
-    pub const CERTIFIED_HIT: Self = Self::plain("certified_hit", Double(certified_hit)).certified();
-
-    /// [`certified_t`]: always decides correctly between hit and miss, with a t less than 0.8 ulp
-    /// off.
-    pub const CERTIFIED_T: Self = Self::plain("certified_t", Double(certified_t)).certified();
-
-    /// [`double_double`]: computes with two `f64` for each number, some 106 binary digits.
+    /// [`certified_hit`]: always decides correctly; its t is as accurate as that of `half_b_q`.
+    pub const CERTIFIED_HIT: Self = Self::certified("certified_hit", Double(certified_hit));
+    /// [`certified_t`]: always decides correctly, with a t less than 0.8 ulp off.
+    pub const CERTIFIED_T: Self = Self::certified("certified_t", Double(certified_t));
+    /// [`double_double`]: computes with some 106 binary digits.
     pub const DOUBLE_DOUBLE: Self = Self::plain("double_double", Double(double_double));
-
     /// [`exact`]: computes with integers of any length, and rounds t once.
     pub const EXACT: Self = Self::plain("exact", Double(exact));
-
     /// [`half_b_f32`]: computes as `half_b` in `f32`.
     pub const HALF_B_F32: Self = Self::plain("half_b_f32", Single(half_b_f32));
-
-    /// [`widened_half_b_q_f32`]: takes and returns `f32`, and computes as [`half_b_q`] in `f64`.
+    /// [`widened_half_b_q_f32`]: takes and returns `f32`, and computes as `half_b_q` in `f64`.
     pub const WIDENED_HALF_B_Q_F32: Self =
         Self::plain("widened_half_b_q_f32", Single(widened_half_b_q_f32));
-
-    /// The method with which the others are compared in tables: `half_b`, that of chapter 5.
+    /// The method with which the others are compared in tables.
     pub const REFERENCE: Self = Self::HALF_B;
 
     /// Returns the precision of the method's input and of its t.
@@ -80,7 +65,6 @@ impl Method {
         }
     }
 
-    /// Makes a method that is not certified.
     const fn plain(name: &'static str, solve: Solve) -> Self {
         Self {
             name,
@@ -89,11 +73,10 @@ impl Method {
         }
     }
 
-    /// Returns the method as a certified one.
-    const fn certified(self) -> Self {
+    const fn certified(name: &'static str, solve: Solve) -> Self {
         Self {
             is_certified: true,
-            ..self
+            ..Self::plain(name, solve)
         }
     }
 }

@@ -40,11 +40,3 @@ pub struct SingleRay {
     /// The vector from `origin` to the point at t = 1; it need not have unit length.
     pub direction: Vec3,
 }
-
-impl SingleRay {
-    /// Makes the ray from `origin` along `direction`, which need not have unit length.
-    #[inline]
-    pub const fn new(origin: Vec3, direction: Vec3) -> Self {
-        Self { origin, direction }
-    }
-}

@@ -51,7 +51,7 @@ pub(crate) fn at_a_band() -> impl Strategy<Value = IntervalCase> {
     let band = prop_oneof![
         1 => (Just(C), bands(&[bounds::C], &[0.0])),
         1 => (Just(D), bands(&[bounds::D], &[0.0, 48.0, digits])),
-        2 => (at_an_end, bands(&[bounds::T, T_UNDIVIDED], &[0.0, 2.0 * digits])),
+        2 => (at_an_end, bands(&[bounds::T, T_UNDIVIDED], &[0.0, 8.0, 2.0 * digits])),
     ];
     let change = (0..12_usize, few_digits_or_many(), band, -3..=3);
     let any = (asked(), vec(change, 1..=2)).prop_map(|(asked, changes)| {
