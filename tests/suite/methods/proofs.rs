@@ -49,30 +49,35 @@ fn each_bound_covers_what_is_proved_of_it_and_lies_inside_its_band() {
 }
 
 #[test]
-fn the_laws_and_the_page_have_the_numbers_of_the_table() {
+fn the_laws_and_the_pages_have_the_numbers_of_the_table() {
     assert_eq!(nearer_root::BAND, D.stated * U);
-    let page = include_str!("../../../book/notes/proofs.md");
-    let rows = BOUNDS.map(|bound| {
-        let [error, unit] = bound.formulas;
-        let by_gappa = bound
-            .by_gappa
-            .map_or("–".to_owned(), |found| found.to_string());
-        let Bound {
-            letter,
-            by_hand,
-            stated,
-            band,
-            ..
-        } = bound;
-        format!(
-            "| {letter} | ${error}$ | ${unit}$ | {by_hand} | {by_gappa} | {stated} | {band} |\n"
-        )
-    });
-    let expected = rows.concat();
+    let proofs = include_str!("../../../book/notes/proofs.md");
+    let table = BOUNDS.map(row).concat();
     assert!(
-        page.contains(&expected),
-        "the table of proofs.md should be\n{expected}"
+        proofs.contains(&table),
+        "the table of proofs.md should be\n{table}"
     );
+    assert!(proofs.contains(&format!("$B = {}u$", T.band)));
+    let lesson = include_str!("../../../book/notes/speed_vs_accuracy.md");
+    let methods = include_str!("../../../book/notes/methods.md");
+    for (page, formula) in [(lesson, "u("), (lesson, "uk^2 = 1"), (methods, "uM}/r")] {
+        let expected = format!("{}{formula}", D.stated);
+        assert!(page.contains(&expected), "{expected}");
+    }
+}
+
+/// Writes the row of a bound in the table of the page.
+fn row(bound: Bound) -> String {
+    let Bound {
+        letter,
+        formulas: [error, unit],
+        by_hand,
+        by_gappa,
+        stated,
+        band,
+    } = bound;
+    let by_gappa = by_gappa.map_or("–".to_owned(), |found| found.to_string());
+    format!("| {letter} | ${error}$ | ${unit}$ | {by_hand} | {by_gappa} | {stated} | {band} |\n")
 }
 
 /// A checker that accepts everything would accept what is too narrow, too.

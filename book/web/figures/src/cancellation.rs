@@ -54,11 +54,19 @@ impl Terms {
     }
 }
 
+/// How a method comes to D.
+pub(crate) enum Discriminant {
+    /// As the difference of two numbers.
+    Difference(Terms),
+    /// With all its digits, as these words tell.
+    Whole(&'static str),
+}
+
 /// The numbers that a method computes for a ray, beside the exact ones: how cancellation in the
 /// discriminant D takes digits away.
 pub(crate) struct Numbers {
-    /// What the method makes D of; or how it keeps all digits of D, in a few words.
-    pub(crate) terms: Result<Terms, &'static str>,
+    /// D, as the method computes it.
+    pub(crate) discriminant: Discriminant,
     /// D, correct to an ulp.
     pub(crate) exact_discriminant: f64,
     /// The root that the method finds, or `None` for a miss.
@@ -69,12 +77,12 @@ pub(crate) struct Numbers {
 
 impl Numbers {
     /// Computes the numbers for a `case`, whose ray has to start outside of the sphere, by a
-    /// `method` and its `terms`.
-    pub(crate) fn of(case: &Case, method: Method, terms: Result<Terms, &'static str>) -> Self {
+    /// `method` and its way to D.
+    pub(crate) fn of(case: &Case, method: Method, discriminant: Discriminant) -> Self {
         let nearest = |method| case.put_to(method, 0.0, f64::INFINITY);
         let exact_discriminant = exact_discriminant(case.center, case.radius, &case.ray);
         Self {
-            terms,
+            discriminant,
             exact_discriminant: exact_discriminant.expect("finite numbers"),
             t: nearest(&method),
             exact_t: nearest(&Method::EXACT),
@@ -92,12 +100,12 @@ impl Numbers {
     /// Draws six rows of digits: the two terms, D, the exact D, t and the exact t.
     pub(crate) fn draw(&self, svg: &mut Svg) {
         let x = self.exact_discriminant;
-        let (name, first) = match &self.terms {
-            Ok(terms) => {
+        let (name, first) = match &self.discriminant {
+            Discriminant::Difference(terms) => {
                 self.draw_difference(svg, terms);
                 ("exactly", terms.first())
             }
-            Err(words) => {
+            Discriminant::Whole(words) => {
                 svg.small_label("ink", spot(200.0, 317.0), Middle, words);
                 ("*D* exactly", exponent(x))
             }

@@ -3,6 +3,7 @@
 
 use speed_vs_accuracy::{Arithmetic, Case, Lens, Method, Scene, USUAL_T_MIN};
 
+use crate::cancellation::Discriminant::{self, Difference, Whole};
 use crate::cancellation::{Numbers, Terms};
 use crate::prelude::*;
 
@@ -19,8 +20,7 @@ struct Eye {
     /// The words of the list, and of the caption.
     name: &'static str,
     method: Method,
-    /// Computes what the method makes D of, or says how it keeps all digits.
-    terms: fn(&Case) -> Result<Terms, &'static str>,
+    discriminant: fn(&Case) -> Discriminant,
 }
 
 /// The ways that a reader can choose for the left picture; the right one is drawn by the last.
@@ -28,27 +28,27 @@ const EYES: [Eye; 5] = [
     Eye {
         name: "as chapter 5 has it",
         method: Method::HALF_B,
-        terms: |case| Ok(Terms::of_half_b(case)),
+        discriminant: |case| Difference(Terms::of_half_b(case)),
     },
     Eye {
         name: "first cure: cross_q",
         method: Method::CROSS_Q,
-        terms: |case| Ok(Terms::of_cross_q(case)),
+        discriminant: |case| Difference(Terms::of_cross_q(case)),
     },
     Eye {
         name: "second cure: half_b_q",
         method: Method::HALF_B_Q,
-        terms: |case| Ok(Terms::of_half_b(case)),
+        discriminant: |case| Difference(Terms::of_half_b(case)),
     },
     Eye {
         name: "third cure: compensated",
         method: Method::COMPENSATED,
-        terms: |_| Err("The cross product keeps what rounding takes."),
+        discriminant: |_| Whole("The cross product keeps what rounding takes."),
     },
     Eye {
         name: "exact",
         method: Method::EXACT,
-        terms: |_| Err("Whole numbers never round."),
+        discriminant: |_| Whole("Whole numbers never round."),
     },
 ];
 const NAMES: &[&str] = &[
@@ -82,15 +82,22 @@ pub(crate) static LIVE: Live<Parameters> = Live {
 
 fn answer(it: &Parameters) -> DrawnFigure {
     let case = it.case();
-    let Eye { method, terms, .. } = it.eye();
-    let found = Numbers::of(&case, *method, terms(&case));
+    let Eye {
+        method,
+        discriminant,
+        ..
+    } = it.eye();
+    let found = Numbers::of(&case, *method, discriminant(&case));
     let away = power_of_ten(it.exponent as i32);
-    let of_terms = found.terms.as_ref().map_or(String::new(), |terms| {
-        let [one, other] = terms.names;
-        let agreeing = terms.agreeing();
-        let of_discriminant = of_discriminant(terms.difference(), found.exact_discriminant);
-        format!(" {one} and {other} agree in {agreeing} of their 17 digits. {of_discriminant}")
-    });
+    let of_terms = match &found.discriminant {
+        Whole(_) => String::new(),
+        Difference(terms) => {
+            let [one, other] = terms.names;
+            let agreeing = terms.agreeing();
+            let of_discriminant = of_discriminant(terms.difference(), found.exact_discriminant);
+            format!(" {one} and {other} agree in {agreeing} of their 17 digits. {of_discriminant}")
+        }
+    };
     let of_t = of_t(&found, case.ray.direction.length() / RADIUS);
     let sentence = format!("The star is {away} radii away.{of_terms} {of_t}");
     let agreeing = Terms::of_half_b(&case).agreeing();

@@ -22,7 +22,7 @@ pub(crate) fn folded(code: &str) -> (String, String) {
     }
     let hidden = format!(
         "<details class=\"source\"><summary>Cost, errors, and where it fails</summary>\n\n\
-         ````rust\n{}\n````\n\n</details>\n",
+         <div class=\"listing\">\n\n````rust\n{}\n````\n\n</div>\n\n</details>\n",
         hidden.join("\n")
     );
     (shown.join("\n"), hidden)
