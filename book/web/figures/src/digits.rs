@@ -15,49 +15,29 @@ parameters! {
     eye: f64 = Parameter::choice("The left picture", NAMES);
 }
 
-/// A way to draw the star: a method, as a reader knows it.
-struct Eye {
-    /// The words of the list, and of the caption.
-    name: &'static str,
-    method: Method,
-    discriminant: fn(&Case) -> Discriminant,
-}
+/// A way to draw the star: the words of the list and of the caption, the method, and how it comes
+/// to D.
+type Eye = (&'static str, Method, fn(&Case) -> Discriminant);
 
 /// The ways that a reader can choose for the left picture; the right one is drawn by the last.
 const EYES: [Eye; 5] = [
-    Eye {
-        name: "as chapter 5 has it",
-        method: Method::HALF_B,
-        discriminant: |case| Difference(Terms::of_half_b(case)),
-    },
-    Eye {
-        name: "first cure: cross_q",
-        method: Method::CROSS_Q,
-        discriminant: |case| Difference(Terms::of_cross_q(case)),
-    },
-    Eye {
-        name: "second cure: half_b_q",
-        method: Method::HALF_B_Q,
-        discriminant: |case| Difference(Terms::of_half_b(case)),
-    },
-    Eye {
-        name: "third cure: compensated",
-        method: Method::COMPENSATED,
-        discriminant: |_| Whole("The cross product keeps what rounding takes."),
-    },
-    Eye {
-        name: "exact",
-        method: Method::EXACT,
-        discriminant: |_| Whole("Whole numbers never round."),
-    },
+    ("as chapter 5 has it", Method::HALF_B, |case| {
+        Difference(Terms::of_half_b(case))
+    }),
+    ("first cure: cross_q", Method::CROSS_Q, |case| {
+        Difference(Terms::of_cross_q(case))
+    }),
+    ("second cure: half_b_q", Method::HALF_B_Q, |case| {
+        Difference(Terms::of_half_b(case))
+    }),
+    ("third cure: compensated", Method::COMPENSATED, |_| {
+        Whole("The cross product keeps what rounding takes.")
+    }),
+    ("exact", Method::EXACT, |_| {
+        Whole("Whole numbers never round.")
+    }),
 ];
-const NAMES: &[&str] = &[
-    EYES[0].name,
-    EYES[1].name,
-    EYES[2].name,
-    EYES[3].name,
-    EYES[4].name,
-];
+const NAMES: &[&str] = &[EYES[0].0, EYES[1].0, EYES[2].0, EYES[3].0, EYES[4].0];
 
 /// The radius of the star. Its square is no round number: else *a·c* would be a little less than a
 /// round number, and have no digit in common with it.
@@ -82,11 +62,7 @@ pub(crate) static LIVE: Live<Parameters> = Live {
 
 fn answer(it: &Parameters) -> DrawnFigure {
     let case = it.case();
-    let Eye {
-        method,
-        discriminant,
-        ..
-    } = it.eye();
+    let (_, method, discriminant) = it.eye();
     let found = Numbers::of(&case, *method, discriminant(&case));
     let away = power_of_ten(it.exponent as i32);
     let of_terms = match &found.discriminant {
@@ -208,10 +184,10 @@ impl Parameters {
 /// Draws the star by the chosen method and exactly, the axis of distances, and the digits of the chosen ray.
 fn draw(it: &Parameters, numbers: &Numbers) -> Svg {
     let mut svg = LIVE.figure.sheet(410.0);
-    for (sky, eye) in SKIES.into_iter().zip([it.eye(), &EYES[4]]) {
-        svg.label("ink", spot(sky.origin.x, 14.0), Middle, eye.name);
+    for (sky, (name, method, _)) in SKIES.into_iter().zip([it.eye(), &EYES[4]]) {
+        svg.label("ink", spot(sky.origin.x, 14.0), Middle, name);
         let corner = sky.origin - 0.5 * SIDE * f64::from(PIXELS);
-        PixelGrid { corner, side: SIDE }.draw(&mut svg, &it.picture(eye.method));
+        PixelGrid { corner, side: SIDE }.draw(&mut svg, &it.picture(*method));
         let chosen = sky.point(it.pixel) - 0.5 * SIDE;
         svg.rect("black line", chosen, DVec2::splat(SIDE));
     }
