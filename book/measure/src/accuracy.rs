@@ -39,7 +39,7 @@ pub fn table(methods: &[Method], cases: usize, pixels: usize, seed: u64) -> Tabl
 /// distance and method, in this order, the nearest first.
 pub fn sweeps(cases: usize, seed: u64) -> Table<Level> {
     let mut rows = Vec::new();
-    let regime = Regime::FAR;
+    let regime = Regime::TELESCOPE;
     for precision in Precision::ALL {
         for level in regime.levels(precision) {
             let cases = regime.cases_at(level, precision, seed, cases);

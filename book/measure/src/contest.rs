@@ -14,7 +14,7 @@ use crate::spread::Spread;
 
 /// Loops whose times are taken in turns, round by round; one at least. The first of them is the
 /// reference that the others are compared with.
-pub struct Contest(pub Vec<Contestant>);
+pub type Contest = Vec<Contestant>;
 
 /// A loop whose time is taken in a [`Contest`].
 pub struct Contestant {
@@ -91,55 +91,32 @@ impl Contestant {
     }
 }
 
-impl Contest {
-    /// Lets all contestants take their turns, and returns a list for each of them, in their order:
-    /// the nanoseconds of one question in each round. Empty if there is no contestant.
-    pub fn times(&mut self, effort: &Effort) -> Vec<Vec<f64>> {
-        let Self(contestants) = self;
-        let runs: Vec<usize> = contestants
-            .iter_mut()
-            .map(|contestant| contestant.runs_in(effort.turn))
-            .collect();
-        let mut times = vec![Vec::new(); contestants.len()];
-        for _ in 0..effort.rounds {
-            for ((contestant, &runs), times) in contestants.iter_mut().zip(&runs).zip(&mut times) {
-                times.push(contestant.take_turn(runs));
-            }
-        }
-        times
-    }
-}
-
-/// Lets one contest after the other run. Returns the rows of all contestants, in order, with the
-/// median of their times, and of their ratios to the first of their contest.
+/// Lets one contest after the other run. In each round every contestant has a turn. Returns the
+/// rows of all contestants, in order, with the median of their times, and of their ratios to the
+/// first of their contest in the same round.
 ///
 /// # Panics
 /// If a contest has no contestant, or `effort` no rounds.
 pub fn run_all(contests: Vec<Contest>, effort: &Effort) -> Vec<Timing> {
-    let rows = contests.into_iter().flat_map(|mut contest| {
-        let times = contest.times(effort);
+    let run = |mut contest: Contest| {
+        let fill = |it: &mut Contestant| it.runs_in(effort.turn);
+        let runs: Vec<usize> = contest.iter_mut().map(fill).collect();
+        let mut times = vec![Vec::new(); contest.len()];
+        for _ in 0..effort.rounds {
+            for ((contestant, &runs), times) in contest.iter_mut().zip(&runs).zip(&mut times) {
+                times.push(contestant.take_turn(runs));
+            }
+        }
         let first = times[0].clone();
-        let rows = contest.0.into_iter().zip(times);
-        rows.map(move |(contestant, times)| filled_in(contestant.row, times, &first))
-    });
-    rows.collect()
-}
-
-fn filled_in(row: Timing, times: Vec<f64>, first: &[f64]) -> Timing {
-    let ratio = spread_of_ratios(&times, first).rounded_median();
-    Timing {
-        median_ns: Spread::of(times).rounded_median(),
-        ratio,
-        ..row
-    }
-}
-
-/// Divides each of `times` by the one of the same round in `other`, and returns the spread of these
-/// ratios. Rounds that only one of the two has are left out.
-///
-/// # Panics
-/// If no rounds are left.
-pub fn spread_of_ratios(times: &[f64], other: &[f64]) -> Spread {
-    let ratios = times.iter().zip(other).map(|(time, other)| time / other);
-    Spread::of(ratios.collect())
+        let rows = contest.into_iter().zip(times);
+        rows.map(move |(contestant, times)| {
+            let ratios = times.iter().zip(&first).map(|(time, first)| time / first);
+            Timing {
+                ratio: Spread::of(ratios.collect()).rounded_median(),
+                median_ns: Spread::of(times).rounded_median(),
+                ..contestant.row
+            }
+        })
+    };
+    contests.into_iter().flat_map(run).collect()
 }

@@ -8,36 +8,9 @@ use std::hint::black_box;
 
 use common::rtweekend::*;
 use glam::Vec3 as SingleVec3;
-use speed_vs_accuracy::{Arithmetic, Case, METHODS, Method, Precision, Scene, SingleRay, find};
+use speed_vs_accuracy::{Case, METHODS, Precision, SingleRay};
 
-use crate::contest::{Contest, Contestant, Effort};
-
-/// The times that a method took for one question about a scene, a ray and a sphere, in each round.
-pub struct MethodTimes {
-    /// The method whose times these are.
-    pub method: Method,
-    /// The nanoseconds that a question took in each round, in the order of the rounds.
-    pub nanoseconds: Vec<f64>,
-}
-
-/// Lets all methods answer the same questions about `scene`, 4096, or more if it has a sun, in
-/// turns. Returns the times of each, in the order of [`METHODS`], those of the reference method
-/// first.
-pub fn times(scene: &Scene, effort: &Effort) -> Vec<MethodTimes> {
-    let asked = questions(scene);
-    let mut contest = contest_of_methods(&scene.name, &questions_of_cases(&asked, &asked));
-    let times = contest.times(effort);
-    let methods = contest
-        .0
-        .iter()
-        .filter_map(|contestant| find(&contestant.row.name));
-    let both = methods.zip(times);
-    both.map(|(method, nanoseconds)| MethodTimes {
-        method,
-        nanoseconds,
-    })
-    .collect()
-}
+use crate::contest::{Contest, Contestant};
 
 /// Questions to methods for a loop, numbered from 0: a function that makes a question in `f64` from
 /// its number, and one that makes it in `f32`.
@@ -47,33 +20,31 @@ pub struct Questions<D, S> {
     single: S,
 }
 
-/// A question to a method in `f64`: a center and a radius, a ray, and the excluded lower end of the
-/// range of t, whose upper end is infinite.
-pub type DoubleQuestion = ((Point3, f64), Ray, f64);
+/// A question to a method in `f64`: a center and a radius, and a ray, with t from 0 to infinity.
+pub type DoubleQuestion = ((Point3, f64), Ray);
 
-/// A question to a method in `f32`: a center and a radius, a ray, and the excluded lower end of the
-/// range of t, whose upper end is infinite.
-pub type SingleQuestion = ((SingleVec3, f32), SingleRay, f32);
+/// A question to a method in `f32`: a center and a radius, and a ray, with t from 0 to infinity.
+pub type SingleQuestion = ((SingleVec3, f32), SingleRay);
 
 /// The column and the row of a pixel, counted from 0 at the top left, and the center and the radius
 /// of the sphere that its ray is tested against.
 pub type PixelQuestion = ([u32; 2], (Point3, f64));
 
-/// Makes questions that lie ready in memory, each from a case and its `t_min`: those for methods in
-/// `f64` from `double`, and those for methods in `f32` from `single`, which has to be as long.
+/// Makes questions that lie ready in memory: those for methods in `f64` from `double`, and those for
+/// methods in `f32` from `single`, which has to be as long.
 pub fn questions_of_cases(
-    double: &[(Case, f64)],
-    single: &[(Case, f64)],
+    double: &[Case],
+    single: &[Case],
 ) -> Questions<
     impl Fn(usize) -> DoubleQuestion + Clone + use<>,
     impl Fn(usize) -> SingleQuestion + Clone + use<>,
 > {
-    let in_single = |(case, t_min): &(Case, f64)| {
+    let in_single = |case: &Case| {
         let sphere = (case.center.as_vec3(), case.radius as f32);
-        (sphere, case.single_ray(), *t_min as f32)
+        (sphere, case.single_ray())
     };
     let single: Vec<SingleQuestion> = single.iter().map(in_single).collect();
-    let in_double = |(case, t_min): &(Case, f64)| ((case.center, case.radius), case.ray, *t_min);
+    let in_double = |case: &Case| ((case.center, case.radius), case.ray);
     let double: Vec<DoubleQuestion> = double.iter().map(in_double).collect();
     Questions {
         count: double.len(),
@@ -98,7 +69,7 @@ pub fn questions_of_pixels(
         count: asked.len(),
         double: move |n: usize| {
             let ([i, j], sphere) = asked[n];
-            (sphere, camera.ray(i, j), 0.0)
+            (sphere, camera.ray(i, j))
         },
         single: move |n: usize| {
             let ([i, j], sphere) = in_single[n];
@@ -106,7 +77,7 @@ pub fn questions_of_pixels(
                 origin: SingleVec3::ZERO,
                 direction: first_single + i as f32 * right + j as f32 * below,
             };
-            (sphere, ray, 0.0)
+            (sphere, ray)
         },
     }
 }
@@ -122,16 +93,16 @@ macro_rules! loops {
             D: Fn(usize) -> DoubleQuestion + Clone + 'static,
             S: Fn(usize) -> SingleQuestion + Clone + 'static,
         {
-            Contest(vec![$($({
+            vec![$($({
                 let (question, count) = (asked.$question.clone(), asked.count);
                 let run = loop_over(count, move |n| {
-                    let ((center, radius), ray, t_min) = question(n);
+                    let ((center, radius), ray) = question(n);
                     let end = $number::INFINITY;
-                    speed_vs_accuracy::$method(center, radius, &ray, t_min, end)
+                    speed_vs_accuracy::$method(center, radius, &ray, 0.0, end)
                 });
                 let key = ["method", stringify!($method), place];
                 Contestant::new(key, Precision::$precision, count, run)
-            }),*),*])
+            }),*),*]
         }
 
         const LOOPS: usize = [$($(stringify!($method)),*),*].len();
@@ -153,30 +124,4 @@ pub fn loop_over<T>(count: usize, answer: impl Fn(usize) -> T) -> impl FnMut() {
             black_box(answer(n));
         }
     }
-}
-
-/// The number of questions of a scene without a sun: so many that no processor learns their
-/// branches by heart.
-const CASES: usize = 4096;
-
-/// Chooses rays of the camera and spheres, spread over the picture, in its order. Where the scene
-/// has a sun, each hit adds the ray from there to the sun. Returns each case with its `t_min`.
-fn questions(scene: &Scene) -> Vec<(Case, f64)> {
-    let camera = Camera::new(scene.width);
-    let spheres = scene.spheres.len();
-    let pixels = camera.image_width as usize * camera.image_height as usize;
-    let all = (0..CASES).map(|k| k * pixels * spheres / CASES);
-    let asked = all.flat_map(|n| {
-        let width = scene.width as usize;
-        let (i, j) = (n / spheres % width, n / spheres / width);
-        let seen = camera.ray(i as u32, j as u32);
-        let (center, radius) = scene.spheres[n % spheres];
-        let case = |ray| Case::new(center, radius, ray);
-        let to_sun = scene.sun.and_then(|sun| {
-            let hit = scene.look(Arithmetic::Exact, &seen).hit?;
-            Some((case(Ray::new(hit.point, sun)), scene.t_min[1]))
-        });
-        [Some((case(scene.ray(&seen)), scene.t_min[0])), to_sun]
-    });
-    asked.flatten().collect()
 }

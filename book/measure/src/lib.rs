@@ -5,6 +5,7 @@ pub mod accuracy;
 pub mod contest;
 pub mod cost;
 pub mod machine;
+pub mod map;
 pub mod needs;
 pub mod rival;
 pub mod scene_file;

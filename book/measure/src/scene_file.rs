@@ -42,10 +42,10 @@ pub static SCENES: LazyLock<[Scene; 7]> = LazyLock::new(|| {
     [
         scene!("book"),
         scene!("telescope"),
-        scene!("planet"),
+        scene!("ground"),
         scene!("grazing"),
-        scene!("inside"),
         scene!("shadows"),
+        scene!("inside"),
         scene!("neighbors"),
     ]
 });

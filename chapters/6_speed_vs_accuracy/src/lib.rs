@@ -19,7 +19,8 @@ pub use methods::{
 pub use nearest::certified_nearest;
 pub use precision::{Precision, SingleRay};
 pub use workload::{
-    Arithmetic, Case, Hit, Lens, REGIMES, Random, Regime, SPHERES, Scene, Sight, USUAL_T_MIN, unit,
+    Arithmetic, Case, Hit, Lens, REGIMES, Random, Regime, SPHERES, Scene, Sight, USUAL_T_MIN,
+    above, aimed, unit,
 };
 
 use common::rtweekend::Picture;

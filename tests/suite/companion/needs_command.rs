@@ -1,12 +1,13 @@
-//! Answers of `cargo rtrace needs`. Which method is the least is asked of the library, with costs
-//! that are given: no clock decides a test.
+//! Answers of `cargo rtrace needs`, which are the same on every machine: the times are recorded.
 
+use figures::least;
+use figures::records::WrongPixels;
+use figures::table::Table;
 use insta::assert_snapshot;
-use measure::cost::MethodTimes;
-use measure::needs::PrecisionNeeds;
-use measure::scene_file;
+use measure::needs::{Place, PrecisionNeeds, RECORDED};
+use measure::scene_file::{self, SCENES};
 use measure::wrong_pixels;
-use speed_vs_accuracy::{METHODS, Method, Precision, Scene};
+use speed_vs_accuracy::{METHODS, Precision, REGIMES, Scene};
 use suite::command::text;
 use suite::desk::Desk;
 
@@ -43,34 +44,74 @@ fn the_least_is_the_cheapest_that_draws_every_pixel_right() {
     for (scene, precision, least, failing) in [
         (FAR, Precision::Double, "cross_q", "half_b_q"),
         (SUNNY, Precision::Single, widened, "half_b_f32"),
-        (GRAZING, Precision::Double, "certified_hit", "compensated"),
+        (GRAZING, Precision::Double, "certified_hit", "cross_q"),
     ] {
-        // In the order of the list, the later the dearer.
-        let found = found(&read(scene), precision, |place| 1.0 + place as f64);
+        let found = found(&read(scene), precision);
         let name = |row: usize| found.rows[row].view.method.name;
         assert_eq!(found.least.map(name), Some(least), "{scene}");
         let cheaper = found.failing.as_ref().map(|(row, _)| name(*row));
         assert_eq!(cheaper, Some(failing), "{scene}");
-        assert!(found.ties.is_empty());
     }
 }
 
-/// Finds what the scene needs, where a question takes each method as long as `cost` says of its
-/// place in the list.
-fn found(scene: &Scene, precision: Precision, cost: impl Fn(usize) -> f64) -> PrecisionNeeds {
-    let mut times: Vec<MethodTimes> = METHODS
-        .iter()
-        .enumerate()
-        .map(|(place, method)| MethodTimes {
-            method: *method,
-            nanoseconds: vec![cost(place); 4],
-        })
-        .collect();
-    times.sort_by_key(|times| times.method.name != Method::REFERENCE.name);
+fn found(scene: &Scene, precision: Precision) -> PrecisionNeeds {
     let mut methods = METHODS.to_vec();
     methods.retain(|method| method.precision() == precision);
     let drawn = wrong_pixels::draw(scene, &methods, scene.width, &|_, _| ());
-    PrecisionNeeds::new(scene, precision, drawn.by_method, &times, 0.001)
+    let situation = Place::of(scene).situation;
+    PrecisionNeeds::new(scene, precision, situation, drawn.by_method, 0.001)
+}
+
+/// Each scene of chapter 6 is like the situation of its name, and gets the method that the heat map
+/// frames. The map says the same at the scene's place; it has `half_b_q` where `half_b` does.
+#[test]
+fn frame_map_and_needs_agree_about_every_scene() {
+    let cells = include_str!("../../../book/notes/measured/scenes.snap.csv");
+    let cells = Table::<WrongPixels>::read(cells)
+        .expect("the file is well-formed")
+        .rows;
+    let situations = REGIMES.map(|regime| regime.name);
+    for scene in SCENES
+        .iter()
+        .filter(|scene| situations.contains(&&scene.name[..]))
+    {
+        let scene = Scene {
+            width: 128,
+            ..scene.clone()
+        };
+        assert_eq!(Place::of(&scene).situation, scene.name);
+        for precision in Precision::ALL {
+            let found = found(&scene, precision);
+            let taken = found.least.map(|row| found.rows[row].view.method.name);
+            let framed = least(&scene.name, precision, &cells, &RECORDED.timings);
+            assert_eq!(taken, framed.map(|method| method.name), "{}", scene.name);
+        }
+        assert_as_the_map(&scene);
+    }
+    for (center, radius, zoom) in [
+        ("0, 0, -1e5", 1.0, 3e4),
+        ("1, 0, -1e10", 1.0, 5e9),
+        ("0, 30, -1e11", 100.0, 5e8),
+        ("0, -6371001, 0", 6371000.0, 1.0),
+        ("0.3, 0, -20", 1.0, 8.0),
+    ] {
+        assert_as_the_map(&read(&format!(
+            "width = 100\n[camera]\nzoom = {zoom:?}\n[[sphere]]\ncenter = [{center}]\nradius = {radius:?}"
+        )));
+    }
+}
+
+fn assert_as_the_map(scene: &Scene) {
+    let found = found(scene, Precision::Double);
+    let taken = found.least.map(|row| found.rows[row].view.method.name);
+    let place = Place::of(scene);
+    let on_the_map = RECORDED.least(place.hardest, Precision::Double, 3);
+    let taken = taken.map(|name| if name == "half_b" { "half_b_q" } else { name });
+    assert_eq!(
+        taken,
+        on_the_map.map(|method| method.name),
+        "{scene:?} at {place:?}"
+    );
 }
 
 /// The text shows the ray at which the next cheaper method fails, and the command that shows

@@ -34,6 +34,11 @@ mod the_snapshot_holds {
     }
 
     #[test]
+    fn map() {
+        assert_measured("map", &measure::map::table(SEED));
+    }
+
+    #[test]
     fn rejected() {
         assert_measured("rejected", &accuracy::table(REJECTED, 20_000, 20_000, SEED));
     }

@@ -19,9 +19,7 @@ pub(crate) fn of(row: &Timing) -> Option<f64> {
 /// # Panics
 /// If no contest has such a loop.
 pub(crate) fn run(contests: impl IntoIterator<Item = Contest>, wanted: &str, runs: usize) {
-    let mut contestants = contests
-        .into_iter()
-        .flat_map(|Contest(contestants)| contestants);
+    let mut contestants = contests.into_iter().flatten();
     let found = contestants.find(|contestant| key(&contestant.row) == wanted);
     let mut contestant = found.unwrap_or_else(|| panic!("no loop is called {wanted}"));
     for _ in 0..runs {

@@ -38,7 +38,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     let effort = Effort::new(quick);
     let mut contests = Vec::from(one_by_one::in_order());
-    let with_count: usize = contests.iter().map(|contest| contest.0.len()).sum();
+    let with_count: usize = contests.iter().map(|contest| contest.len()).sum();
     contests.extend(one_by_one::elsewhere());
     let mut timings = Table::<Timing> {
         about: about::about(&effort),

@@ -21,15 +21,15 @@ const SEED: u64 = 1;
 pub(crate) fn in_order() -> [Contest; 2] {
     [("book", false), ("all_hits", true)].map(|(place, only_hits)| {
         let asked = asked(only_hits);
-        let Contest(mut contestants) =
+        let mut contestants =
             contest_of_methods(place, &questions_of_pixels(camera(), asked.clone()));
-        let record = |((center, radius), ray, t_min): DoubleQuestion| {
-            Sphere::new(center, radius).hit(&ray, t_min, f64::INFINITY)
+        let record = |((center, radius), ray): DoubleQuestion| {
+            Sphere::new(center, radius).hit(&ray, 0.0, f64::INFINITY)
         };
-        let nothing = |(_, ray, _): DoubleQuestion| ray.direction.element_sum();
+        let nothing = |(_, ray): DoubleQuestion| ray.direction.element_sum();
         contestants.push(contestant(["record", "half_b", place], &asked, record));
         contestants.push(contestant(["ray", "nothing", place], &asked, nothing));
-        Contest(contestants)
+        contestants
     })
 }
 
@@ -39,10 +39,7 @@ pub(crate) fn elsewhere() -> impl Iterator<Item = Contest> {
         .into_iter()
         .filter(|regime| regime.name != Regime::BOOK.name);
     regimes.map(|regime| {
-        let [double, single] = Precision::ALL.map(|precision| {
-            let cases = regime.cases(precision, SEED, CASES).into_iter();
-            cases.map(|case| (case, 0.0)).collect::<Vec<_>>()
-        });
+        let [double, single] = Precision::ALL.map(|it| regime.cases(it, SEED, CASES));
         contest_of_methods(regime.name, &questions_of_cases(&double, &single))
     })
 }
@@ -77,7 +74,7 @@ fn contestant<T: 'static>(
     let (camera, asked) = (camera(), asked.to_vec());
     let run = loop_over(CASES, move |n| {
         let ([i, j], sphere) = asked[n];
-        answer((sphere, camera.ray(i, j), 0.0))
+        answer((sphere, camera.ray(i, j)))
     });
     Contestant::new(key, Precision::Double, CASES, run)
 }

@@ -34,7 +34,7 @@ mod traced;
 mod viewport_grid;
 mod walk;
 
-pub use charts::{CHARTS, Chart, DrawnChart};
+pub use charts::{ADVICE, CHARTS, Chart, DrawnChart, MAPPED, Map, Spot, least, panel_with_key};
 pub use figure::Figure;
 pub use live::{DrawnFigure, Movable};
 pub use parameters::Parameter;

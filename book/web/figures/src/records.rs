@@ -5,7 +5,7 @@
 //! `measure`.
 
 use serde::{Deserialize, Serialize};
-use speed_vs_accuracy::Precision;
+use speed_vs_accuracy::{METHODS, Method, Precision};
 
 use crate::table::{Record, Table};
 
@@ -67,11 +67,11 @@ pub struct Tightness {
     pub t_max: f64,
 }
 
-/// The accuracy of one method at one level k of the regime `far`: small spheres, and rays that
+/// The accuracy of one method at one level k of the regime `telescope`: small spheres, and rays that
 /// start 10ᵏ radii away.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Level {
-    /// The name of the regime: always `far`.
+    /// The name of the regime: always `telescope`.
     pub regime: String,
     /// The exponent k, from 1 on: the rays start 10ᵏ radii away from the sphere.
     pub level: i32,
@@ -91,6 +91,28 @@ pub struct Level {
     pub p999_ulps: Option<f64>,
     /// A checksum of the method's first answers, by which a test knows that they have not changed.
     pub answers: u64,
+}
+
+/// The answers of one method to rays of one [`Spot`](crate::Spot) of the map, each against one
+/// sphere, with t from 0 to infinity.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+pub struct MapCell {
+    /// The column of the map: `above` or `inside` the sphere, or else the exponent k of the number
+    /// of radii, 10ᵏ, from the ray's origin to the surface.
+    pub column: String,
+    /// The row n of the map: the ray starts 10⁻ⁿ radii from the surface, or its line passes the
+    /// center at (1 ± 10⁻ⁿ) radii.
+    pub row: i32,
+    /// The number format of what the method takes and returns: `f64` or `f32`.
+    #[serde(with = "PrecisionName")]
+    pub precision: Precision,
+    /// The name of the method.
+    pub method: String,
+    /// The number of wrong decisions of a thousand.
+    pub wrong: usize,
+    /// The largest error of t: above and inside a sphere as a part of t, elsewhere the distance
+    /// from the right hit point, in radii. 0 if no hit was right.
+    pub off: f64,
 }
 
 /// The number of pixels that one method gets wrong in the picture of a scene, compared with the
@@ -121,8 +143,6 @@ pub struct Timing {
     /// | `what` | `name` | |
     /// |---|---|---|
     /// | `method` | a method | one ray against one sphere: the throughput |
-    /// | `rays` | a method | a block of rays against one sphere, in SIMD lanes |
-    /// | `limit` | `divider`, `memory` | in lanes, a root and two divisions; or only the numbers of a ray |
     /// | `record` | `half_b` | chapter 5's own function, with its record of the hit |
     /// | `ray` | `nothing` | the ray is made, and no sphere is tried |
     pub what: String,
@@ -131,8 +151,7 @@ pub struct Timing {
     /// The number format of the rays and spheres: `f64` or `f32`.
     #[serde(with = "PrecisionName")]
     pub precision: Precision,
-    /// The name of the regime of the rays; `all_hits` for those rays of `book` that hit,
-    /// `any_range` for rays of `book` in lanes with t from 0.001 on.
+    /// The name of the regime of the rays; `all_hits` for those rays of `book` that hit.
     #[serde(rename = "where")]
     pub place: String,
     /// The number of rays in one run of the loop, which is repeated until it fills a round.
@@ -154,6 +173,29 @@ impl Table<Timing> {
     pub fn find(&self, what: &str, name: &str, place: &str) -> Option<&Timing> {
         let same = |row: &&Timing| row.what == what && row.name == name && row.place == place;
         self.rows.iter().find(same)
+    }
+
+    /// Returns the quickest of the methods of this precision that `suffices` accepts, on the rays
+    /// of `place`; of those that take a twentieth longer or less, which the next measurement may
+    /// turn around, the first of [`METHODS`], which begin with the simplest. `None` if it accepts
+    /// none, or those rays were not timed.
+    pub fn quickest(
+        &self,
+        precision: Precision,
+        place: &str,
+        suffices: impl Fn(&Method) -> bool,
+    ) -> Option<Method> {
+        let right = METHODS
+            .iter()
+            .filter(|it| it.precision() == precision && suffices(it));
+        let timed = right.filter_map(|it| Some((it, self.find("method", it.name, place)?.ratio)));
+        let timed: Vec<(&Method, f64)> = timed.collect();
+        let least = timed
+            .iter()
+            .map(|(_, ratio)| *ratio)
+            .fold(f64::INFINITY, f64::min);
+        let first = timed.into_iter().find(|(_, ratio)| *ratio <= 1.05 * least);
+        first.map(|(method, _)| *method)
     }
 }
 
@@ -197,6 +239,7 @@ files! {
     Accuracy: "measured/accuracy.csv",
     Tightness: "measured/tightness.csv",
     Level: "measured/sweeps.csv",
+    MapCell: "measured/map.snap.csv",
     WrongPixels: "measured/scenes.snap.csv",
     Timing: "measured/timings.csv",
     Race: "speed/heats.csv",

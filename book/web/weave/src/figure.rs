@@ -47,7 +47,7 @@ fn choice(chart: &Chart) -> String {
     let buttons: String = chart.choices.iter().enumerate().map(button).collect();
     match chart.choices {
         [] => buttons,
-        _ => format!("<fieldset class=\"choice\" aria-label=\"Situation\">{buttons}</fieldset>"),
+        _ => format!("<fieldset class=\"choice\" aria-label=\"Digits\">{buttons}</fieldset>"),
     }
 }
 

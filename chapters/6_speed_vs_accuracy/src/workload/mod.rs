@@ -6,5 +6,5 @@ mod regimes;
 mod scene;
 
 pub use case::Case;
-pub use regimes::{REGIMES, Random, Regime, SPHERES};
+pub use regimes::{REGIMES, Random, Regime, SPHERES, above, aimed};
 pub use scene::{Arithmetic, Hit, Lens, Scene, Sight, USUAL_T_MIN, unit};

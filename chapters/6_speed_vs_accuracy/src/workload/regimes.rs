@@ -17,40 +17,72 @@ use crate::precision::Precision;
 /// small spheres far away. A level k tells how hard they are.
 #[derive(Clone, Copy, Debug)]
 pub struct Regime {
-    /// The name of the regime in tables, one word, such as `far`.
+    /// The name of the regime in tables, one word, such as `telescope`.
     pub name: &'static str,
+    /// What the rays do, in a few words, such as "a small sphere far away".
+    pub shows: &'static str,
     /// The least and the greatest level k, in `f64` and in `f32`.
     levels: [(i32, i32); 2],
     case: fn(&mut Random, level: i32) -> Case,
 }
 
-/// All six regimes, that of the book's picture first.
+/// All six regimes, that of the book's picture first: the order of tables and charts.
 pub const REGIMES: [Regime; 6] = [
     Regime::BOOK,
-    // Near a tangent: the line passes the center at (1 ± 10⁻ᵏ) radii.
-    Regime::new("grazing", [(1, 15), (1, 7)], grazing),
-    Regime::FAR,
-    // From a point of the surface, of a sphere with a radius of 10ᵏ.
-    Regime::new("near_surface", [(0, 9), (0, 4)], near_surface),
-    // Above a ground with a radius of 10ᵏ, up to that of an Earth and beyond.
-    Regime::new("ground", [(2, 9), (2, 6)], ground),
-    // From inside the sphere, (1 − 10⁻ᵏ) radii from the center.
-    Regime::new("inside", [(0, 12), (0, 5)], inside),
+    Regime::TELESCOPE,
+    // With a radius of 10ᵏ, up to that of an Earth and beyond.
+    Regime::new(
+        ["ground", "above a huge ground"],
+        [(2, 9), (2, 6)],
+        |random, level| {
+            let height = random.between(0.01, 10.0);
+            above(random, power_of_ten(level), height)
+        },
+    ),
+    // The line passes the center at (1 ± 10⁻ᵏ) radii.
+    Regime::new(
+        ["grazing", "rays near a tangent"],
+        [(1, 15), (1, 7)],
+        grazing,
+    ),
+    // Of a sphere with a radius of 10ᵏ.
+    Regime::new(
+        ["shadows", "rays that leave a surface"],
+        [(0, 9), (0, 4)],
+        shadows,
+    ),
+    // (1 − 10⁻ᵏ) radii from the center.
+    Regime::new(
+        ["inside", "from inside a sphere"],
+        [(0, 12), (0, 5)],
+        inside,
+    ),
 ];
 
 impl Regime {
     /// The regime `book`: rays of the book's own picture; its only level is 0.
-    pub const BOOK: Self = Self::new("book", [(0, 0); 2], |random, _| book(random));
+    pub const BOOK: Self = Self::new(["book", "the book’s rays"], [(0, 0); 2], |random, _| {
+        book(random)
+    });
 
-    /// The regime `far`: small spheres, with a ray that starts 10ᵏ radii away at level k.
-    pub const FAR: Self = Self::new("far", [(1, 15), (1, 6)], far);
+    /// The regime `telescope`: small spheres, with a ray that starts 10ᵏ radii away at level k.
+    pub const TELESCOPE: Self = Self::new(
+        ["telescope", "a small sphere far away"],
+        [(1, 15), (1, 6)],
+        telescope,
+    );
 
     const fn new(
-        name: &'static str,
+        [name, shows]: [&'static str; 2],
         levels: [(i32, i32); 2],
         case: fn(&mut Random, level: i32) -> Case,
     ) -> Self {
-        Self { name, levels, case }
+        Self {
+            name,
+            shows,
+            levels,
+            case,
+        }
     }
 
     /// Makes `count` random cases, each of a random one of the [`levels`](Self::levels()), in
@@ -120,7 +152,7 @@ fn grazing(random: &mut Random, level: i32) -> Case {
 }
 
 /// Makes a ray at a point that is within 1.2 radii of the center of a far sphere.
-fn far(random: &mut Random, level: i32) -> Case {
+fn telescope(random: &mut Random, level: i32) -> Case {
     let miss_by = random.between(0.0, 1.2);
     aimed(random, power_of_ten(level), miss_by)
 }
@@ -128,18 +160,16 @@ fn far(random: &mut Random, level: i32) -> Case {
 /// Makes a ray from a point of the surface, as exactly as its coordinates can be
 /// on it, in the direction that the book's matte surfaces scatter: normal + unit
 /// vector.
-fn near_surface(random: &mut Random, level: i32) -> Case {
+fn shadows(random: &mut Random, level: i32) -> Case {
     let (center, radius) = sphere(random, power_of_ten(level));
     let normal = random.direction();
     let ray = Ray::new(center + radius * normal, normal + random.direction());
     Case::new(center, radius, ray)
 }
 
-/// Makes a ray in any direction, from 0.01 to 10 above a sphere with a radius of 10ᵏ, which may be
-/// on any side of the eye: straight below it, |oc| would be a coordinate, and exact.
-fn ground(random: &mut Random, level: i32) -> Case {
-    let radius = power_of_ten(level);
-    let height = random.between(0.01, 10.0);
+/// Makes a ray in any direction, from this height above a sphere, which may be on any side of the
+/// eye: straight below it, |oc| would be a coordinate, and exact. A negative height is a depth.
+pub fn above(random: &mut Random, radius: f64, height: f64) -> Case {
     let eye = Point3::new(0.25, 1.5, -0.75);
     let center = eye + (radius + height) * random.direction();
     Case::new(center, radius, Ray::new(eye, random.direction()))
@@ -158,7 +188,7 @@ fn inside(random: &mut Random, level: i32) -> Case {
 
 /// Makes a ray that starts `away` radii before a sphere of ordinary size, and
 /// whose line passes the center at `miss_by` radii.
-fn aimed(random: &mut Random, away: f64, miss_by: f64) -> Case {
+pub fn aimed(random: &mut Random, away: f64, miss_by: f64) -> Case {
     let size = random.between(0.5, 2.0);
     let (center, radius) = sphere(random, size);
     let forward = random.direction();

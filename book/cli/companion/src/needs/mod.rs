@@ -1,7 +1,7 @@
 //! `needs`: the cheapest method that a scene of the reader's own needs.
 //!
-//! The scene is drawn by every method, each is timed on its rays, and the cheapest
-//! one that draws every pixel right is named, in each precision.
+//! The scene is drawn by every method, and the cheapest one that draws every pixel right
+//! is named, in each precision, by the times that the book has recorded.
 
 mod text;
 
@@ -9,12 +9,10 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicU64;
 use std::sync::atomic::Ordering::Relaxed;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use check::names;
-use measure::contest::Effort;
-use measure::cost;
-use measure::needs::PrecisionNeeds;
+use measure::needs::{Place, PrecisionNeeds};
 use measure::scene_file::{self, WIDEST};
 use measure::wrong_pixels;
 use speed_vs_accuracy::{METHODS, Precision, Scene};
@@ -52,41 +50,36 @@ impl Arguments {
 /// The greatest relative error of t that counts as right, where distances matter.
 const WITHIN: f64 = 0.001;
 
-/// The length of the measurement: all methods together take about a second.
-const EFFORT: Effort = Effort {
-    rounds: 51,
-    turn: Duration::from_micros(500),
-};
-
-/// Draws the scene of a file by every method of chapter 6, times the methods, and prints the
-/// cheapest one that draws every pixel right, in each precision.
+/// Draws the scene of a file by every method of chapter 6, and prints the cheapest one that draws
+/// every pixel right, in each precision.
 ///
 /// # Errors
 /// If the file can't be read, or is no scene.
 pub(crate) fn needs(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let mut scene = read(&arguments.scene)?;
     scene.width = arguments.width.unwrap_or(scene.width);
-    let (found, with_acne) = look_into(&scene);
-    let said = text::answer(&scene, &found, with_acne);
+    let place = Place::of(&scene);
+    let (found, with_acne) = look_into(&scene, &place);
+    let said = text::answer(&scene, &place, &found, with_acne);
     Ok(output::to_stdout(|out| out.write_all(said.as_bytes()))?)
 }
 
 /// Tries all methods in each precision that can hold the numbers of the scene, `f64` first. Also
 /// returns the number of pixels of the right picture with shadow acne.
-fn look_into(scene: &Scene) -> (Vec<PrecisionNeeds>, usize) {
+fn look_into(scene: &Scene, place: &Place) -> (Vec<PrecisionNeeds>, usize) {
     let mut precisions = Precision::ALL.to_vec();
     precisions.retain(|precision| scene.fits(*precision));
     let mut methods = METHODS.to_vec();
     methods.retain(|method| precisions.contains(&method.precision()));
-    let times = cost::times(scene, &EFFORT);
     let drawn = wrong_pixels::draw(scene, &methods, scene.width, &progress());
     let (double, single) = drawn
         .by_method
         .into_iter()
         .partition(|view| view.method.precision() == Precision::Double);
     let found = precisions.into_iter().zip([double, single]);
-    let found = found
-        .map(|(precision, views)| PrecisionNeeds::new(scene, precision, views, &times, WITHIN));
+    let found = found.map(|(precision, views)| {
+        PrecisionNeeds::new(scene, precision, place.situation, views, WITHIN)
+    });
     (found.collect(), drawn.with_acne)
 }
 

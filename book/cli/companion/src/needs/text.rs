@@ -4,17 +4,22 @@ use std::fmt::Write;
 
 use check::names::{self, companion_command};
 use common::rtweekend::*;
+use figures::Spot;
 use figures::number::three_digits;
-use measure::machine;
 use speed_vs_accuracy::{Method, Precision, Scene};
 
 use super::WITHIN;
 use crate::hit;
 use crate::wrap::wrap_hanging;
-use measure::needs::{Culprit, PrecisionNeeds, RatedMethod, least_of_all};
+use measure::needs::{Culprit, Place, PrecisionNeeds, RECORDED, RatedMethod, least_of_all};
 
-/// Writes the whole answer for the terminal: first the method to take, last the times' conditions.
-pub(super) fn answer(scene: &Scene, found: &[PrecisionNeeds], with_acne: usize) -> String {
+/// Writes the whole answer for the terminal: first the method to take, last whose times these are.
+pub(super) fn answer(
+    scene: &Scene,
+    place: &Place,
+    found: &[PrecisionNeeds],
+    with_acne: usize,
+) -> String {
     let camera = Camera::new(scene.width);
     let (width, height) = (camera.image_width, camera.image_height);
     let spheres = match scene.spheres.len() {
@@ -38,16 +43,33 @@ pub(super) fn answer(scene: &Scene, found: &[PrecisionNeeds], with_acne: usize) 
             None => text += "These numbers do not fit into f32: they overflow, or become 0.\n",
         }
     }
-    let profile = if cfg!(debug_assertions) {
-        "dev profile"
-    } else {
-        "release profile"
-    };
-    let times = format!("Times: {profile}, {}. {FASTER}", machine::description());
-    text + "\n" + &paragraph(&times)
+    text + "\n" + &paragraph(&standing(place))
 }
 
-const FASTER: &str = "Fully optimized: cargo run --release --package companion -- needs SCENE";
+/// Writes where the scene stands on the book's map, and whose times were taken.
+fn standing(place: &Place) -> String {
+    let Place { situation, hardest } = place;
+    let power = |exponent: i32| match exponent {
+        0 => "1".to_owned(),
+        _ => format!("1e{exponent}"),
+    };
+    let starts = match *hardest {
+        Spot::Above(n) => format!("{} radii above the surface", power(-n)),
+        Spot::Inside(n) => format!("inside, {} radii below the surface", power(-n)),
+        Spot::Away(k, n) => format!(
+            "{} radii away, and passes within {} radii of the rim",
+            power(k),
+            power(-n)
+        ),
+    };
+    let least = RECORDED.least(*hardest, Precision::Double, 3);
+    let least = least.map_or("no method", |method| method.name);
+    format!(
+        "On the map of chapter 6: the hardest ray of the camera starts {starts}. There {least} \
+         suffices for three digits in f64. The times are the book's, recorded on rays like these: \
+         those of {situation}."
+    )
+}
 
 /// Writes the assumptions: the ranges of t, and which errors count as right.
 fn assumed(scene: &Scene) -> String {
@@ -142,13 +164,6 @@ fn verdict(found: &PrecisionNeeds) -> String {
         return format!("In {precision}, no method draws every pixel right.");
     };
     let mut text = format!("In {precision}, the least for colors is {}.", name(least));
-    if !found.ties.is_empty() {
-        let ties: Vec<&str> = found.ties.iter().map(name).collect();
-        text += &format!(
-            " (As cheap, as far as the clock can tell: {}.)",
-            ties.join(", ")
-        );
-    }
     if found.failing.is_none() {
         text += " Nothing cheaper fails.";
     }
@@ -184,24 +199,19 @@ fn part(part: f64) -> String {
 
 const TABLE_HEAD: &str = "
                            wrong   worst,     worst,    worst,
-  method                  pixels   levels      radii         t       ns  ÷ half_b
+  method                  pixels   levels      radii         t  ÷ half_b
 ";
 
 fn line(row: &RatedMethod, is_least: bool) -> String {
-    let RatedMethod {
-        view, ns, ratio, ..
-    } = row;
+    let RatedMethod { view, ratio } = row;
     let mark = if is_least { "→" } else { " " };
     let [radii, t] = match view.off {
         None => ["-", "-"].map(str::to_owned),
         Some(off) => [off.radii, off.t].map(part),
     };
     format!(
-        "{mark} {:<22}{:>8}{:>9}{radii:>11}{t:>10}{:>9}{ratio:>10.2}\n",
-        view.method.name,
-        view.wrong,
-        view.levels,
-        three_digits(*ns),
+        "{mark} {:<22}{:>8}{:>9}{radii:>11}{t:>10}{ratio:>10.2}\n",
+        view.method.name, view.wrong, view.levels,
     )
 }
 

@@ -47,3 +47,8 @@ pub(super) fn cross(svg: &mut Svg, at: DVec2) {
         svg.line("wrong line", at - way, at + way);
     }
 }
+
+/// Draws a ring around the mark of the method to take.
+pub(super) fn ring(svg: &mut Svg, at: DVec2, radius: f64) {
+    svg.circle("certain line", at, radius);
+}

@@ -1,60 +1,78 @@
-//! Dot plots: what each method costs, and how exact it is, in a situation that a reader chooses.
+//! Small multiples: what each method costs and how exact it is, a panel for each situation.
 
 use glam::DVec2;
-use speed_vs_accuracy::Method;
+use speed_vs_accuracy::{Method, Precision, REGIMES, Regime};
 
 use super::chart::{Chart, DrawnChart, table};
-use super::marks::{digits, idea, mark};
+use super::labels::{self, Bounds, Name};
+use super::marks::{cross, digits, idea, mark, ring};
 use crate::axis::{Axis, ticks};
 use crate::number::{number, printed};
 use crate::records::{Accuracy, Timing};
 use crate::svg::{Anchor, Shift, Svg, spot};
 use crate::table::{Record, Table};
 
-/// The situations, which the files call regimes, in the order of `CHART.choices`.
-const SITUATIONS: [&str; 6] = ["book", "far", "ground", "grazing", "near_surface", "inside"];
-
-/// The chart of speed against accuracy, a panel for each situation.
+/// The chart of speed against accuracy: a key, and a panel for each of [`REGIMES`].
 pub(super) const CHART: Chart = Chart {
     name: "speed_accuracy",
     title: "Speed against accuracy",
-    description: "A row for each method, the fastest at the top. At the left a mark on a logarithmic \
-        axis says how long a question takes, where that of half_b takes 1. At the right, on an axis \
-        of decimal digits, a mark says how many digits of t are right for half of the hits, a thick \
-        bar reaches down to those that 999 of 1000 hits have, and a thin line to those of the worst \
-        hit. Beside its name stands how many of its decisions are wrong.",
-    caption: "Farther to the left is faster, farther to the right more exact. ✗: so many decisions \
-        are wrong, a hit for a miss or a miss for a hit. Hollow marks are methods in <code>f32</code>, \
-        diamonds are certified. The table below has two more, <code>double_double</code> and \
-        <code>exact</code>, which are far slower.",
-    choices: &[
-        "the book’s rays",
-        "a small sphere far away",
-        "above a huge ground",
-        "grazing rays",
-        "leaving a surface",
-        "from inside",
-    ],
+    description: "A mark for each method: farther to the left it takes less time, where half_b takes \
+        1, and higher up more digits of t are right, in half of the hits. A whisker reaches down to \
+        the digits that 999 of 1000 hits have. A cross marks a method that decides wrongly, with how \
+        often. A ring marks the method to take. A line of steps connects the methods that no other \
+        beats: what is right of it or below it is slower and no more exact.",
+    caption: "Six situations, on the same axes: farther to the left is faster, higher up more exact. \
+        Two methods are left out that are far slower, <code>double_double</code> and \
+        <code>exact</code>; the table below has them.",
+    choices: &[],
     files: &[Accuracy::FILE, Timing::FILE],
     draw: |files| draw(files[0], files[1]),
 };
+
+/// The method that the page advises in each of [`REGIMES`], in their order, and on which condition.
+/// A test compares them with the records.
+pub const ADVICE: [[&str; 2]; 6] = [
+    ["half_b_q", ""],
+    ["cross_q", ", up to 10¹¹ radii away (✗ beyond)"],
+    ["half_b_q", "; for more than 6 digits, compensated"],
+    ["certified_hit", ""],
+    ["compensated", ", or half_b and a t_min"],
+    ["half_b", ", as chapter 5 has it"],
+];
 
 /// The accuracy of a method in a situation, and its time there.
 type Measured = (Accuracy, Timing);
 
 fn draw(accuracy: &str, timings: &str) -> Result<DrawnChart, String> {
     let (accuracy, timings) = (Table::read(accuracy)?, Table::read(timings)?);
-    let situations = SITUATIONS.map(|situation| read(situation, &accuracy, &timings));
-    let situations: Vec<_> = situations.into_iter().collect::<Result<_, _>>()?;
-    let all = situations.iter().zip(CHART.choices);
+    let read = |regime: &Regime| read(regime.name, &accuracy, &timings);
+    let situations: Vec<_> = REGIMES.iter().map(read).collect::<Result<_, _>>()?;
+    let mut key = CHART.panel(0, "what the marks mean", 78.0);
+    draw_key(&mut key, 16.0);
+    let mut panels = vec![key.finish().replacen("drawing", "drawing key", 1)];
+    for (place, rows) in situations.iter().enumerate() {
+        let mut svg = CHART.panel(place + 1, REGIMES[place].name, FOOT + 24.0);
+        draw_panel(&mut svg, place, rows)?;
+        panels.push(svg.finish());
+    }
     Ok(DrawnChart {
-        panels: all
-            .clone()
-            .zip(1..)
-            .map(|((rows, shows), place)| panel(place, shows, rows))
-            .collect(),
-        table: numbers(all),
+        panels,
+        table: numbers(&situations),
     })
+}
+
+/// Draws the panel of `place` in [`REGIMES`] with the key below it, for a page that shows no other,
+/// from the texts of the chart's files.
+///
+/// # Errors
+/// A message that names the file and the line that is wrong.
+pub fn panel_with_key(place: usize, [accuracy, timings]: [&str; 2]) -> Result<String, String> {
+    let Regime { name, .. } = REGIMES[place];
+    let rows = read(name, &Table::read(accuracy)?, &Table::read(timings)?)?;
+    let mut svg = CHART.panel(place + 1, name, FOOT + 106.0);
+    draw_panel(&mut svg, place, &rows)?;
+    draw_key(&mut svg, FOOT + 46.0);
+    Ok(svg.finish())
 }
 
 /// Pairs the accuracy and the time of each method in a situation, the fastest first.
@@ -74,112 +92,183 @@ fn read(
     Ok(rows)
 }
 
-/// The y of the first row, and the distance from one row to the next.
-const TOP: f64 = 66.0;
-const PITCH: f64 = 36.0;
+/// The y of the plot's upper edge, of sixteen digits, of none, and of the words below.
+const TOP: f64 = 46.0;
+const MOST: f64 = 104.0;
+const LEAST: f64 = 290.0;
+const FOOT: f64 = 308.0;
+
+/// The axis of times, the same in all panels.
+const TIMES: Axis = Axis {
+    is_logarithmic: true,
+    ..Axis::new(26.0, LEAST, 366.0, 0.6, 42.0)
+};
+
+/// The axis of right digits, the same in all panels.
+const DIGITS: Axis = Axis {
+    end: spot(26.0, MOST),
+    ..Axis::new(26.0, LEAST, 0.0, 0.0, 16.0)
+};
 
 /// Methods that the chart leaves out: they are so slow that the others would lie in one heap.
 const SLOW: [Method; 2] = [Method::DOUBLE_DOUBLE, Method::EXACT];
 
-fn panel(place: usize, shows: &str, rows: &[Measured]) -> String {
-    let is_drawn = |(row, _): &&Measured| SLOW.iter().all(|method| method.name != row.method);
-    let drawn: Vec<&Measured> = rows.iter().filter(is_drawn).collect();
-    let high = PITCH * drawn.len() as f64;
-    let mut svg = CHART.panel(place, shows, TOP + high + 44.0);
-    let [costs, right] = [costs(&drawn), digits_axis(&drawn)];
-    for (axis, title) in [
-        (&costs, "time, if half_b takes 1"),
-        (&right, "decimal digits of *t* that are right"),
-    ] {
-        let from = axis.start.down(-20.0);
-        svg.small_label("ink", from, Anchor::Start, title);
-        axis.draw_ticks(&mut svg, "grid thin", spot(0.0, high + 14.0), &marked(axis));
-    }
-    let half_b = costs.point(1.0);
-    svg.line(
-        "reference dashed",
-        half_b.down(24.0),
-        half_b.down(high + 14.0),
-    );
-    for (row, n) in drawn.iter().zip(0_u8..) {
-        draw_row(&mut svg, TOP + PITCH * f64::from(n), [&costs, &right], row);
-    }
-    key(&mut svg, spot(right.start.x, TOP + high + 20.0));
-    svg.finish()
-}
-
-/// Makes an axis of times that all rows fit on.
-fn costs(rows: &[&Measured]) -> Axis {
-    let ratios = rows.iter().map(|(_, time)| time.ratio);
-    let [least, most] = ratios.fold([1.0; 2], |[least, most], it| [it.min(least), it.max(most)]);
-    Axis {
-        is_logarithmic: true,
-        ..Axis::new(10.0, 30.0, 140.0, 0.9 * least, 1.6 * most)
-    }
-}
-
-/// Makes an axis of right digits that all rows fit on.
-fn digits_axis(rows: &[&Measured]) -> Axis {
-    let least = rows.iter().map(|(row, _)| right_digits(row)[2]);
-    let least = least.fold(12.0, f64::min);
-    Axis::new(176.0, 30.0, 216.0, 2.0 * (0.5 * least).floor(), 16.0)
-}
-
-/// Returns the ticks of an axis. On a logarithmic one these are powers of ten, and where these are
-/// few, 2 and 5 times these; on a linear one, every second or fourth digit.
-fn marked(axis: &Axis) -> Vec<(f64, String)> {
-    let holds = |it: &f64| (axis.least..=axis.most).contains(it);
-    if !axis.is_logarithmic {
-        let step = if axis.most - axis.least > 8.0 { 4 } else { 2 };
-        return ticks((0..=16).step_by(step).map(f64::from).filter(holds), number);
-    }
-    let factors: &[f64] = if axis.most > 20.0 {
-        &[1.0]
-    } else {
-        &[1.0, 2.0, 5.0]
-    };
-    let all = [1.0, 10.0, 100.0].into_iter();
-    let all = all.flat_map(|power| factors.iter().map(move |factor| factor * power));
-    ticks(all.filter(holds), number)
-}
-
-fn draw_row(svg: &mut Svg, y: f64, [costs, right]: [&Axis; 2], (row, time): &Measured) {
-    let idea = idea(&row.method);
-    svg.small_label(idea, spot(10.0, y), Anchor::Start, &row.method);
-    if row.wrong_per_million > 0.0 {
-        let words = format!("✗ {}", one_in(row.wrong_per_million));
-        svg.small_label("wrong", spot(392.0, y), Anchor::End, &words);
-    }
-    let at = |axis: &Axis, value| spot(axis.point(value).x, y + 13.0);
-    let cost = at(costs, time.ratio);
-    mark(svg, idea, row.precision, cost);
-    svg.small_label(
-        idea,
-        cost + spot(9.0, 4.0),
+/// Draws a situation: its names, the axes, and the method's marks.
+fn draw_panel(svg: &mut Svg, place: usize, rows: &[Measured]) -> Result<(), String> {
+    let Regime { name, shows, .. } = REGIMES[place];
+    let [advised, condition] = ADVICE[place];
+    svg.label(
+        "ink",
+        spot(4.0, 15.0),
         Anchor::Start,
-        &printed(time.ratio),
+        &format!("**{name}** {shows}"),
     );
-    let [typical, nearly_all, all] = right_digits(row).map(|digits| at(right, digits));
-    svg.line(&format!("{idea} thin"), all, typical);
-    svg.line(&format!("{idea} thin"), all.down(-4.0), all.down(4.0));
-    svg.line(&format!("{idea} bold"), nearly_all, typical);
-    mark(svg, idea, row.precision, typical);
+    ring(svg, spot(12.0, 32.0), 6.0);
+    let advice = format!("take {advised}{condition}");
+    svg.small_label("certain", spot(24.0, 36.0), Anchor::Start, &advice);
+    let grid = spot(0.0, TOP - LEAST);
+    let times = [1.0, 2.0, 5.0, 10.0, 20.0, 40.0];
+    TIMES.draw_ticks(svg, "grid thin", grid, &ticks(times.into_iter(), number));
+    let digits = (0..=16).step_by(4).map(f64::from);
+    DIGITS.draw_ticks(svg, "grid thin", spot(366.0, 0.0), &ticks(digits, number));
+    let foot = FOOT + 18.0;
+    svg.small_label(
+        "faint",
+        spot(4.0, foot),
+        Anchor::Start,
+        "↑ digits of *t* that are right",
+    );
+    svg.small_label(
+        "faint",
+        spot(396.0, foot),
+        Anchor::End,
+        "time, if half_b takes 1 →",
+    );
+    let is_drawn = |(row, _): &&Measured| SLOW.iter().all(|slow| slow.name != row.method);
+    let drawn: Vec<&Measured> = rows.iter().filter(is_drawn).collect();
+    let front = front(&drawn);
+    svg.path("front line", &front);
+    for row in &drawn {
+        draw_method(svg, row, row.0.method == advised);
+    }
+    let stretches = front
+        .windows(2)
+        .map(|ends| Bounds::around(ends[0], ends[1], 1.5));
+    let obstacles = drawn.iter().flat_map(|row| {
+        let [at, low] = ends(row);
+        let around = if row.0.method == advised { 10.0 } else { 6.5 };
+        [
+            Bounds::around(at, at, around),
+            Bounds::around(at, low, 2.0),
+            Bounds::around(low.right(-4.0), low.right(4.0), 1.5),
+        ]
+    });
+    let obstacles: Vec<Bounds> = stretches.chain(obstacles).collect();
+    let names: Vec<Name<'_>> = drawn.iter().map(|row| named(row)).collect();
+    labels::write(
+        svg,
+        &names,
+        &obstacles,
+        &Bounds(spot(28.0, TOP), spot(399.0, LEAST)),
+    )
 }
 
-/// Draws the key to the bars.
-fn key(svg: &mut Svg, at: DVec2) {
-    let [all, nearly_all, half] = [20.0, 96.0, 180.0].map(|x| at.right(x));
-    svg.line("faint thin", all, half);
-    svg.line("faint thin", all.down(-4.0), all.down(4.0));
-    svg.line("faint bold", nearly_all, half);
-    svg.circle("faint solid", half, 4.5);
-    for (at, words) in [
-        (all, "all hits"),
-        (nearly_all, "999 of 1000"),
-        (half, "half"),
-    ] {
-        svg.small_label("faint", at.down(17.0), Anchor::Middle, words);
+/// Returns the places of a method's mark, at half of the hits, and of the end of its whisker.
+fn ends((row, time): &Measured) -> [DVec2; 2] {
+    let [half, nearly_all, _] = right_digits(row);
+    let x = TIMES.point(time.ratio).x;
+    [half, nearly_all].map(|digits| spot(x, DIGITS.point(digits).y))
+}
+
+fn draw_method(svg: &mut Svg, measured: &Measured, is_advised: bool) {
+    let [at, low] = ends(measured);
+    let (row, _) = measured;
+    let idea = shown_idea(row);
+    svg.line(&format!("{idea} line"), at, low);
+    svg.line(&format!("{idea} line"), low.right(-4.0), low.right(4.0));
+    if row.wrong_per_million > 0.0 {
+        cross(svg, at);
+    } else {
+        mark(svg, idea, row.precision, at);
     }
+    if is_advised {
+        ring(svg, at, 9.5);
+    }
+}
+
+fn shown_idea(row: &Accuracy) -> &'static str {
+    if row.wrong_per_million > 0.0 {
+        "wrong"
+    } else {
+        idea(&row.method)
+    }
+}
+
+fn named<'a>(measured: &Measured) -> Name<'a> {
+    let (row, _) = measured;
+    let wrong = match row.wrong_per_million {
+        0.0 => String::new(),
+        wrong => format!(" ✗ {}", one_in(wrong)),
+    };
+    Name {
+        mark: ends(measured)[0],
+        idea: shown_idea(row),
+        words: row.method.clone() + &wrong,
+    }
+}
+
+/// Returns the steps through the marks of those methods, among the ones that decide rightly, that
+/// none which is as fast is more exact than: from the fastest to the right end of the plot.
+fn front(rows: &[&Measured]) -> Vec<DVec2> {
+    let right = rows.iter().filter(|(row, _)| row.wrong_per_million == 0.0);
+    let mut steps: Vec<DVec2> = Vec::new();
+    for row in right {
+        let [at, _] = ends(row);
+        match steps.last() {
+            // A tenth of a digit less is not less.
+            Some(last) if at.y > last.y - 1.2 => continue,
+            Some(last) => steps.push(spot(at.x, last.y)),
+            None => {}
+        }
+        steps.push(at);
+    }
+    steps.extend(steps.last().map(|last| spot(TIMES.end.x, last.y)));
+    steps
+}
+
+/// Draws what the marks mean, in three columns.
+pub(super) fn draw_key(svg: &mut Svg, top: f64) {
+    let row = |n: u8| top + 24.0 * f64::from(n);
+    let mut entry = |at: DVec2, words: &str| {
+        svg.small_label("ink", at + spot(14.0, 4.0), Anchor::Start, words);
+    };
+    let [left, middle, end] = [12.0, 140.0, 252.0];
+    for (x, n, words) in [
+        (left, 0, "half of the hits"),
+        (left, 1, "999 of 1000 hits"),
+        (left, 2, "take this"),
+        (middle, 0, "chapter 5"),
+        (middle, 1, "certified"),
+        (middle, 2, "in f32"),
+        (end, 0, "wrong decisions"),
+        (end + 12.0, 1, "nothing beats these"),
+    ] {
+        entry(spot(x, row(n)), words);
+    }
+    let whisker = spot(left, row(1));
+    mark(svg, "ink", Precision::Double, spot(left, row(0)));
+    svg.line("ink line", spot(left, row(0)), whisker);
+    svg.line("ink line", whisker.right(-4.0), whisker.right(4.0));
+    ring(svg, spot(left, row(2)), 8.0);
+    mark(svg, "reference", Precision::Double, spot(middle, row(0)));
+    mark(svg, "certain", Precision::Double, spot(middle, row(1)));
+    mark(svg, "ink", Precision::Single, spot(middle, row(2)));
+    cross(svg, spot(end, row(0)));
+    svg.line(
+        "front line",
+        spot(end - 10.0, row(1)),
+        spot(end + 12.0, row(1)),
+    );
 }
 
 /// Returns the number of right digits of t in half of the hits, in 999 of 1000, and in all.
@@ -187,16 +276,20 @@ fn right_digits(row: &Accuracy) -> [f64; 3] {
     [row.median_ulps, row.p999_ulps, row.largest_ulps].map(|ulps| digits(ulps, row.precision))
 }
 
-/// Writes a rate of wrong decisions, given per million, as one in so many, with two digits.
+/// Writes a rate of wrong decisions, given per million, as one of so many, with two digits.
 fn one_in(per_million: f64) -> String {
-    let times = format!("{:.1e}", 1e6 / per_million)
-        .parse()
-        .unwrap_or(f64::NAN);
-    format!("wrong in 1 of {}", number(times))
+    let times = format!("{:.1e}", 1e6 / per_million);
+    let times: f64 = times.parse().unwrap_or(f64::NAN);
+    let all = if times < 1e6 {
+        number(times)
+    } else {
+        "a million".to_owned()
+    };
+    format!("1 of {all}")
 }
 
 /// Writes the table of all methods in all situations.
-fn numbers<'a>(all: impl Iterator<Item = (&'a Vec<Measured>, &'a &'static str)>) -> String {
+fn numbers(situations: &[Vec<Measured>]) -> String {
     let heads = [
         "situation",
         "method",
@@ -208,11 +301,14 @@ fn numbers<'a>(all: impl Iterator<Item = (&'a Vec<Measured>, &'a &'static str)>)
         "999 of 1000",
         "all",
     ];
-    let rows = all.flat_map(|(rows, shows)| rows.iter().map(move |row| cells(shows, row)));
-    table(2, &heads.map(str::to_owned), rows)
+    table(
+        2,
+        &heads.map(str::to_owned),
+        situations.iter().flatten().map(cells),
+    )
 }
 
-fn cells(shows: &str, (row, time): &Measured) -> Vec<String> {
+fn cells((row, time): &Measured) -> Vec<String> {
     let numbers = [
         Some(time.median_ns),
         Some(time.ratio),
@@ -221,7 +317,7 @@ fn cells(shows: &str, (row, time): &Measured) -> Vec<String> {
     ];
     let numbers = numbers.map(|number| number.map_or("–".to_owned(), printed));
     let digits = right_digits(row).map(|digits| format!("{digits:.1}"));
-    [shows.to_owned(), format!("`{}`", row.method)]
+    [row.regime.clone(), format!("`{}`", row.method)]
         .into_iter()
         .chain(numbers)
         .chain(digits)

@@ -3,6 +3,7 @@
 use std::iter;
 
 use glam::DVec2;
+use speed_vs_accuracy::{METHODS, Method, Precision};
 
 use super::chart::{Chart, DrawnChart, table};
 use crate::records::{Timing, WrongPixels};
@@ -14,45 +15,78 @@ use crate::text::{SMALL, width};
 pub(super) const CHART: Chart = Chart {
     name: "scenes",
     title: "Wrong pixels, scene by scene and method by method",
-    description: "A table with a row for each method, the cheapest at the top, and a column for each \
-        scene. A cell says how many pixels of a thousand differ from the exact picture, and is \
-        the darker the more they are. A cell without a wrong pixel has a tick. In each column \
-        the first of them in f64 has a frame, and the first in f32: the least that this scene \
-        needs.",
-    caption: "Pixels of a thousand that differ from the exact picture. Methods are in order of \
-        the instructions that they take for a ray of the book. Framed: the first one without a wrong \
-        pixel, in f32 and in f64, which is the least that this scene needs.",
+    description: "A table with a row for each method and a column for each scene. A cell says how \
+        many pixels of a thousand differ from the exact picture, and is the darker the more they \
+        are. A cell without a wrong pixel has a tick. In each column two cells have a frame, one in \
+        f64 and one in f32: the method that is the quickest on that scene’s own rays, of those \
+        without a wrong pixel.",
+    caption: "Pixels of a thousand that differ from the exact picture. Framed: of the methods without \
+        a wrong pixel the one that is the quickest on that scene’s own rays, in f64 and in f32.",
     choices: &[],
     files: &[WrongPixels::FILE, Timing::FILE],
     draw: |files| draw(files[0], files[1]),
 };
 
 fn draw(scenes: &str, timings: &str) -> Result<DrawnChart, String> {
-    let mut cells = Table::<WrongPixels>::read(scenes)?.rows;
+    let cells = Table::<WrongPixels>::read(scenes)?.rows;
     let timings = Table::<Timing>::read(timings)?;
-    let instructions = |cell: &WrongPixels| {
-        let time = timings.find("method", &cell.method, "book");
-        time.and_then(|time| time.instructions)
-            .unwrap_or(f64::INFINITY)
-    };
-    cells.sort_by(|one, other| instructions(one).total_cmp(&instructions(other)));
-    // A line of cells for each method, in the order of the scenes.
-    let lines = cells.chunk_by(|one, other| one.method == other.method);
-    let lines: Vec<&[WrongPixels]> = lines.collect();
-    let scenes = lines[0].iter().map(|cell| cell.scene.replace('_', " "));
-    let heads: Vec<String> = iter::once("wrong pixels".to_owned())
-        .chain(scenes)
+    let of = |name: &str| cells.iter().filter(|cell| cell.method == name).collect();
+    let mut lines: Vec<Vec<&WrongPixels>> = METHODS.iter().map(|it| of(it.name)).collect();
+    lines.retain(|line| !line.is_empty());
+    let scenes: Vec<&str> = lines[0].iter().map(|cell| &cell.scene[..]).collect();
+    let is_whole = |line: &Vec<&WrongPixels>| line.iter().map(|cell| &cell.scene).eq(&scenes);
+    if !lines.iter().all(is_whole) {
+        return Err(format!("{}: a method lacks a scene", WrongPixels::FILE));
+    }
+    let frames: Vec<Frames> = scenes
+        .iter()
+        .map(|scene| Precision::ALL.map(|precision| least(scene, precision, &cells, &timings)))
+        .collect();
+    let heads: Vec<String> = iter::once("wrong pixels")
+        .chain(scenes.iter().copied())
+        .map(str::to_owned)
         .collect();
     let rows = lines.iter().map(|line| {
-        let counts = line
-            .iter()
-            .map(|it| format!("{} of {}", it.wrong, it.pixels));
+        let counts = line.iter().zip(&frames).map(|(it, frames)| {
+            let frame = if is_framed(frames, it) {
+                " (least)"
+            } else {
+                ""
+            };
+            format!("{} of {}{frame}", it.wrong, it.pixels)
+        });
         let name = format!("`{}`", line[0].method);
         iter::once(name).chain(counts).collect()
     });
     Ok(DrawnChart {
         table: table(1, &heads, rows),
-        panels: vec![heat_map(&heads[1..], &lines)],
+        panels: vec![heat_map(&scenes, &lines, &frames)],
+    })
+}
+
+/// The framed methods of a scene, in `f64` and in `f32`.
+type Frames = [Option<Method>; 2];
+
+fn is_framed(frames: &Frames, cell: &WrongPixels) -> bool {
+    frames
+        .iter()
+        .flatten()
+        .any(|method| method.name == cell.method)
+}
+
+/// Returns the method that is the quickest on the rays of `scene`, of those in this precision that
+/// draw no pixel of it wrong, as [`Table::quickest`] chooses; `None` if there is none.
+pub fn least(
+    scene: &str,
+    precision: Precision,
+    cells: &[WrongPixels],
+    timings: &Table<Timing>,
+) -> Option<Method> {
+    timings.quickest(precision, scene, |method| {
+        let is_right = |cell: &WrongPixels| cell.method == method.name && cell.wrong == 0;
+        cells
+            .iter()
+            .any(|cell| cell.scene == scene && is_right(cell))
     })
 }
 
@@ -62,7 +96,7 @@ const TOP: f64 = 74.0;
 const HIGH: f64 = 24.0;
 const PITCH: f64 = 42.0;
 
-fn heat_map(scenes: &[String], lines: &[&[WrongPixels]]) -> String {
+fn heat_map(scenes: &[&str], lines: &[Vec<&WrongPixels>], frames: &[Frames]) -> String {
     let wide = 398.0 / scenes.len() as f64;
     let mut svg = CHART.sheet(TOP + PITCH * lines.len() as f64);
     let title = "pixels of 1000 that differ from the exact picture";
@@ -74,18 +108,15 @@ fn heat_map(scenes: &[String], lines: &[&[WrongPixels]]) -> String {
         let y = TOP - 24.0 - 15.0 * f64::from(column % 2);
         svg.small_label("ink", spot(middle, y), Anchor::Middle, scene);
     }
-    let mut found = Vec::new();
     for (line, row) in lines.iter().zip(0_u8..) {
         let left = spot(1.0, TOP + PITCH * f64::from(row));
         svg.small_label("ink", left.down(-5.0), Anchor::Start, &line[0].method);
-        for (cell, column) in line.iter().zip(0_u8..) {
+        for ((cell, column), frames) in line.iter().zip(0_u8..).zip(frames) {
             let corner = left.right(wide * f64::from(column));
             let size = spot(wide - 3.0, HIGH - 3.0);
             draw_cell(&mut svg, corner, size, cell);
-            let least = (&cell.scene, cell.precision);
-            if cell.wrong == 0 && !found.contains(&least) {
+            if is_framed(frames, cell) {
                 svg.rect("certain bold", corner, size);
-                found.push(least);
             }
         }
     }
