@@ -26,7 +26,8 @@ pub static RECORDED: LazyLock<Map> = LazyLock::new(|| {
 pub struct Place {
     /// The name of the situation: `shadows` if the scene has a sun, or else that of most rays.
     pub situation: &'static str,
-    /// The spot, of those of the camera's rays, that needs the dearest method.
+    /// The spot, of those of the camera's rays, that needs the dearest method: of several the
+    /// nearest to the rim or the surface.
     pub hardest: Spot,
 }
 
@@ -44,9 +45,11 @@ impl Place {
             let least = RECORDED.least(*spot, Precision::Double, 3);
             least.map_or(f64::INFINITY, |method| ratio(&method, "telescope"))
         };
-        let hardest = spots
-            .iter()
-            .max_by(|one, other| cost(one).total_cmp(&cost(other)));
+        let order = |one: &&Spot, other: &&Spot| {
+            let cost = cost(one).total_cmp(&cost(other));
+            cost.then(one.row().cmp(&other.row()))
+        };
+        let hardest = spots.iter().max_by(order);
         Self {
             situation: scene.sun.map_or(most, |_| "shadows"),
             hardest: *hardest.expect("a scene has a sphere, and a picture a pixel"),
