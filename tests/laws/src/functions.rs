@@ -22,7 +22,8 @@ macro_rules! functions_of_a_list {
         }
 
         fn record(asked: &$crate::IntervalCase) -> Option<$crate::record::RecordedHit> {
-            use $chapter::Hittable;
+            #[allow(unused_imports)] // A list of spheres has no trait.
+            use $chapter::*;
             let $crate::Case {
                 center,
                 radius,
@@ -39,7 +40,8 @@ macro_rules! functions_of_a_list {
         }
 
         fn nearest(world: &$crate::list::World) -> Option<f64> {
-            use $chapter::Hittable;
+            #[allow(unused_imports)] // A list of spheres has no trait.
+            use $chapter::*;
             let mut list = $chapter::HittableList::default();
             for &(center, radius) in &world.spheres {
                 list.add($chapter::Sphere::new($vector(center), radius));
