@@ -10,6 +10,7 @@ mod controls;
 mod directive;
 mod figure;
 mod ground;
+mod lesson;
 mod maths;
 mod measured;
 mod page;
