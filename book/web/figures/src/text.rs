@@ -4,10 +4,10 @@
 pub(crate) const TEXT: f64 = 14.0;
 
 /// The size of letters in a less important label, in units of the viewBox.
-pub(crate) const SMALL: f64 = 12.5;
+pub(crate) const SMALL: f64 = 12.0;
 
 /// The size of letters in a subscript, in units of the viewBox.
-const SUBSCRIPT: f64 = 12.5;
+const SUBSCRIPT: f64 = 11.0;
 
 /// Returns the text without the marks of numbers and vectors.
 pub(crate) fn plain(text: &str) -> String {

@@ -64,7 +64,8 @@ pub(crate) fn listing(
         (name, beside, source::excerpt(&text, &found))
     };
     let lesson = lesson::listing(file, code);
-    let id = name.replace(|it: char| !it.is_alphanumeric(), "-");
+    let stair = if lesson.file == file { "" } else { "first-" };
+    let id = format!("{stair}{name}").replace(|it: char| !it.is_alphanumeric(), "-");
     let values = figure.map_or(Ok(String::new()), |figure| values(figure, &lesson.code))?;
     Ok(format!(
         "<div class=\"listing\"><p class=\"source\" id=\"listing-{id}\"><span class=\"file\">{}</span>{}{beside}</p>\
