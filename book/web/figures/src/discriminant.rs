@@ -186,7 +186,7 @@ fn draw_parabola(svg: &mut Svg, it: &Parameters) {
     if above(0.0) < ROOM[0] {
         svg.dot("sphere", AXIS.point(0.0).down(-above(0.0)), Right, "*c*");
     }
-    let corner = AXIS.end.down(16.0 - ROOM[0]);
+    let corner = AXIS.end.down(ROOM[1] - 2.0);
     svg.label("sphere", corner, End, "*a* *t*² + *b* *t* + *c*");
 }
 
