@@ -85,7 +85,7 @@ const IDEAS: [(&str, &[&str]); 3] = [
 /// Gives the letters of the figures a class, which has their color; a root gets a strut, because
 /// Chromium lets it sink around a low letter.
 fn colored(mathml: String) -> String {
-    let mut colored = mathml.replace("<msqrt><mi>", "<msqrt><mspace height=\"0.68em\"/><mi>");
+    let mut colored = mathml.replace("<msqrt><mi>", "<msqrt><mspace height=\"0.8em\"/><mi>");
     for (idea, letters) in IDEAS {
         for letter in letters {
             let plain = format!("<mi>{letter}</mi>");
