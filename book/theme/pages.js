@@ -97,7 +97,6 @@ document.addEventListener("click", (event) => {
     if (letter && !isOpen && event.detail) {
         event.preventDefault();
         letter.classList.add("open");
-        letter.focus();
     }
 });
 

@@ -72,3 +72,24 @@ inBrowsers("an arrow turns the page only where nothing has the keyboard", async 
     await Promise.all([page.waitForNavigation(), page.keyboard.press("ArrowRight")]);
     assert.doesNotMatch(page.url(), /normals\.html/);
 });
+
+inBrowsers("a letter says in a box what it is, and the next press leads to its row", async (page) => {
+    await open(page, "gradient.html#a-ray-is-a-function");
+    const letter = await page.$("a.symbol[href='symbols.html#bold-d']");
+    await letter.click();
+    assert.equal(await letter.evaluate((it) => getComputedStyle(it, "::after").content), '"the direction of the ray"');
+    assert.match(page.url(), /gradient\.html/);
+    await Promise.all([page.waitForNavigation(), letter.click()]);
+    assert.match(page.url(), /symbols\.html#bold-d$/);
+});
+
+inBrowsers("the page for the printer has the lesson alone if it is asked for", async (page) => {
+    await page.evaluateOnNewDocument(() => { window.print = () => {}; });
+    const titles = async (place) => {
+        await open(page, place);
+        return page.$$eval("main h1", (all) => all.map((it) => it.id));
+    };
+    const all = await titles("print.html");
+    const lesson = await titles("print.html?lesson");
+    assert.deepEqual(lesson, all.slice(0, all.indexOf("check-your-picture")));
+}, ["Chromium"]);
