@@ -88,6 +88,18 @@ document.fonts.ready.then(() => {
     document.querySelectorAll(boxes).forEach((box) => observer.observe(box));
 });
 
+// A letter is explained in a box where it stands: the first press shows the box, the next one leads
+// to the letter's row.
+document.addEventListener("click", (event) => {
+    const letter = event.target.closest?.("a.symbol");
+    const isOpen = letter?.classList.contains("open");
+    document.querySelectorAll("a.symbol.open").forEach((it) => it.classList.remove("open"));
+    if (letter && !isOpen && event.detail) {
+        event.preventDefault();
+        letter.classList.add("open");
+    }
+});
+
 // Loads scripts of the folder `live`, in this order.
 function load(...files) {
     return Promise.all(files.map((file) => new Promise((done, fail) => {
@@ -157,7 +169,7 @@ async function type(tools, isBroken = false, asked = tools) {
     await openEditor(tools.parentElement, tools.dataset.chapter, isBroken);
     sign.remove();
 }
-const allTools = document.querySelectorAll(".listing > .tools");
+const allTools = [...document.querySelectorAll(".listing > .tools")];
 for (const tools of allTools) {
     // A link to a listing opens the editor there.
     if (location.hash === `#${tools.parentElement.querySelector(".source").id}`) {
@@ -170,9 +182,9 @@ for (const tools of allTools) {
 
 // The page of a chapter begins with a button that opens the editor, to which the page of the chapter
 // before links.
-const [first] = allTools;
+const first = allTools.find((tools) => tools.querySelector(".type"));
 if (first && location.pathname.endsWith(`/${first.dataset.chapter}.html`)) {
-    const door = first.querySelector("button").cloneNode(true);
+    const door = first.querySelector(".type").cloneNode(true);
     door.className = "door";
     door.id = "type";
     door.addEventListener("click", () => type(first, false, door));
@@ -180,6 +192,15 @@ if (first && location.pathname.endsWith(`/${first.dataset.chapter}.html`)) {
     if (location.hash === "#type") {
         document.fonts.ready.then(() => door.click());
     }
+}
+
+// The page of all pages, which prints itself, has only the lesson if it is asked for that.
+if (location.search === "?lesson") {
+    const tools = document.getElementById("check-your-picture");
+    const rest = document.createRange();
+    rest.setStartBefore(tools);
+    rest.setEndAfter(main.lastChild);
+    rest.deleteContents();
 }
 
 // Shows the pictures that the reader's own chapters have drawn.

@@ -2,8 +2,8 @@
 
 use crate::vec3::{Point3, Vec3};
 
-/// The half-line P(t) = A + t·b of equation (1) in the notes, which call its
-/// origin A and its direction b at first, Q and d once spheres arrive.
+/// The half-line P(t) = Q + t·d of equation (1): Q is the origin and d the direction. The book has A
+/// and b there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
     /// The point at `t` = 0, where the ray starts.

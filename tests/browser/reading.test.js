@@ -13,16 +13,19 @@ const FOUND = {
     "b^2-4ac": "red_sphere.html#what-the-discriminant-says",
     "tangent": "red_sphere.html#what-the-discriminant-says",
     "shadow acne": "speed_vs_accuracy.html#shadow-acne-and-why-0001",
+    "trait object": "hittable_list.html#what-becomes-of-vector-and-shared_ptr",
+    "macOS": "setup.html#rust-on-your-machine",
+    "black image": "slips.html#dark",
     "epsilon": "hittable_list.html#the-range-t_min-and-t_max",
     "front face": "hittable_list.html#outward-or-against-the-ray",
     "lerp": "gradient.html#the-color-of-the-sky",
     "gamma": "setup.html#what-is-not-here-yet",
     "t_min": "hittable_list.html#the-range-t_min-and-t_max",
     "trait": "hittable_list.html#anything-that-a-ray-can-hit",
-    "NaN": "setup.html#a-picture-is-text",
+    "NaN": "setup.html#from-a-color-to-levels-and-nan",
     "quadratic": "red_sphere.html",
     "proof": "proofs.html#proofs",
-    "error": "measurements.html#three-kinds-of-error",
+    "error": "speed_vs_accuracy.html",
     "f32": "speed_vs_accuracy.html",
     "errata": "errata.html#errata",
     "C++ to Rust": "cpp_to_rust.html",
@@ -69,3 +72,25 @@ inBrowsers("an arrow turns the page only where nothing has the keyboard", async 
     await Promise.all([page.waitForNavigation(), page.keyboard.press("ArrowRight")]);
     assert.doesNotMatch(page.url(), /normals\.html/);
 });
+
+inBrowsers("a letter says in a box what it is, and the next press leads to its row", async (page) => {
+    await open(page, "gradient.html#a-ray-is-a-function");
+    const letter = await page.$("a.symbol[href='symbols.html#bold-d']");
+    await letter.click();
+    assert.equal(await letter.evaluate((it) => it.title), "the direction of the ray");
+    assert.notEqual(await letter.evaluate((it) => getComputedStyle(it, "::after").content), "none");
+    assert.match(page.url(), /gradient\.html/);
+    await Promise.all([page.waitForNavigation(), letter.click()]);
+    assert.match(page.url(), /symbols\.html#bold-d$/);
+});
+
+inBrowsers("the page for the printer has the lesson alone if it is asked for", async (page) => {
+    await page.evaluateOnNewDocument(() => { window.print = () => {}; });
+    const titles = async (place) => {
+        await open(page, place);
+        return page.$$eval("main h1", (all) => all.map((it) => it.id));
+    };
+    const all = await titles("print.html");
+    const lesson = await titles("print.html?lesson");
+    assert.deepEqual(lesson, all.slice(0, all.indexOf("check-your-picture")));
+}, ["Chromium"]);

@@ -71,7 +71,7 @@ const TYPED = {
 
 inBrowsers("a listing opens in its own file, and each of its words can be broken and mended by keys", async (page) => {
     await open(page, "hittable_list.html");
-    const listing = await page.$(".listing:has(> #listing-impl-Hittable-for-HittableList)");
+    const listing = await page.$(".listing:has(> #listing-first-HittableList)");
     await listing.$eval("button", (button) => button.click());
     await page.waitForSelector(".typing");
     const file = () => page.$eval(".typing [type=radio]:checked", (it) => it.parentElement.innerText.trim());

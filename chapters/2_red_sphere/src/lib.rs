@@ -22,7 +22,7 @@ pub fn ray_color(ray: &Ray) -> Color {
 /// Returns true if the whole line of `ray` meets or touches the sphere.
 ///
 /// The sign of `radius` does not matter. NaN in any number gives false, a direction of length 0
-/// true; an overflow may give either. Source: equations (11)–(15) of the notes.
+/// true; an overflow may give either. Source: equations (11)–(15).
 pub fn hit_sphere(center: Point3, radius: f64, ray: &Ray) -> bool {
     let oc = center - ray.origin;
     let a = ray.direction.dot(ray.direction);

@@ -31,7 +31,7 @@ pub fn ray_color(ray: &Ray) -> Color {
 ///
 /// `t` counts lengths of `ray.direction`; negative, it lies behind the origin. The sign of `radius`
 /// does not matter; ∞ gives −∞. NaN in any number or a direction of length 0 gives `Some(NaN)`; an
-/// overflow gives that, ±∞ or `None`. Source: equations (12)–(15) of the notes.
+/// overflow gives that, ±∞ or `None`. Source: equations (12)–(15).
 pub fn hit_sphere(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
     let oc = center - ray.origin;
     let a = ray.direction.dot(ray.direction);

@@ -30,8 +30,8 @@ pub fn ray_color(ray: &Ray) -> Color {
 /// sphere, the nearer root of |C − P(t)|² = r². Returns `None` if it misses.
 ///
 /// Unless a number overflows or underflows, it returns what chapter 3 does, to the last bit, NaN
-/// and −∞ included: multiplying by two and four never rounds. Source: equations (13)–(15) of the
-/// notes with h = d·(C − Q) = b/−2.
+/// and −∞ included: multiplying by two and four never rounds. Source: equations (13)–(15) with
+/// h = d·(C − Q) = b/−2.
 pub fn hit_sphere(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
     let oc = center - ray.origin;
     let a = ray.direction.length_squared();

@@ -19,7 +19,8 @@ macro_rules! functions_of_a_list {
         }
 
         fn record(asked: &$crate::IntervalCase) -> Option<$crate::record::RecordedHit> {
-            use $chapter::Hittable;
+            #[allow(unused_imports)] // A list of spheres has no trait.
+            use $chapter::*;
             let $crate::Case {
                 center,
                 radius,
@@ -35,13 +36,14 @@ macro_rules! functions_of_a_list {
             })
         }
 
-        fn nearest(world: &$crate::list::World) -> Option<f64> {
-            use $chapter::Hittable;
+        fn nearest(scene: &$crate::list::World) -> Option<f64> {
+            #[allow(unused_imports)] // A list of spheres has no trait.
+            use $chapter::*;
             let mut list = $chapter::HittableList::default();
-            for &(center, radius) in &world.spheres {
+            for &(center, radius) in &scene.spheres {
                 list.add($chapter::Sphere::new($vector(center), radius));
             }
-            Some(list.hit(&$ray(world.ray), world.t_min, world.t_max)?.t)
+            Some(list.hit(&$ray(scene.ray), scene.t_min, scene.t_max)?.t)
         }
 
         fn ray_color(ray: &$crate::Ray) -> $crate::Color {

@@ -10,7 +10,7 @@ mod programs;
 mod typed;
 mod typing;
 
-/// The answers to the exercises of the book, and two stairs of chapter 5. The pages show them.
+/// The answers to the exercises of the book, and the first stair of chapter 5. The pages show them.
 mod exercises {
     mod build_test;
     mod gradient;

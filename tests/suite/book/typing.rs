@@ -14,10 +14,10 @@ fn the_next_lines_lead_from_empty_functions_to_the_chapter() {
         while let Some(next) = next(&draft, 0) {
             let file = &mut draft.files[next.file];
             let mut lines: Vec<&str> = file.text.lines().collect();
-            if next.replaces_todo {
-                lines[next.above] = next.text;
+            if next.is_instead {
+                lines[next.above] = &next.text;
             } else {
-                lines.insert(next.above, next.text);
+                lines.insert(next.above, &next.text);
             }
             assert!(lines.len() < 200, "{file:?} never ends");
             file.text = lines.join("\n");
@@ -29,12 +29,14 @@ fn the_next_lines_lead_from_empty_functions_to_the_chapter() {
     }
 }
 
-/// Types the chapter letter by letter in place of each `todo!()`.
+/// Types the chapter letter by letter in place of each `todo!()`. Of chapter 5 that is the first
+/// stair: between the lines of the second, which takes the first apart, it does not compile.
 #[test]
 fn a_right_text_is_called_unfinished_and_never_wrong_while_it_is_typed() {
+    let is_written = |draft: &Draft| draft.files.iter().all(|it| !it.text.contains("todo!()"));
     for chapter in Chapter::OF_THE_BOOK {
         let mut draft = Draft::skeleton(chapter);
-        while let Some(next) = next(&draft, 0) {
+        while let Some(next) = next(&draft, 0).filter(|_| !is_written(&draft)) {
             let file = &draft.files[next.file].text;
             let mut lines: Vec<String> = file.lines().map(str::to_owned).collect();
             let is_instead = lines

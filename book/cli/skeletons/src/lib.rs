@@ -3,13 +3,16 @@
 //! Those of a chapter are made from the chapter itself, those of a prelude are written by hand.
 
 pub mod source;
+mod stairs;
 
 use interpreter::SourceFile;
 use slips::{Chapter, ChapterCode};
 
+pub use stairs::on_the_first_stair;
+
 /// Lists the files that a reader types in a chapter, in the order in which they are typed. Each has
-/// the chapter's own text with `todo!()` in place of the body of each function to be typed. They
-/// use the reader's own prelude (vectors, rays and the rendering: see [`own_prelude()`]) if
+/// the chapter's own text with `todo!()` in place of the body of each function to be typed; those
+/// of chapter 5 are as [`on_the_first_stair`]. They use the reader's own prelude (vectors, rays and the rendering: see [`own_prelude()`]) if
 /// `own_prelude` is true, or else that of the package `common`. Empty for
 /// [`Chapter::SpeedVsAccuracy`].
 pub fn files(chapter: Chapter, own_prelude: bool) -> Vec<SourceFile> {
@@ -20,7 +23,8 @@ pub fn files(chapter: Chapter, own_prelude: bool) -> Vec<SourceFile> {
         (PRELUDE, PRELUDE)
     };
     let skeletons = chapter.files().iter().map(|file| {
-        let text = source::to_type(file.text, given(chapter)).replace(GROUND, "");
+        let text = on_the_first_stair(&source::to_type(file.text, given(chapter)));
+        let text = text.replace(GROUND, "").replace(PIXEL, TODO);
         if file.name != "src/lib.rs" {
             return SourceFile::new(file.name, text.replace(PRELUDE, of_others));
         }
@@ -40,6 +44,10 @@ const PRELUDE: &str = "use common::rtweekend::*;\n";
 /// The line of chapter 5 that adds the ground: the reader's last step.
 const GROUND: &str = "    world.add(Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0));\n";
 
+/// The line of the build test that the reader types, and what stands there before.
+const PIXEL: &str = "Color::new(f64::from(i) / last, f64::from(j) / last, 0.0)";
+const TODO: &str = "todo!()";
+
 /// The names of a chapter's files, in the order in which they are typed.
 const ORDER: [&str; 4] = [
     "src/hittable.rs",
@@ -48,10 +56,10 @@ const ORDER: [&str; 4] = [
     "src/lib.rs",
 ];
 
-/// Lists the functions of a chapter that the reader need not type.
-fn given(chapter: Chapter) -> &'static [&'static str] {
+/// Lists the functions of a chapter that the reader need not type. (Of that of the build test, one
+/// line is typed.)
+pub fn given(chapter: Chapter) -> &'static [&'static str] {
     match chapter {
-        Chapter::BuildTest => &[],
         Chapter::RedSphere => &["picture", "ray_color"],
         _ => &["picture", "world", "new", "add"],
     }
@@ -98,7 +106,7 @@ pub fn carried_functions(chapter: Chapter) -> Vec<CarriedFunction> {
         ],
         Chapter::HittableList => &[
             ("ray_color", "fn ray_color", AboveAsComment),
-            ("hit_sphere", "impl Hittable for Sphere", AboveAsComment),
+            ("hit_sphere", "pub fn hit(", AboveAsComment),
         ],
         _ => &[],
     };

@@ -91,10 +91,12 @@ fn method(item: &ImplItem) -> Option<(&Ident, &Block)> {
     }
 }
 
-fn first_sentences(source: &str) -> String {
+/// Returns the source with the first sentence only of each doc comment, and without `#[inline]`.
+pub fn first_sentences(source: &str) -> String {
     let mut text = String::new();
     let mut is_open = true;
-    for line in source.lines().filter(|line| !line.starts_with("#[inline")) {
+    let is_shown = |line: &&str| !line.trim_start().starts_with("#[inline]");
+    for line in source.lines().filter(is_shown) {
         if !line.trim_start().starts_with("///") {
             text += &format!("{line}\n");
             is_open = true;

@@ -105,12 +105,12 @@ const STEPS: [&[ChapterStep]; 6] = [
     }],
     &[
         ChapterStep {
-            instruction: "A `Sphere` is `Hittable`, and a list of one finds it: the ball of chapter 4 is back.",
+            instruction: "A `Sphere` says where it is hit and from which side, and a list of one finds it: the ball of chapter 4 is back.",
             description: Chapter::HalfBSphere.shows(),
             edits: &["world.add(Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0));→"],
         },
         ChapterStep {
-            instruction: "`world` gets the ground, at (0, −100.5, −1) with radius 100, and the list finds the nearest.",
+            instruction: "`world` gets the ground, at (0, −100.5, −1) with radius 100, and the list finds the nearest. Then comes a trait, and no pixel changes.",
             description: Chapter::HittableList.shows(),
             ..LAST
         },

@@ -1,4 +1,4 @@
-//! A ray, a sphere, and the roots on the axis of t. Ray and sphere move.
+//! A ray, a sphere, and the roots: where a parabola over the axis of t is 0. Ray and sphere move.
 
 use normals::hit_sphere;
 
@@ -61,6 +61,16 @@ impl Parameters {
     fn foot(&self) -> Point3 {
         self.ray().at(nearest(&self.ray(), self.c))
     }
+
+    /// Returns a, b and c of the quadratic equation.
+    fn coefficients(&self) -> [f64; 3] {
+        let (Ray { direction: d, .. }, oc) = (self.ray(), self.c - self.q);
+        [
+            d.dot(d),
+            -2.0 * d.dot(oc),
+            oc.dot(oc) - self.radius * self.radius,
+        ]
+    }
 }
 
 fn answer(it: &Parameters) -> DrawnFigure {
@@ -73,30 +83,32 @@ fn answer(it: &Parameters) -> DrawnFigure {
     };
     let mut says = red_sphere_lines(it.c, it.radius, &it.ray());
     says.insert("roots", in_words);
-    DrawnFigure::new(draw(it, &roots), sentence(&roots), says)
+    let [a, b, c] = it.coefficients();
+    let discriminant = printed(b * b - 4.0 * a * c);
+    let sentence = format!("*b*² − 4*ac* = {discriminant}{}", meaning(&roots));
+    DrawnFigure::new(draw(it, &roots), sentence, says)
 }
 
 /// Says what the number and the signs of the roots mean.
-fn sentence(roots: &[f64]) -> String {
+fn meaning(roots: &[f64]) -> String {
     let at = listed(roots);
     match roots[..] {
-        [] => "The discriminant is negative: the line passes the center farther away than *r*. There is no root, and the \
-            ray misses.".to_owned(),
+        [] => " is negative: *l* is more than *r*, the parabola stays above the axis, and the line misses.".to_owned(),
         [only] if only < 0.0 => {
-            format!("The discriminant is 0: the line only touches, behind the eye: {at}. The ray misses.")
+            format!(": the line only touches, behind the eye: {at}. The ray misses.")
         }
-        [_] => format!("The discriminant is 0: the line only touches. Its one root is {at}."),
+        [_] => format!(": the line only touches. Its one root is {at}."),
         [one, other] if near(one, 0.0) || near(other, 0.0) => {
-            format!("The eye is on the sphere, where *t* is 0. The roots are {at}.")
+            format!(" is positive. The eye is on the sphere, where *t* is 0: the roots are {at}.")
         }
         [nearer, _] if nearer > 0.0 => {
-            format!("The discriminant is positive, and both roots are ahead: {at}. The eye sees the first.")
+            format!(" is positive, and both roots are ahead: {at}. The eye sees the first.")
         }
         [_, farther] if farther > 0.0 => {
-            format!("One root is behind the eye and one ahead: {at}. The eye is inside.")
+            format!(" is positive. One root is behind the eye and one ahead: {at}. The eye is inside.")
         }
         _ => format!(
-            "The discriminant is positive, but both roots are behind the eye: {at}. The line meets the sphere, the ray does not."
+            " is positive, but both roots are behind the eye: {at}. The line meets the sphere, the ray does not."
         ),
     }
 }
@@ -110,14 +122,16 @@ fn near(one: f64, other: f64) -> bool {
 const PLANE: Plane = Plane::new(60.0, 118.0, 60.0);
 const SIZE: DVec2 = spot(400.0, 226.0);
 
-/// The axis of t, below the scene.
-const AXIS: Axis = Axis::new(23.0, 258.0, 357.0, -2.5, 6.0);
+/// The axis of t, below the scene, and the room above and below it.
+const AXIS: Axis = Axis::new(23.0, 342.0, 357.0, -2.5, 6.0);
+const ROOM: [f64; 2] = [96.0, 40.0];
 
-/// Draws the scene and the axis, with a mark for each root on both.
+/// Draws the scene, and the parabola over the axis, with a mark for each root on both.
 fn draw(it: &Parameters, roots: &[f64]) -> Svg {
-    let mut svg = LIVE.figure.sheet(286.0);
+    let mut svg = LIVE.figure.sheet(AXIS.start.y + ROOM[1] + 4.0);
     draw_scene(&mut svg, it);
     draw_axis(&mut svg, roots);
+    draw_parabola(&mut svg, it);
     for (&t, n) in roots.iter().zip(1..) {
         let point = PLANE.point(it.ray().at(t));
         let name = format!("*t*_{{{n}}}");
@@ -145,8 +159,9 @@ fn draw_scene(svg: &mut Svg, it: &Parameters) {
 
 fn draw_axis(svg: &mut Svg, roots: &[f64]) {
     let [start, zero] = [AXIS.start, AXIS.point(0.0)];
-    svg.rect("faint wash", start.down(-42.0), (zero - start).down(46.0));
-    svg.small_label("ink", start + spot(6.0, -29.0), Start, "behind");
+    let behind = (zero - start).down(ROOM[0] + ROOM[1]);
+    svg.rect("faint wash", start.down(-ROOM[0]), behind);
+    svg.small_label("ink", start + spot(6.0, 14.0 - ROOM[0]), Start, "behind");
     svg.arrow("ray line", start, AXIS.end.right(10.0));
     let whole = ticks((-2..=6).map(f64::from), spoken);
     AXIS.draw_ticks(svg, "ray thin", spot(0.0, 5.0), &whole);
@@ -154,3 +169,28 @@ fn draw_axis(svg: &mut Svg, roots: &[f64]) {
         svg.line("ink bold", AXIS.point(nearer), AXIS.point(farther));
     }
 }
+
+/// Draws *at*² + *bt* + *c* over the axis, as far as there is room.
+fn draw_parabola(svg: &mut Svg, it: &Parameters) {
+    let [a, b, c] = it.coefficients();
+    let above = |t: f64| UNIT * ((a * t + b) * t + c);
+    let lowest = nearest(&it.ray(), it.c);
+    // So far to each side it stays below the upper rim.
+    let wide = ((ROOM[0] - above(lowest)) / (UNIT * a)).max(0.0).sqrt();
+    let [from, to] = [lowest - wide, lowest + wide].map(|t| t.clamp(AXIS.least, AXIS.most));
+    let along = (0..=STEPS).map(|n| from + (to - from) * f64::from(n) / f64::from(STEPS));
+    let points: Vec<DVec2> = along.map(|t| AXIS.point(t).down(-above(t))).collect();
+    if from < to && wide > 0.0 {
+        svg.path("sphere line", &points);
+    }
+    if above(0.0) < ROOM[0] {
+        svg.dot("sphere", AXIS.point(0.0).down(-above(0.0)), Right, "*c*");
+    }
+    let corner = AXIS.end.down(ROOM[1] - 2.0);
+    svg.label("sphere", corner, End, "*a* *t*² + *b* *t* + *c*");
+}
+
+/// The height on the sheet of a unit of the parabola, and the number of straight pieces in which it
+/// is drawn.
+const UNIT: f64 = 18.0;
+const STEPS: u32 = 40;

@@ -53,10 +53,11 @@ fn sentence(ray: &Ray) -> String {
     )
 }
 
-/// The places of the left and of the right sphere on the sheet.
+/// The places of the left and of the right sphere on the sheet: beside each there is room for a
+/// normal and its name.
 const PLANES: [Plane; 2] = [
-    Plane::new(98.0, 148.0, 64.0),
-    Plane::new(302.0, 148.0, 64.0),
+    Plane::new(102.0, 148.0, 50.0),
+    Plane::new(298.0, 148.0, 50.0),
 ];
 
 /// Finds where a ray meets the sphere, which has radius 1 around the origin: so a point of the

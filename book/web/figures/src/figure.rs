@@ -2,8 +2,7 @@
 
 use crate::svg::Svg;
 
-/// The words of a figure, each a plain text in one line; in the caption, question and solution
-/// `*t*` marks a number, `**P**` a vector.
+/// The words of a figure, each a plain text in one line; in the caption and the questions `*t*` marks a number, `**P**` a vector.
 #[derive(Clone, Debug)]
 pub struct Figure {
     /// The name of the figure in `{{figure NAME}}` on a page.
@@ -14,31 +13,42 @@ pub struct Figure {
     pub description: String,
     /// The caption below the figure, in which `*t*` marks a number and `**P**` a vector.
     pub caption: String,
-    /// A question to the reader about the figure, and then what to do with it.
+    /// The questions to the reader: at least one, and one more for each further page that shows the
+    /// figure.
+    pub questions: Vec<Question>,
+}
+
+/// A question about a figure, in the same notation.
+#[derive(Clone, Debug)]
+pub struct Question {
+    /// The question, and then what to do with the figure.
     pub question: String,
-    /// The answer to `question`, which the page shows when the reader asks for it.
+    /// Its answer, which the page shows when the reader asks for it.
     pub solution: String,
 }
 
 impl Figure {
-    /// Reads the words of the figure `name` from `text`: five paragraphs, in the order of the
-    /// fields, the title behind `# `.
+    /// Reads the words of the figure `name` from `text`: paragraphs in the order of the fields, the
+    /// title behind `# `, and two for each question.
     ///
     /// # Panics
-    /// If there are fewer paragraphs.
+    /// If there are fewer than five paragraphs, or a question has no answer.
     pub(crate) fn read(name: &'static str, text: &str) -> Self {
-        let mut paragraphs = text.trim_start_matches("# ").trim_end().split("\n\n");
-        let mut next = || {
-            let paragraph = paragraphs.next().expect("five paragraphs");
-            paragraph.replace('\n', " ")
+        let paragraphs = text.trim_start_matches("# ").trim_end().split("\n\n");
+        let paragraphs: Vec<String> = paragraphs.map(|it| it.replace('\n', " ")).collect();
+        let [title, description, caption, questions @ ..] = &paragraphs[..] else {
+            panic!("{name} has too few paragraphs");
+        };
+        let question = |pair: &[String]| Question {
+            question: pair[0].clone(),
+            solution: pair[1].clone(),
         };
         Self {
             name,
-            title: next(),
-            description: next(),
-            caption: next(),
-            question: next(),
-            solution: next(),
+            title: title.clone(),
+            description: description.clone(),
+            caption: caption.clone(),
+            questions: questions.chunks(2).map(question).collect(),
         }
     }
 

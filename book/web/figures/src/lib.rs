@@ -35,7 +35,7 @@ mod viewport_grid;
 mod walk;
 
 pub use charts::{ADVICE, CHARTS, Chart, DrawnChart, MAPPED, Map, Spot, least, panel_with_key};
-pub use figure::Figure;
+pub use figure::{Figure, Question};
 pub use live::{DrawnFigure, Movable};
 pub use parameters::Parameter;
 pub use style::{CSS, standalone};

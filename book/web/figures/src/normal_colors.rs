@@ -53,10 +53,7 @@ fn answer(&Parameters { point }: &Parameters) -> DrawnFigure {
     let [red, green, blue] = levels(color);
     let levels = format!("red {red}, green {green} and blue {blue}");
     let sentence = match normal {
-        Some(normal) => {
-            let normal = triple(normal);
-            format!("**n** = {normal} becomes the levels {levels} of 255.")
-        }
+        Some(_) => format!("Of 255 levels that is {levels}."),
         None => format!("The ray misses the ball, so there is no normal: {levels} are the sky."),
     };
     DrawnFigure::new(draw(point, color, normal), sentence, [("levels", levels)])

@@ -270,6 +270,7 @@ impl Draft {
     fn stopped(&self, fault: &Fault) -> Feedback {
         match self.place(fault) {
             Some(place) if fault.message.starts_with(NOT_WRITTEN) => {
+                let place = self.first_unwritten().unwrap_or(place);
                 Feedback::new(&sentences::not_written(self.chapter, &place, &[]))
             }
             place => {
@@ -282,6 +283,17 @@ impl Draft {
                 }
             }
         }
+    }
+
+    /// Returns the place of the first `todo!()`, in the order in which the files are typed: the
+    /// picture stops at the last.
+    fn first_unwritten(&self) -> Option<String> {
+        self.files.iter().find_map(|SourceFile { name, text }| {
+            let lines = text.lines().zip(1..);
+            let mut places = lines.filter_map(|(line, n)| Some((n, line.find("todo!()")? + 1)));
+            let (line, column) = places.next()?;
+            Some(format!("{name}:{line}:{column}"))
+        })
     }
 
     /// Returns the place of a fault as rustc writes it: `file:line:column`, both counted from 1.

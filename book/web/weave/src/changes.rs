@@ -9,49 +9,47 @@ use crate::slip::address;
 /// before, the pixels that changed, and the names of new files.
 ///
 /// # Errors
-/// If there is no such chapter, or none before it.
+/// If there is no such chapter, or none before it, or if no pixel changes, or all.
 pub(crate) fn changes(name: &str) -> Result<String, String> {
     let [before, after] = Chapter::OF_THE_BOOK
         .array_windows()
         .find(|[_, after]| after.name() == name)
         .ok_or_else(|| format!("no chapter `{name}` comes after another one"))?;
-    let (sentence, panels) = pictures(*before, *after);
+    let (sentence, panels) = pictures(*before, *after)?;
     let files = new_files(*before, *after);
     Ok(format!("{panels}{sentence}{files}"))
 }
 
-/// Returns a sentence about what changed in the picture, and the HTML of the pictures if only some
-/// pixels did; else no HTML.
-fn pictures(before: Chapter, after: Chapter) -> (String, String) {
+/// Returns a sentence about what changed in the picture, and the HTML of the pictures.
+///
+/// # Errors
+/// If no pixel did, or all: then there is nothing to show.
+fn pictures(before: Chapter, after: Chapter) -> Result<(String, String), String> {
     let [old, new] = [before, after].map(|chapter| chapter.picture(chapter.book_width()));
-    match Comparison::of(&old, &new) {
-        Comparison::Equal => {
-            let same = "The picture does not change, not by a single bit.";
-            (same.to_owned(), String::new())
-        }
-        Comparison::AnotherSize => {
-            let [size, new_size] =
-                [&old, &new].map(|it| format!("{} × {}", it.width(), it.height()));
-            let sentence =
-                format!("The picture is another one, of {new_size} pixels instead of {size}.");
-            (sentence, String::new())
-        }
-        Comparison::Pixels(it) => {
-            let sentence = format!(
-                "{} of {} pixels change, in columns {} to {} and rows {} to {}.",
-                it.count, it.total, it.columns[0], it.columns[1], it.rows[0], it.rows[1]
-            );
-            let panels = difference_picture(&old, &new).map(|changed| {
-                let file = |of: Chapter| format!("pictures/{}.snap.png", of.name());
-                let panels = [
-                    panel("Before", &file(before), before.shows()),
-                    panel("After", &file(after), after.shows()),
-                    panel("Changed pixels", &address(&changed), &sentence),
-                ];
-                format!("<div class=\"changes\">{}</div>\n\n", panels.concat())
-            });
-            (sentence, panels.unwrap_or_default())
-        }
+    let Comparison::Pixels(it) = Comparison::of(&old, &new) else {
+        return Err(format!("`{}` changes no pixels, or all", after.name()));
+    };
+    let changed = difference_picture(&old, &new).ok_or("the pictures differ in size")?;
+    let [count, total] = [it.count, it.total].map(in_groups);
+    let sentence = format!(
+        "{count} of {total} pixels change, in columns {} to {} and rows {} to {}.",
+        it.columns[0], it.columns[1], it.rows[0], it.rows[1]
+    );
+    let file = |of: Chapter| format!("pictures/{}.snap.png", of.name());
+    let panels = [
+        panel("Before", &file(before), before.shows()),
+        panel("After", &file(after), after.shows()),
+        panel("Changed pixels", &address(&changed), &sentence),
+    ];
+    let panels = format!("<div class=\"changes\">{}</div>\n\n", panels.concat());
+    Ok((sentence, panels))
+}
+
+/// Writes a number below a million with a comma before its last three digits, if it has five.
+fn in_groups(number: usize) -> String {
+    match number {
+        ..10_000 => number.to_string(),
+        _ => format!("{},{:03}", number / 1000, number % 1000),
     }
 }
 

@@ -3,12 +3,10 @@
 use std::ops::Range;
 use std::path::Path;
 
-use slips::Chapter;
-
-use crate::controls;
 use crate::folded::folded;
 use crate::ground::{escaped, read};
 use crate::source::{self, SourceItem};
+use crate::{controls, lesson};
 
 /// The items that a page has listed so far: file, lines, and name, so that a later listing can say
 /// where it stands beside them.
@@ -66,38 +64,30 @@ pub(crate) fn listing(
         listed.add(file, &found);
         (name, beside, source::excerpt(&text, &found))
     };
-    let whose = whose(file);
-    let id = name.replace(|it: char| !it.is_alphanumeric(), "-");
-    let values = figure.map_or(Ok(String::new()), |figure| values(figure, &code))?;
-    let (code, folded) = folded(&code);
+    let lesson = lesson::listing(file, code);
+    let stair = if lesson.file == file { "" } else { "first-" };
+    let id = format!("{stair}{name}").replace(|it: char| !it.is_alphanumeric(), "-");
+    let values = figure.map_or(Ok(String::new()), |figure| values(figure, &lesson.code))?;
+    let (code, folded) = folded(&lesson.code);
     Ok(format!(
-        "<div class=\"listing\"><p class=\"source\" id=\"listing-{id}\"><span class=\"file\">{file}</span>{whose}{beside}</p>\
-         {tools}\n\n````rust\n{}\n````\n\n{values}</div>\n\n{folded}",
+        "<div class=\"listing\"><p class=\"source\" id=\"listing-{id}\"><span class=\"file\">{}</span>{}{beside}</p>\
+         {}\n\n````rust\n{}\n````\n\n{values}</div>\n\n{folded}",
+        lesson.file,
+        lesson.whose,
+        lesson.tools,
         code.trim_end(),
-        tools = tools(file),
     ))
-}
-
-/// Returns the buttons that open the editor at a listing (to type it, or to break it), or nothing
-/// for a file that readers do not type.
-fn tools(file: &str) -> String {
-    let is_of = |it: &Chapter| file.contains(&format!("_{}/src/", it.name()));
-    let chapter = Chapter::OF_THE_BOOK.into_iter().find(is_of);
-    let Some(chapter) = chapter.filter(|_| !file.ends_with("main.rs")) else {
-        return String::new();
-    };
-    format!(
-        "<div class=\"tools\" data-chapter=\"{}\"><button type=\"button\">Type it here</button>\
-         <button type=\"button\" class=\"break\">Break it</button></div>",
-        chapter.name()
-    )
 }
 
 /// Returns a column of values beside the code, as HTML: that of a name at its `let`, and the result
 /// at the last line.
 fn values(figure: &str, code: &str) -> Result<String, String> {
     let says = controls::says(figure)?;
-    let lines: Vec<&str> = code.lines().map(str::trim).collect();
+    // What stands above the first value may be wrapped, so no line counts before the comments end.
+    let is_comment = |line: &&str| line.trim_start().starts_with("//");
+    let lines: Vec<&str> = code.lines().collect();
+    let start = lines.iter().rposition(is_comment).map_or(0, |n| n + 1);
+    let lines: Vec<&str> = lines[start..].iter().map(|line| line.trim()).collect();
     let last = lines.iter().rposition(|line| !["", "}"].contains(line));
     let value = |n: usize| {
         let name = match lines[n] {
@@ -118,15 +108,4 @@ fn values(figure: &str, code: &str) -> Result<String, String> {
     Ok(format!(
         "<div class=\"values\" role=\"group\" aria-label=\"For the ray of the figure\">{rows}</div>\n\n"
     ))
-}
-
-/// Says where a reader types the listing of this file, or that it is there to be read.
-fn whose(file: &str) -> String {
-    let folders: Vec<&str> = file.splitn(3, '/').collect();
-    match folders[..] {
-        ["common", ..] | ["chapters", "0_build_test", _] => ", to be read".to_owned(),
-        ["chapters", "6_speed_vs_accuracy", _] => String::new(),
-        ["chapters", _, yours] => format!(", to be typed into <b>{yours}</b>"),
-        _ => String::new(),
-    }
 }

@@ -5,22 +5,21 @@
 
 use std::collections::BTreeMap;
 
-use figures::{ACCURACY, Figure, LESSON, Movable, Parameter, figures, html};
+use figures::{ACCURACY, Figure, LESSON, Movable, Parameter, Question, figures, html};
 
 use crate::ground::{escaped, named};
 
-/// Returns a live figure as HTML: its question, its drawing under handles, inputs and buttons, a
+/// Returns a live figure as HTML: a question, its drawing under handles, inputs and buttons, a
 /// sentence, the answer, closed, and the caption. `data-figure` is the index of the figure in the
 /// module that draws it.
-pub(crate) fn around(live: &dyn Movable) -> String {
+pub(crate) fn around(live: &dyn Movable, question: &Question) -> String {
     let Figure {
         name,
         title,
         caption,
-        question,
-        solution,
         ..
     } = live.figure();
+    let Question { question, solution } = question;
     let is_it = |it: &&dyn Movable| it.name() == *name;
     let modules = [("lesson", LESSON), ("accuracy", ACCURACY)];
     let (module, place) = modules

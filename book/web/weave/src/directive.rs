@@ -22,13 +22,15 @@ pub(crate) enum Woven {
 /// | `{{code PATH}}` | the whole source file |
 /// | `{{code PATH ITEM, ITEM}}` | these items of a source, and where they stand beside items listed before |
 /// | `{{traced FIGURE PATH ITEMS}}` | such a listing, with each line's value for the ray of the figure |
-/// | `{{figure NAME}}` | the figure, drawn now, with its caption and, if it is live, its handles |
+/// | `{{figure NAME}}` | the figure, drawn now, with its question, caption and handles |
+/// | `{{figure NAME 2}}` | the same figure with its second question |
 /// | `{{live FIGURE NAME}}` | a number that this live figure says, also when it is moved |
 /// | `{{chart NAME}}` | the chart, and a table of its numbers |
 /// | `{{changes NAME}}` | the differences between a chapter's picture and the one before |
 /// | `{{slip NAME CHAPTER}}` | the wrong picture that this slip draws |
 /// | `{{slips LOOK}}` | all slips of a look; also `{{slips LOOK NAMES}}`, `{{slips LOOK not NAMES}}` |
-/// | `{{symptoms SLIPS}}` | the parts of the page of slips, each as the picture of its slip, and all slips by name |
+/// | `{{symptoms SLIPS}}` | the parts of the page of slips, each as the picture of its slip |
+/// | `{{names}}` | all slips by name |
 /// | `{{step CHAPTER NUMBER}}` | the picture after this step on the way to the chapter |
 /// | `{{snapshot PATH}}` | the Markdown in a snapshot |
 /// | `{{value FILE KEY}}` | a number that was measured |
@@ -46,17 +48,18 @@ pub(crate) fn resolve(text: &str, folder: &Path, listed: &mut Listed) -> Result<
             let (path, items) = split(second);
             code::listing(folder, path, items, listed, Some(first))
         }
-        "figure" => figure::figure(rest),
+        "figure" => figure::figure(first, second),
         "chart" => figure::chart(folder, rest),
         "changes" => changes::changes(rest),
         "slip" => slip::slip(first, second),
         "slips" => slip::gallery(rest),
         "symptoms" => slip::symptoms(folder, rest),
+        "names" => Ok(slip::names()),
         "snapshot" => snapshot(&folder.join(rest)),
         "step" => step::step(first, second),
         _ => Err(format!(
             "there is no directive `{name}`: choose code, traced, figure, live, chart, changes, \
-             slip, slips, step, snapshot, symptoms or value"
+             names, slip, slips, step, snapshot, symptoms or value"
         )),
     };
     block.map(Woven::Block)

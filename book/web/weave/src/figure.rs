@@ -7,13 +7,19 @@ use figures::{CHARTS, Chart};
 use crate::controls;
 use crate::ground::named;
 
-/// Draws the figure `name`; returns it with its caption, handles, inputs and buttons.
+/// Draws the figure `name`; returns it with its caption, handles, inputs and buttons. `number` says
+/// which of its questions it asks, from 1, which is also meant by an empty text.
 ///
 /// # Errors
-/// If there is no such figure.
-pub(crate) fn figure(name: &str) -> Result<String, String> {
+/// If there is no such figure, or no such question.
+pub(crate) fn figure(name: &str, number: &str) -> Result<String, String> {
     let figure = named("figure", name, figures::figures(), |figure| figure.name())?;
-    Ok(controls::around(figure))
+    let questions = &figure.figure().questions;
+    let number = if number.is_empty() { "1" } else { number };
+    let place = number.parse::<usize>().unwrap_or(0).checked_sub(1);
+    let question = place.and_then(|place| questions.get(place));
+    let question = question.ok_or_else(|| format!("{name} has no question {number}"))?;
+    Ok(controls::around(figure, question))
 }
 
 /// Draws the chart `name` from its files in the folder `notes`; returns it with its caption and a

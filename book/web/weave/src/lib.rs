@@ -12,6 +12,7 @@ mod figure;
 mod folded;
 pub mod folder;
 mod ground;
+mod lesson;
 mod maths;
 mod measured;
 mod page;

@@ -69,9 +69,30 @@ impl Maths {
     fn convert(&self, latex: &str, display: MathDisplay) -> Result<String, String> {
         let converted = self.converter.convert_with_local_state(latex, display);
         converted
-            .map(|result| untouched_by_markdown(&result.mathml))
+            .map(|result| untouched_by_markdown(&colored(result.mathml)))
             .map_err(|error| format!("the formula `{latex}` is wrong: {}", error.error_message()))
     }
+}
+
+/// The letters that the figures draw in a color, each behind the word that stands for the color in
+/// `figures.css`.
+const IDEAS: [(&str, &[&str]); 3] = [
+    ("ray", &["t", "𝐐", "𝐝", "𝐏"]),
+    ("sphere", &["r", "l", "𝐂"]),
+    ("normal", &["𝐧"]),
+];
+
+/// Gives the letters of the figures a class, which has their color; a root gets a strut, because
+/// Chromium lets it sink around a low letter.
+fn colored(mathml: String) -> String {
+    let mut colored = mathml.replace("<msqrt><mi>", "<msqrt><mspace height=\"0.8em\"/><mi>");
+    for (idea, letters) in IDEAS {
+        for letter in letters {
+            let plain = format!("<mi>{letter}</mi>");
+            colored = colored.replace(&plain, &format!("<mi class=\"{idea}\">{letter}</mi>"));
+        }
+    }
+    colored
 }
 
 /// Returns the formula without its `\tag{n}`, and n.

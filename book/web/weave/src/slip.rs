@@ -43,7 +43,7 @@ pub(crate) fn gallery(chosen: &str) -> Result<String, String> {
 }
 
 /// Returns a card for each part of the page of slips in the folder `notes`, with the picture of the
-/// slip at its place in the list `shown`; and below the cards all slips by name.
+/// slip at its place in the list `shown`.
 ///
 /// # Errors
 /// If the page cannot be read, has other than one part for each slip of the list, or a part that
@@ -57,17 +57,18 @@ pub(crate) fn symptoms(notes: &Path, shown: &str) -> Result<String, String> {
         return Err(format!("{PAGE} has {} parts with slips", parts.len()));
     }
     let cards: Result<String, String> = parts.into_iter().zip(shown).map(card).collect();
+    Ok(format!("<div class=\"symptoms\">{}</div>", cards?))
+}
+
+/// Returns a link to each slip by its name, in the order of the alphabet.
+pub(crate) fn names() -> String {
     let mut names: Vec<&str> = slips::all().map(|slip| slip.name).collect();
     names.sort_unstable();
     let links = names
         .iter()
         .map(|name| format!("<a href=\"#{name}\">{name}</a>"));
     let links: Vec<String> = links.collect();
-    Ok(format!(
-        "<div class=\"symptoms\">{}</div>\n\n## By name\n\n<p>{}</p>",
-        cards?,
-        links.join(" · ")
-    ))
+    format!("<p>{}</p>", links.join(" · "))
 }
 
 /// The page of slips, and the beginning of its lines that ask for the slips of a look.

@@ -21,8 +21,8 @@ impl Symbols {
     }
 
     /// Returns the `mathml` of a formula. If the formula is a symbol that is not yet in `met`, it
-    /// becomes a link to the page of symbols with its meaning, and the search finds it as it is
-    /// typed.
+    /// becomes a link to its row on the page of symbols with its meaning, which a script shows in
+    /// place, and the search finds it as it is typed.
     pub(crate) fn explained(
         &self,
         formula: &str,
@@ -36,10 +36,20 @@ impl Symbols {
             return mathml;
         }
         format!(
-            "<a class=\"symbol\" href=\"symbols.html\" title=\"{}\">{mathml}<span hidden> {typed} </span></a>",
+            "<a class=\"symbol\" href=\"symbols.html#{}\" title=\"{}\">{mathml}<span hidden> {typed} </span></a>",
+            id(formula),
             escaped(meaning)
         )
     }
+}
+
+/// Returns the id of a symbol's row: `t`, and for a bold letter `bold-d`.
+fn id(formula: &str) -> String {
+    let plain = formula.replace("\\mathbf{", "bold-");
+    plain.replace(
+        |letter: char| !letter.is_alphanumeric() && letter != '-',
+        "",
+    )
 }
 
 /// Reads the symbols of a row `| $t$ | t | the ray parameter | …`, each with its name and meaning.

@@ -2,6 +2,23 @@
 
 use common::rtweekend::*;
 
+/// Returns the rows of the picture whose rays neither climb nor fall.
+fn level_rows(width: u32) -> Vec<u32> {
+    let camera = Camera::new(width);
+    let is_level = |&j: &u32| camera.ray(0, j).direction.y.abs() < 1e-12;
+    (0..camera.image_height).filter(is_level).collect()
+}
+
+#[test]
+fn only_a_middle_row_is_blended_from_equal_parts() {
+    assert_eq!(level_rows(400), [112]);
+    assert!(level_rows(320).is_empty());
+    let picture = gradient::picture(400);
+    let (pixels, _) = picture.rgb().as_chunks::<3>();
+    let row = &pixels[112 * 400..][..400];
+    assert!(row.iter().all(|pixel| *pixel == [191, 217, 255]));
+}
+
 /// Returns the distance of the point at t = 1, for the nearest and for the farthest pixel of the
 /// picture.
 fn distances_at_1(width: u32) -> (f64, f64) {

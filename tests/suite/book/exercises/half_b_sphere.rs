@@ -34,6 +34,15 @@ fn one_sign_too_many_gives_the_far_root_negated_and_no_ball() {
 }
 
 #[test]
+fn with_one_sign_too_many_a_ball_behind_the_eye_is_seen() {
+    let behind = Point3::new(0.0, 0.0, 1.0);
+    let ahead = Ray::new(Point3::ZERO, Vec3::NEG_Z);
+    assert_eq!(with_minus_h(behind, 0.5, &ahead), Some(0.5));
+    let normal = (ahead.at(0.5) - behind).normalize();
+    assert_eq!(normal, Vec3::NEG_Z);
+}
+
+#[test]
 fn a_looser_test_for_t_brings_back_only_a_ring_of_the_ball() {
     let camera = Camera::new(400);
     let is_drawn = |i| with_minus_h(CENTER, 0.5, &camera.ray(i, 112)).is_some_and(|t| t > -1.0);

@@ -90,8 +90,8 @@ fn a_ray_goes_in_and_out_of_a_ball_and_of_balls_in_balls() {
     assert_eq!(crossings(&world(), &ahead), [(0.5, true), (1.5, false)]);
 }
 
-/// Returns true if the ray comes from inside, as a program finds it that asks at coloring time, of
-/// a normal that points out.
+/// Returns true if the ray comes from inside: for a program that asks when it colors, and whose
+/// normals point out.
 fn comes_from_inside(ray: &Ray, outward_normal: Vec3) -> bool {
     ray.direction.dot(outward_normal) > 0.0
 }

@@ -76,8 +76,8 @@ extern "C" fn judge() -> usize {
 extern "C" fn next_line(first: usize) -> usize {
     let next = next::next(&draft(), first);
     let next = next.map(|it| {
-        let replaces = u8::from(it.replaces_todo);
-        format!("{}\t{}\t{replaces}\t{}", it.file, it.above, it.text)
+        let is_instead = u8::from(it.is_instead);
+        format!("{}\t{}\t{is_instead}\t{}", it.file, it.above, it.text)
     });
     keep(next.unwrap_or_default())
 }

@@ -1,0 +1,42 @@
+//! The two stairs of chapter 5: spheres first, and then anything that a ray can hit.
+
+/// Returns a source of chapter 5 as it is on the first stair: a list of spheres, without a trait. A
+/// text that has none of the lines that the second stair changes is returned as it is.
+pub fn on_the_first_stair(text: &str) -> String {
+    let mut text = text.to_owned();
+    if let Some(start) = text.find(TRAIT)
+        && let Some(length) = text[start..].find("\n}\n\n")
+    {
+        text.replace_range(start..start + length + "\n}\n\n".len(), "");
+    }
+    for (second, first) in CHANGES {
+        text = text.replace(second, first);
+    }
+    text
+}
+
+/// The beginning of the trait, which the second stair adds.
+const TRAIT: &str = "/// Anything that a ray can hit: ";
+
+/// What the second stair changes: the text of the chapter, and that of the first stair.
+const CHANGES: [(&str, &str); 10] = [
+    (
+        "//! The trait of anything that a ray can hit, and the record of a hit.",
+        "//! The record of a hit.",
+    ),
+    (
+        "//! A list of things to hit, which can be hit itself.",
+        "//! A list of spheres.",
+    ),
+    (
+        "use crate::hittable::{HitRecord, Hittable};\n\n/// A list of hittable things, other lists among them.",
+        "use crate::hittable::HitRecord;\nuse crate::sphere::Sphere;\n\n/// A list of spheres.",
+    ),
+    ("{HitRecord, Hittable}", "HitRecord"),
+    ("Vec<Box<dyn Hittable + Send + Sync>>", "Vec<Sphere>"),
+    ("impl Hittable + Send + Sync + 'static", "Sphere"),
+    ("Box::new(object)", "object"),
+    ("impl Hittable for ", "impl "),
+    ("    fn hit(", "    pub fn hit("),
+    ("&dyn Hittable", "&HittableList"),
+];

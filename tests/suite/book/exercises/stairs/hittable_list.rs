@@ -1,0 +1,34 @@
+//! A list of spheres.
+
+use common::rtweekend::*;
+
+use super::HitRecord;
+use super::sphere::Sphere;
+
+/// A list of spheres.
+#[derive(Default)]
+pub struct HittableList {
+    objects: Vec<Sphere>,
+}
+
+impl HittableList {
+    /// Appends `object` to the list, which then owns it.
+    pub fn add(&mut self, object: Sphere) {
+        self.objects.push(object);
+    }
+}
+
+impl HittableList {
+    /// Finds the nearest hit of all: of two equally near, the one added first.
+    pub fn hit(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<HitRecord> {
+        let mut nearest = None;
+        let mut closest_so_far = t_max;
+        for object in &self.objects {
+            if let Some(record) = object.hit(ray, t_min, closest_so_far) {
+                closest_so_far = record.t;
+                nearest = Some(record);
+            }
+        }
+        nearest
+    }
+}
