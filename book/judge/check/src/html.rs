@@ -7,7 +7,8 @@ use crate::answer::{Answer, Grade, Headline, Row, RowKind};
 /// The page in which an answer is shown: one of the book, its page for pictures, or a report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HostPage {
-    /// A page of the book, with links to its other pages.
+    /// A page of the book, with links to its other pages. A reader types there, so the right line
+    /// is folded.
     Book,
     /// The book's page *Check your picture*, with links as in the book, and a button that judges
     /// the picture of a probe (a changed scene).
@@ -67,6 +68,10 @@ pub fn escaped(text: impl fmt::Display) -> String {
 /// Lays out a row with its label.
 fn row(row: &Row, page: HostPage) -> String {
     let said = match row.kind {
+        RowKind::ShouldBe | RowKind::Missing if page == HostPage::Book => format!(
+            "<details><summary>Show it</summary><code>{}</code></details>",
+            escaped(&row.text)
+        ),
         kind if kind.is_code() => format!("<code>{}</code>", escaped(&row.text)),
         RowKind::Probe(name) if page == HostPage::CheckPage => format!(
             "{} <button type=\"button\" data-probe=\"{name}\">Judge it here</button>",
