@@ -6,7 +6,7 @@ use std::ops::Range;
 use interpreter::{Fault, FaultKind, SourceSpan};
 
 use crate::typed::Draft;
-use crate::words::words;
+use crate::words::{replaced, words};
 
 /// Pairs of words that readers type out of habit, and the Rust for them. In the first text, `x` and
 /// `y` stand for names, `X` for a name with a capital, and `…` for any words; in the second, they
@@ -195,7 +195,13 @@ fn in_rust(line: &str, columns: &Range<usize>) -> Option<String> {
             let (first, last) = (words[start].0, &words[start + length - 1]);
             let is_there = (first..last.0 + last.1.len()).contains(&at);
             let is_method = start > 0 && words[start - 1].1 == "." && pattern[0] != "normalized";
-            (is_there && !is_method).then(|| with_names(rust, &names))
+            (is_there && !is_method).then(|| {
+                // Puts the matched names in the place of `x`, `y` and `X`.
+                replaced(rust, |_, word| {
+                    let found = names.iter().rev().find(|(it, _)| *it == word);
+                    found.map(|(_, name)| *name)
+                })
+            })
         })
     })
 }
@@ -227,19 +233,4 @@ fn matched<'a>(
         names.push((wanted, word));
     }
     Some(1 + matched(rest, &words[1..], names)?)
-}
-
-/// Puts the matched names in the place of `x`, `y` and `X`.
-fn with_names(rust: &str, names: &[(&str, &str)]) -> String {
-    let name = |word: &str| {
-        let found = names.iter().rev().find(|(it, _)| *it == word);
-        found.map_or(word, |(_, name)| name).to_owned()
-    };
-    let (mut text, mut end) = (String::new(), 0);
-    for (at, word) in words(rust) {
-        text += &rust[end..at];
-        text += &name(word);
-        end = at + word.len();
-    }
-    text + &rust[end..]
 }

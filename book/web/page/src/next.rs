@@ -3,7 +3,7 @@
 use interpreter::SourceFile;
 
 use crate::typed::Draft;
-use crate::words::words;
+use crate::words::{replaced, words};
 
 /// The first line of a chapter that a reader's draft lacks, and its place in the draft.
 #[derive(Debug, PartialEq, Eq)]
@@ -100,43 +100,43 @@ fn missing(file: usize, theirs: &Body, yours: &Body) -> Lack {
     let (mut known, mut after) = (Vec::new(), 0);
     for (n, (_, line)) in theirs.lines.iter().enumerate() {
         let text = with_names(line, &renamed);
-        let found = match bound(&text) {
-            Some(name) => yours
-                .lines
-                .iter()
-                .position(|(_, it)| bound(it) == Some(name)),
-            None => {
-                let mut rest = (after..yours.lines.len()).map(|n| (n, yours.lines[n].1));
-                rest.find(|(_, it)| is_same(it, &text) || is_begun(it, &text))
-                    .map(|(n, _)| n)
-            }
-        };
+        let found = yours.find(&text, after);
         known.extend(found);
-        let is_whole = found.is_some_and(|at| !is_begun(yours.lines[at].1, &text));
-        if is_whole {
-            after = after.max(found.map_or(0, |at| at + 1));
-        } else if lack.is_none() {
-            let &(above, below) = yours
-                .lines
-                .get(found.unwrap_or(after))
-                .unwrap_or(&(yours.end, ""));
-            let is_last = n + 1 == theirs.lines.len();
-            let replaces = found.is_some() || is_last && is_todo(below);
-            lack = Some(NextLine {
-                file,
-                above,
-                text,
-                replaces,
-            });
+        match found {
+            Some(at) if !is_begun(yours.lines[at].1, &text) => after = after.max(at + 1),
+            _ if lack.is_some() => {}
+            _ => {
+                let at = found.unwrap_or(after);
+                let &(above, below) = yours.lines.get(at).unwrap_or(&(yours.end, ""));
+                let is_last = n + 1 == theirs.lines.len();
+                lack = Some(NextLine {
+                    file,
+                    above,
+                    text,
+                    replaces: found.is_some() || is_last && is_todo(below),
+                });
+            }
         }
     }
-    let is_known = |(n, (_, line)): (usize, &(usize, &str))| {
-        known.contains(&n) || is_todo(line) || bound(line).is_some()
-    };
+    let mut lines = yours.lines.iter().enumerate();
+    let all_known =
+        lines.all(|(n, (_, line))| known.contains(&n) || is_todo(line) || bound(line).is_some());
     match lack {
-        Some(line) if yours.lines.iter().enumerate().all(is_known) => Lack::Line(line),
+        Some(line) if all_known => Lack::Line(line),
         Some(_) => Lack::Unknown,
         None => Lack::Nothing,
+    }
+}
+
+impl Body<'_> {
+    /// Returns the number of the line that says the same as one of the chapter's, or begins it:
+    /// wherever it gives a value to the same name, or else at or behind the line number `after`.
+    fn find(&self, text: &str, after: usize) -> Option<usize> {
+        let is_it = |(n, (_, line)): (usize, &(usize, &str))| match bound(text) {
+            Some(name) => bound(line) == Some(name),
+            None => n >= after && (is_same(line, text) || is_begun(line, text)),
+        };
+        self.lines.iter().enumerate().position(is_it)
     }
 }
 
@@ -151,17 +151,12 @@ fn renamed<'a>(theirs: &'a Body, yours: &'a Body) -> Vec<(&'a str, &'a str)> {
     only(theirs, yours).zip(only(yours, theirs)).collect()
 }
 
-/// Returns the line with the second name of each pair in the place of the first.
+/// Returns the line with the second name of each pair in the place of the first; fields keep theirs.
 fn with_names(line: &str, renamed: &[(&str, &str)]) -> String {
-    let (mut text, mut end) = (String::new(), 0);
-    for (at, word) in words(line) {
-        let is_field = line[..at].ends_with('.');
-        let pair = renamed.iter().find(|(old, _)| *old == word && !is_field);
-        text += &line[end..at];
-        text += pair.map_or(word, |(_, new)| new);
-        end = at + word.len();
-    }
-    text + &line[end..]
+    replaced(line, |before, word| {
+        let pair = renamed.iter().find(|(old, _)| *old == word)?;
+        (!before.ends_with('.')).then_some(pair.1)
+    })
 }
 
 /// Returns the name to which the line gives a value by `let`.
@@ -182,7 +177,7 @@ fn is_same(yours: &str, theirs: &str) -> bool {
 /// Returns true if the reader's line is only the beginning of the chapter's.
 fn is_begun(yours: &str, theirs: &str) -> bool {
     let (yours, theirs) = (squeezed(yours), squeezed(theirs));
-    yours != "}" && yours != theirs && theirs.starts_with(&yours)
+    !["", "}"].contains(&&*yours) && yours != theirs && theirs.starts_with(&yours)
 }
 
 /// Returns the line without blanks and comment, without `return` in front and without a semicolon
