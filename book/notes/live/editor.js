@@ -387,7 +387,7 @@ class Editor {
             file.insert(Number(above), line, isInstead === "1");
         } else {
             file.go(Number(above), Infinity);
-            const begins = line.trim().split(/\s+/).slice(0, 2 + begun.split(/\s+/).length).join(" ");
+            const begins = line.trim().split(/\s+/).slice(0, 1 + begun.split(/\s+/).length).join(" ");
             const place = `line ${Number(above) + 1} of ${file.name}`;
             this.say(refusal(`${begun ? `The next line is ${place},` : `The next line goes above ${place},`} and begins with ${begins}`));
         }

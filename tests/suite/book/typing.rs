@@ -104,6 +104,7 @@ fn what_cannot_be_read_yet_is_unfinished_though_the_reader_rests() {
         ("let a = 0.5 * (unit_direction.y +", "you are typing"),
         ("let a =", "you are typing"),
         ("return (1, 1, 1);", "does not compile"),
+        ("let a = 1.0\n    let b", "does not compile"),
         ("let a = 0.5 * (z + 1.0);", "does not compile"),
     ] {
         let mut draft = Draft::complete(Chapter::Gradient);

@@ -3,7 +3,7 @@
 
 use std::ops::Range;
 
-use interpreter::{Fault, FaultKind};
+use interpreter::{Fault, FaultKind, SourceSpan};
 
 use crate::typed::Draft;
 
@@ -22,7 +22,8 @@ pub struct Caret {
 impl Draft {
     /// Returns the caret's line if the faults may come only from missing words at its end: a
     /// bracket is not yet closed, all faults lie in the caret's statement, or the text without it
-    /// has none. While the reader rests, none of this holds for a text that can be read.
+    /// has none. While the reader rests, none of this holds for a text that can be read up to the
+    /// caret's line.
     pub(crate) fn unfinished_line(&self, faults: &[Fault]) -> Option<usize> {
         let caret = self.caret?;
         let before = self.text_before(caret)?;
@@ -30,7 +31,13 @@ impl Draft {
         if is_nested(before) && !is_nested(text) {
             return Some(caret.line);
         }
-        if caret.rests && !faults.iter().any(is_unread) {
+        let is_open = |fault: &Fault| {
+            let place = fault.place.as_ref();
+            let is_above =
+                |it: &SourceSpan| self.typed(it.file) != caret.file || it.line < caret.line;
+            is_unread(fault) && !place.is_some_and(is_above)
+        };
+        if caret.rests && !faults.iter().any(is_open) {
             return None;
         }
         let statement = statement(before);
