@@ -164,7 +164,7 @@ async function type(tools, isBroken = false, asked = tools) {
     sign.role = "status";
     sign.textContent = "The editor is loading …";
     editor || asked.after(sign);
-    editor ??= load("judge", "worker", "breaking", "editor");
+    editor ??= load("judge", "worker", "breaking", "field", "editor");
     await editor;
     await openEditor(tools.parentElement, tools.dataset.chapter, isBroken);
     sign.remove();

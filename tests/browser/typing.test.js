@@ -55,7 +55,15 @@ inBrowsers("a right function is never called wrong while it is typed", async (pa
         }
     }
     assert.match(await answer(page), /to the last bit/);
+    // It lacks nothing, and no help changes it.
+    const right = await page.$eval(AREA, (area) => area.value);
+    for (const action of ["hint", "next"]) {
+        await page.click(`.typing [data-action=${action}]`);
+        await said(page, ".typing", "nothing is missing");
+    }
+    assert.equal(await page.$eval(AREA, (area) => area.value), right);
     // An unfinished line is judged when the caret leaves it.
+    await page.focus(AREA);
     await page.keyboard.type("x");
     assert.match(await answer(page), /^Not finished: you are typing line \d+/);
     await page.keyboard.press("ArrowUp");
@@ -104,33 +112,78 @@ inBrowsers("a listing opens in its own file, and each of its words can be broken
     assert.deepEqual(complaintsSoFar(), []);
 });
 
-inBrowsers("on a phone the line that is typed is seen, and indented as rustfmt has it", async (page) => {
-    await open(page, "normals.html#type", 375);
-    await page.setViewport({ width: 375, height: 460 });
-    await page.waitForSelector(".typing");
-    await page.$eval(".typing [data-action=empty]", (button) => button.click());
-    await page.$eval(AREA, (area) => area.setSelectionRange(area.value.indexOf("todo!()"), area.value.indexOf("todo!()") + 7));
-    const typed = ["if let Some(t) = hit_sphere(center, 0.5, ray)", "&& t > 0.0", "{", "let normal = ray.at(t) - center;", "}", "sky(ray)"];
-    for (const [n, line] of typed.entries()) {
-        await page.keyboard.type((n ? "\n" : "") + line);
-        const [above, line_end, below] = await page.evaluate((selector) => {
-            const box = (it) => document.querySelector(`.typing ${it}`).getBoundingClientRect();
-            const area = document.querySelector(selector);
-            const lines = area.value.slice(0, area.selectionStart).split("\n").length;
-            return [box(".said").bottom, box("textarea").top + 10 + 19.5 * lines, box(".controls").top];
-        }, AREA);
-        assert.ok(above <= line_end - 19 && line_end <= below + 1, `${line}: ${above}, ${line_end}, ${below}`);
-    }
-    // The colored text breaks no line that the textarea above it does not break.
-    const [lines, colored] = await page.evaluate((selector) => {
-        const range = document.createRange();
-        range.selectNodeContents(document.querySelector(".typing pre[aria-hidden] code"));
-        return [document.querySelector(selector).value.split("\n").length, range.getBoundingClientRect().height / 19.5];
-    }, AREA);
-    assert.ok(Math.abs(lines - colored) < 2, `${lines} lines, ${colored} colored ones`);
-    const indented = await page.$eval(AREA, (area) => area.value);
-    assert.match(indented, /\n    if let .*\n        && t > 0\.0\n    \{\n        let normal.*\n    \}\n    sky\(ray\)\n/);
+inBrowsers("a finished line is judged where the reader rests, and the right line shows when asked for", async (page) => {
+    await begin(page, "gradient.html");
+    await page.click(".typing [data-action=full]");
+    assert.match(await answer(page), /to the last bit/);
+    await typeOver(page, "a) * white + a * blue", "a) * white");
+    await said(page, ".typing", "Wrong");
+    const isSeen = () => page.$eval(".typing .rest details code", (it) => it.checkVisibility());
+    assert.equal(await isSeen(), false);
+    await page.click(".typing .rest summary");
+    assert.equal(await isSeen(), true);
+    // What cannot be read yet is no mistake.
+    assert.match(await typeOver(page, "a) * white", "a) * "), /^Not finished: you are typing line \d+/);
+    await page.waitForFunction(() => document.querySelector(".typing .rest").textContent.startsWith("So far: "));
+    assert.equal(await page.$(".typing :is(.is-wrong, .faults mark)"), null);
 });
+
+for (const width of [360, 375, 414]) {
+    inBrowsers(`with ${width} pixels and a keyboard what is typed is seen, and indented as rustfmt has it`, async (page) => {
+        await open(page, "normals.html#type", width);
+        await page.setViewport({ width, height: 460 });
+        await page.waitForSelector(".typing");
+        await page.$eval(".typing [data-action=empty]", (button) => button.click());
+        await page.$eval(AREA, (area) => area.setSelectionRange(area.value.indexOf("todo!()"), area.value.indexOf("todo!()") + 7));
+        const heights = new Set();
+        for (const [n, line] of INDENTED.entries()) {
+            await page.keyboard.type((n ? "\n" : "") + line.trim());
+            heights.add(await page.$eval(".typing .said", (it) => it.offsetHeight));
+            // Firefox scrolls smoothly.
+            await answer(page);
+            const [first, typed, box, above, below, height] = await page.evaluate(places, AREA);
+            const seen = `${line}: ${JSON.stringify([first, typed, box, above, below])}`;
+            assert.ok(above <= typed.top + 2 && typed.bottom <= below + 2, seen);
+            assert.ok(box.left <= typed.left && typed.right < box.right, seen);
+            assert.ok(Math.abs(first.area - first.colors) < 1 && first.scrolled === 0, seen);
+            heights.add(height);
+        }
+        assert.equal(heights.size, 1, `the answer is ${[...heights]} pixels high`);
+        // The colored text breaks no line that the textarea above it does not break.
+        const [lines, colored] = await page.evaluate((selector) => {
+            const range = document.createRange();
+            range.selectNodeContents(document.querySelector(".typing pre[aria-hidden] code"));
+            return [document.querySelector(selector).value.split("\n").length, range.getBoundingClientRect().height / 19.5];
+        }, AREA);
+        assert.ok(Math.abs(lines - colored) < 2, `${lines} lines, ${colored} colored ones`);
+        const text = await page.$eval(AREA, (area) => area.value);
+        assert.ok(text.includes(`\n${INDENTED.join("\n")}\n`), text);
+        // A line without its semicolon leaves the next one where it belongs.
+        await typeOver(page, "- center;", "- center");
+        await page.keyboard.type("\nlet color = normal;");
+        assert.match(await page.$eval(AREA, (area) => area.value), /\n        let normal = [^\n]*\n        let color = normal;\n/);
+    });
+}
+const INDENTED = ["    if let Some(t) = hit_sphere(center, 0.5, ray)", "        && t > 0.0", "    {",
+    "        let normal = ray.at(t) - center;", "    }", "    sky(ray)"];
+
+// Returns where the first column of the field and of its colors begins and by how much the field is
+// scrolled, the box of the last typed letter, the box that scrolls, the room between the answer and the
+// buttons, and the height of the answer.
+function places(selector) {
+    const box = (it) => document.querySelector(`.typing ${it}`).getBoundingClientRect();
+    const area = document.querySelector(selector);
+    const walker = document.createTreeWalker(document.querySelector(".typing pre[aria-hidden] code"), NodeFilter.SHOW_TEXT);
+    let left = area.selectionStart;
+    while (walker.nextNode() && walker.currentNode.length < left) {
+        left -= walker.currentNode.length;
+    }
+    const letter = document.createRange();
+    letter.setStart(walker.currentNode, left - 1);
+    letter.setEnd(walker.currentNode, left);
+    const first = { area: area.getBoundingClientRect().left, colors: box("pre[aria-hidden] code").left, scrolled: area.scrollLeft };
+    return [first, letter.getBoundingClientRect().toJSON(), box(".text").toJSON(), box(".said").bottom, box(".controls").top, box(".said").height];
+}
 
 const PASTED = ["[".repeat(1 << 20), `fn f() { ${"-".repeat(90000)}`, "\0", "fn <img src=x onerror=alert(1)>() {}",
     "use common::rtweekend::*; pub fn picture(width: u32) -> Picture { picture(width) }"];

@@ -1,34 +1,17 @@
 // The editor of a chapter: a text field beside the listing, with the picture of the text and the
 // verdict on it. No request leaves the page, because the interpreter and the judge are a part of
 // it.
-//
-// The text is a plain `textarea` that nothing is drawn in: its colors and the lines below faults
-// are two layers behind it. CodeMirror 6 (view, language, lint, lang-rust) was weighed against it:
-//  - Indentation: it indents by grammar, and as well where a function is taken apart; here three
-//    rules do for what the chapters have: a bracket, a closing brace, a condition that goes on.
-//  - Marks: it draws them with what they say beside the line; here they are below the line, and
-//    what they say is in the answer, with a button that leads there.
-//  - Caret: it keeps its own in view; `reveal` does so here, in twenty lines that a test holds.
-//  - Phones and screen readers: it edits a `contenteditable`, for which it works around each
-//    keyboard. The textarea is the field that everyone's keyboard, dictation, reader, undo, search
-//    and spelling know, and needs no work.
-//  - Size: with its grammar some 300 kB of script (100 kB gzip) and a tool that bundles it, for a
-//    text of at most 8 kB.
-// It was weighed on paper and not built. For longer texts it would be the better choice.
 
 "use strict";
 
 // The editor draws a small picture after each letter. After PAUSE milliseconds without a letter it
 // draws the text at the book's size, and shows the verdict LONG_PAUSE milliseconds after the
-// letter.
+// letter. After REST milliseconds the line at the caret counts as finished if it can be read.
 const PAUSE = 100;
 const LONG_PAUSE = 300;
-// The number of letters above which a text is not read, and above which it has no colors. No
-// chapter has 8 kB.
+const REST = 2000;
+// The number of letters above which a text is not read. No chapter has 8 kB.
 const MOST_LETTERS = 100000;
-const MOST_COLORED = 20000;
-// The room in pixels that the editor leaves above itself for the header.
-const HEADER = 60;
 // The time in milliseconds after which a worker is replaced, for small questions and for large
 // ones. The interpreter counts steps, and names an endless loop long before.
 const PATIENCE = 2000;
@@ -54,9 +37,9 @@ function editorMethods(rust, { bytes, text, give }) {
             asked([chapter]);
             return text(rust.begin()).split("\0");
         },
-        draw({ fields, width, caret: [file, line] }) {
+        draw({ fields, width, caret: [file, line], rests }) {
             asked(fields);
-            const height = rust.draw(width, file, line);
+            const height = rust.draw(width, file, line, rests);
             const length = rust.length();
             return height ? { width, height, rgba: bytes(length).slice() } : { said: feedback(length) };
         },
@@ -219,11 +202,14 @@ class Editor {
         }
     }
 
-    // Draws the text again and again until no letter comes meanwhile, and then judges it.
-    async changed() {
+    // Draws the text again and again until no letter comes meanwhile, and then judges it. The reader
+    // may have typed nothing, and rest.
+    async changed(rests = false) {
         const now = ++this.turn;
-        this.typed = performance.now();
+        this.rests = rests;
+        this.typed = rests ? this.typed : performance.now();
         this.typedAt = String(this.caret());
+        this.isRight = false;
         this.desk.ariaBusy = "true";
         this.files.forEach((file) => file.mark([]));
         if (this.isDrawing) {
@@ -253,7 +239,7 @@ class Editor {
         const turn = this.turn;
         const caret = this.caret();
         try {
-            const drawn = await worker.within(patience, "draw", { fields, width, caret });
+            const drawn = await worker.within(patience, "draw", { fields, width, caret, rests: this.rests });
             if (!drawn.said && turn === this.turn) {
                 this.paint(drawn);
             }
@@ -286,7 +272,7 @@ class Editor {
             .catch((error) => refusal(gaveUp(error)));
         if (turn === this.turn) {
             this.say(said);
-            if (said.headline.includes("is-right") && !this.isBroken) {
+            if (this.isRight && !this.isBroken) {
                 this.remember();
                 this.leadOn();
             }
@@ -317,8 +303,8 @@ class Editor {
     // Shows feedback; the picture beside it is from before if `isOld`.
     say({ places, headline, rest }, isOld = false) {
         this.isCalm = headline.includes("is-calm");
+        this.isRight = headline.includes("is-right");
         this.desk.classList.toggle("old", isOld && !this.isCalm);
-        this.desk.classList.toggle("unfinished", headline.includes("you are typing"));
         if (this.verdict.innerHTML !== headline) {
             this.verdict.innerHTML = headline;
         }
@@ -329,6 +315,13 @@ class Editor {
         }
         this.files.forEach((file, n) => file.mark(places.filter(([of]) => of === n)));
         this.desk.ariaBusy = "false";
+        this.isCalm && !this.rests && this.judgeAtRest(this.turn);
+    }
+
+    // Judges the line at the caret when the reader has typed nothing for a while.
+    async judgeAtRest(turn) {
+        await until(this.typed + REST);
+        turn === this.turn && this.caret()[1] && this.changed(true);
     }
 
     lead(told) {
@@ -358,9 +351,7 @@ class Editor {
         } else if (action === "full") {
             this.replace((file) => file.full);
         } else if (action === "hint" || action === "next") {
-            this.help(action === "next", await Editor.drawing.within(PATIENCE, "next", {
-                fields: this.fields(), first: this.files.indexOf(this.chosen),
-            }));
+            this.help(action === "next");
         } else if (action === "home") {
             this.takeHome();
         } else if (action === "close") {
@@ -373,20 +364,32 @@ class Editor {
         this.chosen.area.focus();
     }
 
-    // Says where the next line goes and how it begins, or types it.
-    help(isTyped, [n, above, isLast, line]) {
+    // Says where the next line goes and how it begins, or types it. A right program lacks nothing.
+    async help(isTyped) {
+        while (this.desk.ariaBusy === "true") {
+            await until(performance.now() + PAUSE);
+        }
+        if (this.isRight) {
+            this.verdict.textContent = "Right: nothing is missing.";
+            return;
+        }
+        const question = { fields: this.fields(), first: this.files.indexOf(this.chosen) };
+        const [n, above, isInstead, line] = await Editor.drawing.within(PATIENCE, "next", question);
         const file = this.files[n];
-        if (!line) {
-            this.say(refusal("Every line of the chapter is there."));
+        if (!file) {
+            this.say(refusal(n ? "Your lines are not the chapter's, so the next one is not known."
+                : "Every line of the chapter is there."));
             return;
         }
         this.choose(file);
+        const begun = isInstead === "1" ? file.line(Number(above)).replace("todo!()", "") : "";
         if (isTyped) {
-            file.insert(Number(above), line, isLast === "1");
+            file.insert(Number(above), line, isInstead === "1");
         } else {
-            file.go(Number(above), 0);
-            const begins = line.trim().split(/\s+/).slice(0, 2).join(" ");
-            this.say(refusal(`The next line goes above line ${Number(above) + 1} of ${file.name}, and begins with ${begins}`));
+            file.go(Number(above), Infinity);
+            const begins = line.trim().split(/\s+/).slice(0, 1 + begun.split(/\s+/).length).join(" ");
+            const place = `line ${Number(above) + 1} of ${file.name}`;
+            this.say(refusal(`${begun ? `The next line is ${place},` : `The next line goes above ${place},`} and begins with ${begins}`));
         }
     }
 
@@ -400,196 +403,6 @@ class Editor {
         URL.revokeObjectURL(link.href);
         this.desk.querySelector(".home").hidden = false;
     }
-}
-
-// A file of the reader: a text field, and behind it the layers of colors and of underlined faults.
-class TypedFile {
-    constructor(editor, name, skeleton, full) {
-        Object.assign(this, { editor, name, skeleton, full });
-        this.choice = document.createElement("label");
-        this.choice.innerHTML = `<input type="radio" name="file ${editor.name}"> `;
-        this.choice.append(name);
-        this.choice.addEventListener("change", () => editor.choose(this));
-        this.panel = document.createElement("div");
-        this.panel.className = "text";
-        this.panel.innerHTML = PANEL;
-        [this.colors, this.faults] = this.panel.querySelectorAll("pre");
-        this.area = this.panel.querySelector("textarea");
-        this.area.hidden = editor.isBroken;
-        this.colors.ariaHidden = String(!editor.isBroken);
-        this.area.ariaLabel = name;
-        this.area.setAttribute("aria-describedby", `said-${editor.name}`);
-        this.area.addEventListener("input", () => this.changed());
-        // The keyboard of a phone comes and goes, too.
-        this.area.addEventListener("keyup", () => this.reveal());
-        for (const event of ["keyup", "click", "blur"]) {
-            this.area.addEventListener(event, () => editor.moved());
-        }
-        visualViewport?.addEventListener("resize", () => document.activeElement === this.area && this.reveal());
-        this.area.addEventListener("keydown", (event) => this.press(event));
-    }
-
-    put(text) {
-        this.area.value = text;
-        this.color();
-    }
-
-    changed() {
-        this.color();
-        this.editor.changed();
-    }
-
-    // Replaces a part of the text, all of it by default, so that the browser's undo can bring it
-    // back.
-    replace(text, [start, end] = [0, this.area.value.length]) {
-        if (this.area.value.slice(start, end) !== text) {
-            const { hidden } = this.panel;
-            this.panel.hidden = false;
-            this.area.focus();
-            this.area.setSelectionRange(start, end);
-            document.execCommand(text ? "insertText" : "delete", false, text);
-            this.panel.hidden = hidden;
-        }
-    }
-
-    // Indents as rustfmt does: a new line keeps the indentation, and gets four spaces more after an
-    // opening bracket or if it continues a condition; a closing brace takes four away. Tab leaves
-    // the text field, as it leaves any other.
-    press(event) {
-        const { value, selectionStart: at } = this.area;
-        if (event.isComposing || event.ctrlKey || event.metaKey || event.altKey) {
-            return;
-        }
-        const lines = value.slice(0, at).split("\n");
-        const line = lines.pop();
-        const [indent] = line.match(/^ */);
-        const type = (spaces, letter) => {
-            event.preventDefault();
-            this.area.setSelectionRange(at - indent.length, this.area.selectionEnd);
-            document.execCommand("insertText", false, " ".repeat(spaces) + letter);
-        };
-        if (event.key === "Enter") {
-            event.preventDefault();
-            document.execCommand("insertText", false, `\n${indent}${/[{([]\s*$/.test(line) ? "    " : ""}`);
-        } else if (line !== indent) {
-            return;
-        } else if (event.key === "}" && indent.length >= 4) {
-            type(indent.length - 4, "}");
-        } else if (event.key === "{" || event.key === "&" || event.key === "|") {
-            const start = indentOfCondition(lines);
-            start !== null && type(start + (event.key === "{" ? 0 : 4), event.key);
-        }
-    }
-
-    // Scrolls until the line with the caret is seen: below the verdict, which stays on the screen
-    // of a phone, and above the buttons and the keyboard.
-    reveal() {
-        const { value, selectionStart } = this.area;
-        const height = parseFloat(getComputedStyle(this.area).lineHeight);
-        const line = value.slice(0, selectionStart).split("\n").length;
-        const below = this.area.getBoundingClientRect().top + parseFloat(getComputedStyle(this.area).paddingTop) + line * height;
-        const [said, controls] = [".said", ".controls"].map((it) => this.editor.desk.querySelector(it).getBoundingClientRect());
-        const isBeside = said.right <= this.area.getBoundingClientRect().left;
-        const highest = isBeside ? HEADER : said.height;
-        const lowest = (visualViewport?.height ?? innerHeight) - controls.height;
-        const away = Math.max(below - lowest, 0) || Math.min(below - 2 * height - highest, 0);
-        // While all of the text is on the screen the page stays as it is.
-        away && scrollBy(0, away);
-    }
-
-    color() {
-        const { value } = this.area;
-        this.panel.classList.toggle("long", value.length > MOST_LETTERS);
-        const code = this.colors.firstChild;
-        if (value.length > MOST_LETTERS) {
-            code.textContent = "";
-        } else if (value.length > MOST_COLORED) {
-            code.textContent = value;
-        } else {
-            code.innerHTML = hljs.highlight("rust", value, true).value;
-            this.editor.breaker?.words && this.editor.breaker.wrap(this);
-        }
-    }
-
-    // Returns the line, counted from 1, at whose end the caret stands; 0 if it is not at an end.
-    lineOfEnd() {
-        const { value, selectionStart: at, selectionEnd } = this.area;
-        const isEnd = at === selectionEnd && /^ *(\n|$)/.test(value.slice(at));
-        return isEnd ? value.slice(0, at).split("\n").length : 0;
-    }
-
-    // Returns the position at which each line begins.
-    starts() {
-        const starts = [0];
-        for (let at = this.area.value.indexOf("\n"); at >= 0; at = this.area.value.indexOf("\n", at + 1)) {
-            starts.push(at + 1);
-        }
-        return starts;
-    }
-
-    // Returns two positions in the text, of columns of a line. Columns count characters, positions
-    // UTF-16 units; these and lines count from 0.
-    range(line, from, to) {
-        const start = this.starts()[line] ?? this.area.value.length;
-        const [text] = this.area.value.slice(start).split("\n", 1);
-        const letters = [...text];
-        const length = (count) => letters.slice(0, count).join("").length;
-        return [start + length(from), start + length(to)];
-    }
-
-    // Underlines these places, each a file, a line from 1, and two columns from 0.
-    mark(places) {
-        const { value } = this.area;
-        this.area.ariaInvalid = String(places.length > 0);
-        const ranges = places.map(([, line, from, to]) => this.range(line - 1, from, Math.max(to, from + 1)));
-        ranges.sort(([one], [other]) => one - other);
-        const parts = [];
-        let done = 0;
-        for (const [start, end] of ranges.filter(([start]) => start >= done)) {
-            const mark = document.createElement("mark");
-            mark.textContent = value.slice(start, end) || " ";
-            parts.push(value.slice(done, start), mark);
-            done = Math.max(end, done);
-        }
-        this.faults.replaceChildren(...parts);
-    }
-
-    go(line, column) {
-        this.area.focus();
-        this.area.setSelectionRange(...this.range(line, column, column));
-    }
-
-    select(at, length) {
-        this.area.focus({ preventScroll: true });
-        this.area.setSelectionRange(at, at + length);
-    }
-
-    // Returns the position and the length of the `todo!()` in the first empty function of this
-    // code; or the position where its first function begins, and 0.
-    toType(code) {
-        const { value } = this.area;
-        const starts = [...code.matchAll(/\bfn \w+/g)].map(([name]) => value.indexOf(name)).filter((at) => at >= 0);
-        const isEmpty = (at) => /^fn (?:(?!\bfn )[^])*?todo!\(\)/.test(value.slice(at));
-        const at = starts.find(isEmpty);
-        return at === undefined ? [starts[0] ?? 0, 0] : [value.indexOf("todo!()", at), "todo!()".length];
-    }
-
-    // Types a line above another one, or in its place.
-    insert(line, text, isInstead) {
-        const [start, end] = this.range(line, 0, isInstead ? Infinity : 0);
-        const isAtEnd = start === this.area.value.length;
-        this.replace(isInstead ? text : isAtEnd ? `\n${text}` : `${text}\n`, [start, end]);
-        this.area.setSelectionRange(start + text.length, start + text.length);
-    }
-}
-
-// Returns the indentation of the condition that continues in the last of these lines; null if none
-// does.
-function indentOfCondition(lines) {
-    const isMore = (line) => /^\s*(&&|\|\|)/.test(line);
-    const start = lines.findLast((line) => !isMore(line)) ?? "";
-    const isOpen = /^\s*(\} else )?(if|while)\b/.test(start) && !lines.at(-1).trimEnd().endsWith("{");
-    return isOpen ? start.match(/^ */)[0].length : null;
 }
 
 const until = (time) => new Promise((done) => setTimeout(done, time - performance.now()));
@@ -616,9 +429,6 @@ function withCode(says) {
     });
     return item;
 }
-
-const PANEL = `<pre aria-hidden="true"><code class="hljs"></code></pre><pre class="faults" aria-hidden="true"></pre>
-<textarea spellcheck="false" autocapitalize="off" autocomplete="off" autocorrect="off" wrap="off"></textarea>`;
 
 const DESK = `<fieldset class="names"><legend>File</legend></fieldset>
 <div class="sides">
@@ -649,7 +459,8 @@ then offers what people type in its place.</p>
 <p class="unkept" hidden>Your browser does not let this page keep your text: take the text home before you leave.</p>
 <div class="home" hidden><p>Unpack the archive in the folder of the workspace: tar overwrites none of the files there.</p>
 <pre><code>tar -xkf NAME.tar
-cargo rtrace watch NAME</code></pre></div>
+cargo rtrace watch NAME</code></pre>
+<p>Moves and borrows are not checked in this page: cargo does that.</p></div>
 <dialog aria-label="Start again"><p>Begin with empty functions? They replace your text; undo (Ctrl+Z) brings it back.</p>
 <p class="controls"><button type="button" data-action="empty">Start again</button>
 <button type="button" data-action="stay">Keep my text</button></p></dialog>

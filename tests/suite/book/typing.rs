@@ -1,20 +1,22 @@
 //! Help for a reader who types in a page. That the page judges as `watch` does is tested with the
 //! companion, and the page itself in `tests/browser`.
 
-use page::next::next;
+use page::next::{Lack, NextLine, next};
 use page::typed::{Draft, Feedback};
 use page::typing::Caret;
+use skeletons::on_the_first_stair;
 use slips::Chapter;
 
-/// Types the line that the page proposes next, again and again, until nothing is missing.
+/// Types the line that the page proposes next, again and again, until nothing is missing. Of chapter
+/// 5 that is the first stair, which draws the picture.
 #[test]
 fn the_next_lines_lead_from_empty_functions_to_the_chapter() {
     for chapter in Chapter::OF_THE_BOOK {
         let mut draft = Draft::skeleton(chapter);
-        while let Some(next) = next(&draft, 0) {
+        while let Lack::Line(next) = next(&draft, 0) {
             let file = &mut draft.files[next.file];
             let mut lines: Vec<&str> = file.text.lines().collect();
-            if next.is_instead {
+            if next.replaces {
                 lines[next.above] = &next.text;
             } else {
                 lines.insert(next.above, &next.text);
@@ -22,21 +24,21 @@ fn the_next_lines_lead_from_empty_functions_to_the_chapter() {
             assert!(lines.len() < 200, "{file:?} never ends");
             file.text = lines.join("\n");
         }
+        assert_eq!(next(&draft, 0), Lack::Nothing);
         for (typed, full) in draft.files.iter().zip(Draft::complete(chapter).files) {
             let (name, chapter) = (&typed.name, chapter.name());
-            assert_eq!(code(&typed.text), code(&full.text), "{name} of {chapter}");
+            let full = on_the_first_stair(&full.text);
+            assert_eq!(code(&typed.text), code(&full), "{name} of {chapter}");
         }
     }
 }
 
-/// Types the chapter letter by letter in place of each `todo!()`. Of chapter 5 that is the first
-/// stair: between the lines of the second, which takes the first apart, it does not compile.
+/// Types the chapter letter by letter in place of each `todo!()`; of chapter 5 the first stair.
 #[test]
 fn a_right_text_is_called_unfinished_and_never_wrong_while_it_is_typed() {
-    let is_written = |draft: &Draft| draft.files.iter().all(|it| !it.text.contains("todo!()"));
     for chapter in Chapter::OF_THE_BOOK {
         let mut draft = Draft::skeleton(chapter);
-        while let Some(next) = next(&draft, 0).filter(|_| !is_written(&draft)) {
+        while let Lack::Line(next) = next(&draft, 0) {
             let file = &draft.files[next.file].text;
             let mut lines: Vec<String> = file.lines().map(str::to_owned).collect();
             let is_instead = lines
@@ -48,6 +50,7 @@ fn a_right_text_is_called_unfinished_and_never_wrong_while_it_is_typed() {
             draft.caret = Some(Caret {
                 file: next.file,
                 line: next.above + 1,
+                rests: false,
             });
             let blanks = next.text.len() - next.text.trim_start().len();
             for end in (blanks + 1..next.text.len())
@@ -77,17 +80,106 @@ fn a_line_of_the_chapter_that_is_typed_in_part_is_unfinished_though_it_draws() {
             .position(|it| it.contains("* white"))
     };
     draft.files[0].text = draft.files[0].text.replace(" + a * blue", "");
-    let at_end = Caret {
-        file: 0,
-        line: line(&draft).expect("it is there") + 1,
+    let at_end = |rests| {
+        let line = line(&draft).expect("it is there") + 1;
+        let file = 0;
+        Some(Caret { file, line, rests })
     };
-    for (caret, expected) in [(Some(at_end), "you are typing"), (None, "Wrong<")] {
+    let (typing, resting) = (at_end(false), at_end(true));
+    for (caret, expected) in [
+        (typing, "you are typing"),
+        (resting, "Wrong<"),
+        (None, "Wrong<"),
+    ] {
         draft.caret = caret;
         let program = draft.read().expect("it is Rust");
         let picture = draft.draw(&program, 400).expect("it draws");
         let said = draft.judged(program, &picture).headline;
         assert!(said.contains(expected), "{said}");
     }
+}
+
+/// A reader may stop to think, and has then typed neither a mistake nor a line.
+#[test]
+fn what_cannot_be_read_yet_is_unfinished_though_the_reader_rests() {
+    let line = "let a = 0.5 * (unit_direction.y + 1.0);";
+    for (typed, expected) in [
+        ("let a = 0.5 * (unit_direction.y +", "you are typing"),
+        ("let a =", "you are typing"),
+        ("return (1, 1, 1);", "does not compile"),
+        ("let a = 1.0\n    let b", "does not compile"),
+        ("let a = 0.5 * (z + 1.0);", "does not compile"),
+    ] {
+        let mut draft = Draft::complete(Chapter::Gradient);
+        let text = &mut draft.files[0].text;
+        let start = text.find(line).expect("it is there");
+        *text = text[..start].to_owned() + typed + "\n}\n";
+        let line = text.lines().count() - 1;
+        let (file, rests) = (0, true);
+        draft.caret = Some(Caret { file, line, rests });
+        let said = drawn(&draft).expect_err(typed).headline;
+        assert!(said.contains(expected), "{typed}: {said}");
+    }
+}
+
+/// Each row has a line of a chapter, what is typed instead, and what is said to be missing then.
+#[test]
+fn the_next_line_is_told_in_the_readers_own_names_and_only_where_it_fits() {
+    let last = "    (1.0 - a) * white + a * sky";
+    let sky = "    let sky = ";
+    let rows = [
+        ("    let blue = ", sky, "* blue", "* sky", Lack::Nothing),
+        (
+            "    let blue = ",
+            sky,
+            "    (1.0 - a) * white + a * blue",
+            "",
+            line(last, false),
+        ),
+        (
+            "    let blue = ",
+            sky,
+            "    (1.0 - a) * white + a * blue",
+            "    (1.0 - a) *",
+            line(last, true),
+        ),
+        (
+            "    (1.0 - a) * white + a * blue",
+            "    return (1.0 - a) * white + a * blue;",
+            "",
+            "",
+            Lack::Nothing,
+        ),
+        (
+            "    (1.0 - a) * white + a * blue",
+            "    return white + a * (blue - white);",
+            "",
+            "",
+            Lack::Unknown,
+        ),
+    ];
+    for (old, new, other, instead, expected) in rows {
+        let mut draft = Draft::complete(Chapter::Gradient);
+        let text = &mut draft.files[0].text;
+        *text = text
+            .replacen(old, new, 1)
+            .replacen(other, instead, usize::from(!other.is_empty()));
+        let mut lack = next(&draft, 0);
+        if let Lack::Line(next) = &mut lack {
+            next.above = 0;
+        }
+        assert_eq!(lack, expected, "{}", draft.files[0].text);
+    }
+}
+
+fn line(text: &str, replaces: bool) -> Lack {
+    let text = text.to_owned();
+    Lack::Line(NextLine {
+        file: 0,
+        above: 0,
+        text,
+        replaces,
+    })
 }
 
 /// Each row has a piece of a chapter, the habit that is typed instead, and the piece of the answer.
@@ -138,6 +230,45 @@ fn a_habit_from_another_language_is_answered_by_what_rust_writes() {
         ),
         ("discriminant < 0.0 {", "discriminant => 0.0 {", "`&gt;=`"),
         ("&& t > 0.0", "and t > 0.0", "`&amp;&amp;`"),
+        ("let b =", "b =", "`let b = …`"),
+        (
+            "let discriminant =",
+            "discriminant =",
+            "`let discriminant = …`",
+        ),
+        ("radius * radius", "radius^2", "`x * x`"),
+        ("if discriminant <", "if not discriminant >=", "`!(…)`"),
+        (
+            "discriminant < 0.0 {",
+            "not (discriminant >= 0.0) {",
+            "`!(…)`",
+        ),
+        (
+            "discriminant.sqrt()",
+            "math.sqrt(discriminant)",
+            "`a.sqrt()`",
+        ),
+        ("discriminant.sqrt()", "np.sqrt(discriminant)", "`a.sqrt()`"),
+        ("let b =", "# the slope\n    let b =", "`// …`"),
+        (
+            "if discriminant < 0.0 {",
+            "if discriminant < 0.0:",
+            "`if … { … }`",
+        ),
+        (
+            "return None;\n    }",
+            "return None;\n    } else:",
+            "`else { … }`",
+        ),
+        (
+            "Point3::new(0.0, 0.0, -1.0)",
+            "(0.0, 0.0, -1.0)",
+            "`Point3::new(…)`",
+        ),
+        ("Vec3::ONE", "[1.0, 1.0, 1.0]", "`Color::new(…)`"),
+        ("Point3::new", "Point3.new", "`Point3::new(…)`"),
+        ("4.0 * a", "4 * a", "`4.0`"),
+        ("t > 0.0", "t > 0", "`0.0`"),
         ("radius: f64", "double radius", "`radius: f64`"),
         ("-> Option<f64>", ": Option<f64>", "`-&gt; Option`"),
         ("Vec3::ONE", "vec3(1, 1, 1)", "`Vec3::new(…)`"),
@@ -149,8 +280,22 @@ fn a_habit_from_another_language_is_answered_by_what_rust_writes() {
         let file = &mut draft.files[0].text;
         *file = file.replacen(right, typed, 1);
         let said = drawn(&draft).expect_err(typed);
-        assert!(said.rest.contains(expected), "{typed}: {}", said.rest);
+        let rest = said.rest.replace("<code>", "`").replace("</code>", "`");
+        let count = rest.matches("in this scope").count();
+        assert!(rest.contains(expected) && count < 2, "{typed}: {rest}");
     }
+}
+
+#[test]
+fn a_misspelled_variable_is_not_called_a_new_one() {
+    let mut draft = Draft::complete(Chapter::HittableList);
+    for file in &mut draft.files {
+        file.text = file
+            .text
+            .replace("closest_so_far = record.t", "closest_sofar = record.t");
+    }
+    let said = drawn(&draft).expect_err("there is no such variable").rest;
+    assert!(said.contains("there is `closest_so_far`"), "{said}");
 }
 
 fn drawn(draft: &Draft) -> Result<(), Feedback> {

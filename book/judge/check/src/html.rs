@@ -7,7 +7,7 @@ use crate::answer::{Answer, Grade, Headline, Row, RowKind};
 /// The page of the book in which an answer is shown, with links to other pages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HostPage {
-    /// Any page but the next one.
+    /// Any page but the next one. A reader types there, so the right line is folded.
     Book,
     /// The page *Check your picture*, with a button that judges the picture of a probe (a changed
     /// scene).
@@ -64,6 +64,10 @@ pub fn escaped(text: impl fmt::Display) -> String {
 /// Lays out a row with its label.
 fn row(row: &Row, page: HostPage) -> String {
     let said = match row.kind {
+        RowKind::ShouldBe | RowKind::Missing if page == HostPage::Book => format!(
+            "<details><summary>Show it</summary><code>{}</code></details>",
+            escaped(&row.text)
+        ),
         kind if kind.is_code() => format!("<code>{}</code>", escaped(&row.text)),
         RowKind::Probe(name) if page == HostPage::CheckPage => format!(
             "{} <button type=\"button\" data-probe=\"{name}\">Judge it here</button>",

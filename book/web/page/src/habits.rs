@@ -1,9 +1,12 @@
-//! Habits from C++ and similar languages: what people type out of habit, and what Rust writes
-//! instead.
+//! Habits from C++, Python and similar languages: what people type out of habit, and what Rust
+//! writes instead.
 
 use std::ops::Range;
 
-use crate::words::words;
+use interpreter::{Fault, FaultKind, SourceSpan};
+
+use crate::typed::Draft;
+use crate::words::{replaced, words};
 
 /// Pairs of words that readers type out of habit, and the Rust for them. In the first text, `x` and
 /// `y` stand for names, `X` for a name with a capital, and `…` for any words; in the second, they
@@ -42,12 +45,15 @@ const HABITS: &[(&str, &str)] = &[
     (") : x", "`-> x`"),
     ("std :: x (", "`a.x()`, a method of the number"),
     ("Math . x (", "`a.x()`, a method of the number"),
+    ("math . x (", "`a.x()`, a method of the number"),
+    ("np . x (", "`a.x()`, a method of the number"),
     ("return false", "`None` where nothing is hit"),
     ("return true", "`Some(…)` with what was hit"),
     ("f64 :: infinity", "`f64::INFINITY`"),
     ("infinity", "`f64::INFINITY`"),
     ("INFINITY", "`f64::INFINITY`"),
     ("new X", "`X::new(…)`"),
+    ("X . new", "`X::new(…)`"),
     ("make_shared < x >", "`Box::new(…)`"),
     ("vec3", "`Vec3::new(…)`"),
     ("point3", "`Point3::new(…)`"),
@@ -71,8 +77,19 @@ const HABITS: &[(&str, &str)] = &[
     ("x + +", "`x += 1`"),
     ("and x", "`&&`"),
     ("or x", "`||`"),
-    ("not x", "`!x`"),
+    ("not x", "`!(…)`"),
+    ("not (", "`!(…)`"),
+    ("# …", "`// …` for a comment"),
     ("=>", "`>=`"),
+];
+
+/// The first words of a line that ends with a colon in Python, and the Rust for them.
+const BLOCKS: [(&str, &str); 5] = [
+    ("if", "`if … { … }`"),
+    ("elif", "`else if … { … }`"),
+    ("else", "`else { … }`"),
+    ("for", "`for … in … { … }`"),
+    ("while", "`while … { … }`"),
 ];
 
 /// Keywords of Rust that may stand beside a name, and so are no names themselves.
@@ -82,9 +99,91 @@ const KEYWORDS: [&str; 24] = [
     "while",
 ];
 
+impl Draft {
+    /// Returns help for a fault that comes from a habit of another language, if it has no better
+    /// help.
+    pub(crate) fn habit(&self, fault: &Fault) -> Option<String> {
+        let place = fault.place.as_ref()?;
+        let text = &self.files[self.typed(place.file)].text;
+        let line = text.lines().nth(place.line - 1)?;
+        let is_poor =
+            ["", "cargo may"].contains(&&*fault.help) || fault.help.starts_with("there is");
+        let rust = match is_poor {
+            true => without_let(line, fault, text)
+                .or_else(|| in_rust(line, &place.columns))
+                .or_else(|| of_types(fault)),
+            false => with_point(line, fault),
+        };
+        Some(format!("Rust writes {}", rust?))
+    }
+
+    /// Returns the fault of the first block of Python, if there is one: a line such as `if a < b:`,
+    /// which spoils the text up to its end.
+    pub(crate) fn block_of_python(&self) -> Option<Fault> {
+        let lines = self.files.iter().enumerate().flat_map(|(file, it)| {
+            let lines = it.text.lines().enumerate();
+            lines.map(move |(n, line)| (file, n, line.trim_end()))
+        });
+        let mut found = lines.filter_map(|(file, n, line)| {
+            let words = words(line);
+            let first = words.iter().map(|(_, it)| *it).find(|it| *it != "}")?;
+            let &(end, last) = words.last()?;
+            let (_, rust) = BLOCKS.iter().find(|(it, _)| *it == first && last == ":")?;
+            let column = line[..end].chars().count();
+            Some(Fault {
+                place: Some(SourceSpan {
+                    file: (file + 1) % self.files.len(),
+                    line: n + 1,
+                    columns: column..column + 1,
+                }),
+                message: "expected `{`, found `:`".to_owned(),
+                label: String::new(),
+                help: format!("Rust writes {rust}, with braces"),
+                kind: FaultKind::Refused,
+            })
+        });
+        found.next()
+    }
+}
+
+/// Returns the `let` that a line lacks which gives a value to a new name. A name like another one
+/// that may change is a slip of the pen.
+fn without_let(line: &str, fault: &Fault, text: &str) -> Option<String> {
+    let name = fault
+        .message
+        .strip_prefix("cannot find value `")?
+        .split('`')
+        .next()?;
+    let other = fault.help.split('`').nth(1);
+    let may_change = other.is_some_and(|it| text.contains(&format!("let mut {it} ")));
+    let begins = matches!(words(line)[..], [(_, it), (_, "="), ..] if it == name);
+    (begins && !may_change).then(|| format!("`let {name} = …`"))
+}
+
+/// Returns the words for a power, and for three numbers where a vector is meant.
+fn of_types(fault: &Fault) -> Option<String> {
+    let said = format!("{} {}", fault.message, fault.label);
+    if said.contains("f64 ^ ") {
+        return Some("`x * x`, or `x.powi(2)`".to_owned());
+    }
+    let is_tuple = said.contains("expected `Vec3`, found `(");
+    let three = is_tuple || said.contains("[f64; 3]") || said.contains("[{float}; 3]");
+    let one_type = "`Color::new(…)`, `Point3::new(…)` or `Vec3::new(…)`, which are one type";
+    three.then(|| one_type.to_owned())
+}
+
+/// Returns the whole number at which a fault lies as the `f64` that is wanted there.
+fn with_point(line: &str, fault: &Fault) -> Option<String> {
+    let columns = &fault.place.as_ref()?.columns;
+    let (at, _) = line.char_indices().nth(columns.start)?;
+    let (_, number) = *words(line).iter().find(|(start, _)| *start == at)?;
+    let is_whole = number.bytes().all(|it| it.is_ascii_digit());
+    (is_whole && fault.help.contains("float")).then(|| format!("`{number}.0`"))
+}
+
 /// Returns the Rust for the habit that a line shows where `columns` begin, or `None` if there is
 /// none.
-pub(crate) fn in_rust(line: &str, columns: &Range<usize>) -> Option<String> {
+fn in_rust(line: &str, columns: &Range<usize>) -> Option<String> {
     let (at, _) = line.char_indices().nth(columns.start)?;
     let words = words(line);
     HABITS.iter().find_map(|(typed, rust)| {
@@ -96,7 +195,13 @@ pub(crate) fn in_rust(line: &str, columns: &Range<usize>) -> Option<String> {
             let (first, last) = (words[start].0, &words[start + length - 1]);
             let is_there = (first..last.0 + last.1.len()).contains(&at);
             let is_method = start > 0 && words[start - 1].1 == "." && pattern[0] != "normalized";
-            (is_there && !is_method).then(|| with_names(rust, &names))
+            (is_there && !is_method).then(|| {
+                // Puts the matched names in the place of `x`, `y` and `X`.
+                replaced(rust, |_, word| {
+                    let found = names.iter().rev().find(|(it, _)| *it == word);
+                    found.map(|(_, name)| *name)
+                })
+            })
         })
     })
 }
@@ -128,19 +233,4 @@ fn matched<'a>(
         names.push((wanted, word));
     }
     Some(1 + matched(rest, &words[1..], names)?)
-}
-
-/// Puts the matched names in the place of `x`, `y` and `X`.
-fn with_names(rust: &str, names: &[(&str, &str)]) -> String {
-    let name = |word: &str| {
-        let found = names.iter().rev().find(|(it, _)| *it == word);
-        found.map_or(word, |(_, name)| name).to_owned()
-    };
-    let (mut text, mut end) = (String::new(), 0);
-    for (at, word) in words(rust) {
-        text += &rust[end..at];
-        text += &name(word);
-        end = at + word.len();
-    }
-    text + &rust[end..]
 }

@@ -5,132 +5,206 @@ use skeletons::on_the_first_stair;
 use slips::ChapterCode;
 
 use crate::typed::Draft;
+use crate::words::{replaced, words};
 
 /// The first line of a chapter that a reader's draft lacks, and its place in the draft.
 #[derive(Debug, PartialEq, Eq)]
 pub struct NextLine {
     /// The index in [`Draft::files`], from 0, of the file that lacks the line.
     pub file: usize,
-    /// The index, from 0, of the draft's line above which the missing line goes; the number of
-    /// lines if it goes to the end.
+    /// The index, from 0, of the draft's line above which the missing line goes.
     pub above: usize,
-    /// The line itself, indented as in the chapter, without an end of line.
+    /// The line itself, indented as in the chapter and with the reader's own names, without an end
+    /// of line.
     pub text: String,
-    /// True if the missing line replaces the line at `above`, a `todo!()` or a line of chapter 5's
-    /// first stair; false if it is inserted.
-    pub is_instead: bool,
+    /// True if the missing line replaces the line at `above`, which is a `todo!()` or its own
+    /// beginning; false if it is inserted.
+    pub replaces: bool,
 }
 
-/// Returns the first line of the chapter that the draft lacks, or `None` if it has all. The search
-/// begins in the file with the index `first`, from 0, and goes on through all files from the first
-/// one on. Comments, attributes and empty lines do not count. In chapter 5 the second stair, which
-/// begins with the trait, comes when no file lacks a line of the first.
-pub fn next(yours: &Draft, first: usize) -> Option<NextLine> {
+/// What a draft lacks of its chapter.
+#[derive(Debug, PartialEq, Eq)]
+pub enum Lack {
+    /// The draft lacks this line.
+    Line(NextLine),
+    /// The draft has every line of the chapter.
+    Nothing,
+    /// A function of the draft has other lines than the chapter's, so that no line of the chapter
+    /// belongs into it.
+    Unknown,
+}
+
+/// Finds the first line of the chapter that the draft lacks. The search begins in the file with the
+/// index `first`, from 0, and goes on through all files from the first one on.
+///
+/// Functions are compared by their names, and line by line: comments and blanks do not count, nor
+/// does `return` in front of a result. A `let` is known by its name; if both the chapter and the
+/// reader have names that the other lacks, these belong together in their order. In chapter 5 a
+/// draft without a trait is compared with the chapter on its first stair.
+pub fn next(yours: &Draft, first: usize) -> Lack {
     let has_trait = |file: &SourceFile| file.text.contains("trait Hittable");
     let is_on_the_second = yours.files.iter().any(has_trait);
-    let of_the_first = || lacked(yours, first, on_the_first_stair);
-    let of_the_second = || lacked(yours, first, str::to_owned);
-    let lacked = (!is_on_the_second).then(of_the_first).flatten();
-    lacked.or_else(of_the_second)
+    let files = yours.files.iter().enumerate();
+    let files = files.clone().skip(first).chain(files.take(first));
+    let mut lack = Lack::Nothing;
+    for (file, SourceFile { name, text }) in files {
+        let theirs = yours.chapter.files().iter().find(|it| it.name == name);
+        let theirs = theirs.map_or("", |it| it.text);
+        let theirs = match is_on_the_second {
+            true => theirs.to_owned(),
+            false => on_the_first_stair(theirs),
+        };
+        let yours = bodies(text);
+        for function in bodies(&theirs) {
+            let yours = yours.iter().find(|it| it.name == function.name);
+            match yours.map_or(Lack::Unknown, |yours| missing(file, &function, yours)) {
+                Lack::Nothing => {}
+                Lack::Unknown => lack = Lack::Unknown,
+                line => return line,
+            }
+        }
+    }
+    lack
 }
 
-/// Returns the first line that the draft lacks of the chapter's files, as `stair` makes them.
-fn lacked(yours: &Draft, first: usize, stair: fn(&str) -> String) -> Option<NextLine> {
-    let files = yours.files.iter().enumerate();
-    let mut files = files.clone().skip(first).chain(files);
-    files.find_map(|(file, SourceFile { name, text })| {
-        let theirs = yours.chapter.files().iter().find(|it| it.name == name)?;
-        missing(file, &stair(theirs.text), text)
+/// A function, as the lines of its body.
+struct Body<'a> {
+    /// The line of the `fn`, up to the first bracket.
+    name: &'a str,
+    /// The lines that are not empty and no comment, with their index in the file, from 0.
+    lines: Vec<(usize, &'a str)>,
+    /// The index of the line with the brace that ends the function.
+    end: usize,
+}
+
+/// Returns the functions of a file that have a body, in the order of the text.
+fn bodies(text: &str) -> Vec<Body<'_>> {
+    let lines: Vec<&str> = text.lines().map(str::trim_end).collect();
+    let body = |head: usize| {
+        let name = lines[head].trim_start();
+        let indent = lines[head].len() - name.len();
+        let rest = || head..lines.len();
+        let open = rest().find(|&n| lines[n].ends_with(['{', ';']))?;
+        let end = rest().find(|&n| lines[n] == format!("{:indent$}}}", ""))?;
+        let is_code = |&n: &usize| !lines[n].is_empty() && !is_comment(lines[n]);
+        lines[open].ends_with('{').then(|| Body {
+            name: name.split('(').next().unwrap_or(name),
+            lines: (open + 1..end)
+                .filter(is_code)
+                .map(|n| (n, lines[n]))
+                .collect(),
+            end,
+        })
+    };
+    let is_head = |line: &str| words(line).iter().any(|(_, it)| *it == "fn");
+    let heads = (0..lines.len()).filter(|&n| is_head(lines[n]));
+    heads.filter_map(body).collect()
+}
+
+/// Finds the first line of the chapter's function `theirs` that the reader's function lacks.
+fn missing(file: usize, theirs: &Body, yours: &Body) -> Lack {
+    let renamed = renamed(theirs, yours);
+    let mut lack = None;
+    // The numbers of the reader's lines that belong to one of the chapter's, and how many lines
+    // stand up to the last of them.
+    let (mut known, mut after) = (Vec::new(), 0);
+    for (n, (_, line)) in theirs.lines.iter().enumerate() {
+        let text = with_names(line, &renamed);
+        let found = yours.find(&text, after);
+        known.extend(found);
+        match found {
+            Some(at) if !is_begun(yours.lines[at].1, &text) => after = after.max(at + 1),
+            _ if lack.is_some() => {}
+            _ => {
+                let at = found.unwrap_or(after);
+                let &(above, below) = yours.lines.get(at).unwrap_or(&(yours.end, ""));
+                let is_last = n + 1 == theirs.lines.len();
+                lack = Some(NextLine {
+                    file,
+                    above,
+                    text,
+                    replaces: found.is_some() || is_last && is_todo(below),
+                });
+            }
+        }
+    }
+    let mut lines = yours.lines.iter().enumerate();
+    let all_known =
+        lines.all(|(n, (_, line))| known.contains(&n) || is_todo(line) || bound(line).is_some());
+    match lack {
+        Some(line) if all_known => Lack::Line(line),
+        Some(_) => Lack::Unknown,
+        None => Lack::Nothing,
+    }
+}
+
+impl Body<'_> {
+    /// Returns the number of the line that says the same as one of the chapter's, or begins it:
+    /// wherever it gives a value to the same name, or else at or behind the line number `after`.
+    fn find(&self, text: &str, after: usize) -> Option<usize> {
+        let is_it = |(n, (_, line)): (usize, &(usize, &str))| match bound(text) {
+            Some(name) => bound(line) == Some(name),
+            None => n >= after && (is_same(line, text) || is_begun(line, text)),
+        };
+        self.lines.iter().enumerate().position(is_it)
+    }
+}
+
+/// Pairs the names that only the chapter's function gives to values with those that only the
+/// reader's gives, in their order.
+fn renamed<'a>(theirs: &'a Body, yours: &'a Body) -> Vec<(&'a str, &'a str)> {
+    let names = |body: &'a Body| body.lines.iter().filter_map(|&(_, it)| bound(it));
+    let only = |one: &'a Body, other: &'a Body| {
+        let others: Vec<&str> = names(other).collect();
+        names(one).filter(move |it| !others.contains(it))
+    };
+    only(theirs, yours).zip(only(yours, theirs)).collect()
+}
+
+/// Returns the line with the second name of each pair in the place of the first; fields keep theirs.
+fn with_names(line: &str, renamed: &[(&str, &str)]) -> String {
+    replaced(line, |before, word| {
+        let pair = renamed.iter().find(|(old, _)| *old == word)?;
+        (!before.ends_with('.')).then_some(pair.1)
     })
 }
 
-/// Returns the first line of the text `theirs` that the text `yours` lacks.
-fn missing(file: usize, theirs: &str, yours: &str) -> Option<NextLine> {
-    let mut left: &[(usize, &str)] = &code(yours).collect::<Vec<_>>();
-    let mut theirs = code(theirs).map(|(_, line)| line).peekable();
-    while let Some(line) = theirs.next() {
-        // Whatever is used may be named in any order.
-        if line.starts_with("use ") && yours.contains(line) {
-            continue;
-        }
-        let Some(found) = found(left, line) else {
-            let (at, below) = *left.first().unwrap_or(&(yours.lines().count(), ""));
-            let is_last = theirs.peek().is_none_or(|it| is_end(it));
-            let is_todo = is_last && below.trim() == "todo!()";
-            let earlier = found(left, &on_the_first_stair(line)).map(|it| left[it].0);
-            return Some(NextLine {
-                file,
-                above: match earlier {
-                    Some(earlier) => earlier,
-                    None if is_todo => at,
-                    None => above_comments(yours, at),
-                },
-                text: line.to_owned(),
-                is_instead: is_todo || earlier.is_some(),
-            });
-        };
-        left = &left[found + 1..];
-    }
-    None
+/// Returns the name to which the line gives a value by `let`.
+fn bound(line: &str) -> Option<&str> {
+    let rest = line.trim_start().strip_prefix("let ")?.trim_start();
+    let rest = rest.strip_prefix("mut ").unwrap_or(rest);
+    words(rest).first().map(|(_, name)| *name)
 }
 
-/// Returns the index of the first line of the comments and attributes above the line `at`.
-fn above_comments(yours: &str, at: usize) -> usize {
-    let lines: Vec<&str> = yours.lines().take(at).collect();
-    let is_above = |line: &&&str| {
-        ["///", "#["]
-            .iter()
-            .any(|it| line.trim_start().starts_with(it))
-    };
-    at - lines.iter().rev().take_while(is_above).count()
-}
-
-/// Returns the index in `left` of the chapter's line `line`, if the reader's function has it: other
-/// lines of the reader may stand before it.
-fn found(left: &[(usize, &str)], line: &str) -> Option<usize> {
-    let end = left.iter().position(|(_, it)| is_end_of_item(it));
-    let begun = left.iter().position(|(_, it)| is_begin_of_item(it));
-    let end = end.map_or(left.len(), |end| end + 1);
-    let is_of_another = is_end_of_item(line) && begun.is_some_and(|begun| begun < end);
-    let of_function = &left[..if is_of_another { 0 } else { end }];
-    of_function.iter().position(|(_, it)| is_same(it, line))
-}
-
-/// Returns true if both lines are the same, or both give a value to the same name by `let`.
+/// Returns true if both lines say the same. The indentation of a brace says of what it is the end.
 fn is_same(yours: &str, theirs: &str) -> bool {
-    let name = |line: &str| {
-        let mut words = line.split_whitespace();
-        (words.next() == Some("let")).then(|| words.next().map(str::to_owned))
-    };
-    if is_end(theirs) {
-        // The indentation says of what it is the end.
-        return yours == theirs;
+    match theirs.trim_start().starts_with('}') {
+        true => yours == theirs,
+        false => squeezed(yours) == squeezed(theirs),
     }
-    yours.trim() == theirs.trim() || name(theirs).is_some_and(|it| name(yours) == Some(it))
 }
 
-/// Returns true for a line that begins with a closing brace.
-fn is_end(line: &str) -> bool {
-    line.trim_start().starts_with('}')
+/// Returns true if the reader's line is only the beginning of the chapter's.
+fn is_begun(yours: &str, theirs: &str) -> bool {
+    let (yours, theirs) = (squeezed(yours), squeezed(theirs));
+    !["", "}"].contains(&&*yours) && yours != theirs && theirs.starts_with(&yours)
 }
 
-/// Returns true for a closing brace that is not indented, with which a function or type ends.
-fn is_end_of_item(line: &str) -> bool {
-    line.starts_with('}')
+/// Returns the line without blanks and comment, without `return` in front and without a semicolon
+/// behind it.
+fn squeezed(line: &str) -> String {
+    let line = line.split("//").next().unwrap_or(line).trim();
+    let result = line.strip_prefix("return ").unwrap_or(line);
+    let result = result.strip_suffix(';').unwrap_or(result);
+    result.split_whitespace().collect()
 }
 
-/// Returns true for a line with which a function or type begins.
-fn is_begin_of_item(line: &str) -> bool {
-    line.starts_with(char::is_alphabetic)
+/// Returns true for a line that a reader has not written yet.
+fn is_todo(line: &str) -> bool {
+    line.trim() == "todo!()"
 }
 
-/// Returns the lines that are not empty and no comment or attribute, with their index from 0.
-fn code(text: &str) -> impl Iterator<Item = (usize, &str)> {
-    let is_code = |line: &str| {
-        !["//", "#"]
-            .iter()
-            .any(|it| line.trim_start().starts_with(it))
-    };
-    let lines = text.lines().map(str::trim_end).enumerate();
-    lines.filter(move |(_, line)| !line.is_empty() && is_code(line))
+/// Returns true for a comment.
+fn is_comment(line: &str) -> bool {
+    line.trim_start().starts_with("//")
 }

@@ -22,8 +22,7 @@ use interpreter::{Fault, FaultKind, SourceFile, SourceSpan};
 use laws::{Complaint, Trial};
 use slips::{Chapter, ChapterCode, ChapterProgram, Languages, Slip, steps};
 
-use crate::habits;
-use crate::typing::Caret;
+use crate::typing::{Caret, is_unread};
 
 /// A chapter as a reader has typed it so far in a page.
 #[derive(Clone, Debug)]
@@ -147,7 +146,7 @@ impl Draft {
         }
         if answer.is_right() {
             let unchecked = self.unchecked(&program);
-            answer.headline.rest += &format!("{unchecked} {}", interpreter::UNCHECKED);
+            answer.headline.rest += &unchecked;
         } else if let Some(line) = self.begun_line() {
             answer = being_typed(line);
         }
@@ -211,10 +210,12 @@ impl Draft {
 
     /// Returns the feedback on faults of compilation: calm, if the reader is still typing the line.
     fn not_compiled(&self, faults: &[Fault]) -> Feedback {
+        let block = faults.first().filter(|it| is_unread(it));
+        let block = block.and_then(|_| self.block_of_python());
+        let faults = block.as_ref().map_or(faults, slice::from_ref);
         if let Some(line) = self.unfinished_line(faults) {
-            let so_far = faults
-                .first()
-                .map(|it| format!("So far: {}", self.in_words(it)));
+            let told = self.caret.filter(|it| it.rests).and(faults.first());
+            let so_far = told.map(|it| format!("So far: {}", self.in_words(it)));
             let rows = so_far.map(|words| Row::new(RowKind::Printed, words));
             return Feedback::new(&being_typed(line).with(rows));
         }
@@ -243,27 +244,18 @@ impl Draft {
         }
     }
 
-    /// Returns the message of a fault, its label, and its help, with colons between them.
+    /// Returns the message of a fault, its label unless the message says as much, and its help, with
+    /// colons between them.
     fn in_words(&self, fault: &Fault) -> String {
         let habit = self.habit(fault);
         let help = habit.as_ref().unwrap_or(&fault.help);
-        let parts = [&fault.message, &fault.label, help].map(String::as_str);
+        let label = match fault.label.as_str() {
+            "not found in this scope" => "",
+            label => label,
+        };
+        let parts = [&fault.message, label, help].map(|it: &str| it);
         let parts: Vec<&str> = parts.into_iter().filter(|it| !it.is_empty()).collect();
         parts.join(": ")
-    }
-
-    /// Returns help for a fault that comes from a habit of another language, if it has no better
-    /// help.
-    fn habit(&self, fault: &Fault) -> Option<String> {
-        let is_poor = ["", "cargo may"].contains(&&*fault.help);
-        if !is_poor && !fault.help.starts_with("there is") {
-            return None;
-        }
-        let place = fault.place.as_ref()?;
-        let text = &self.files[self.typed(place.file)].text;
-        let line = text.lines().nth(place.line - 1)?;
-        let rust = habits::in_rust(line, &place.columns)?;
-        Some(format!("Rust writes {rust}"))
     }
 
     /// Returns the feedback on a program that stopped while it was drawn.

@@ -3,7 +3,7 @@
 
 use std::ops::Range;
 
-use interpreter::{Fault, FaultKind};
+use interpreter::{Fault, FaultKind, SourceSpan};
 use slips::ChapterCode;
 
 use crate::typed::Draft;
@@ -15,18 +15,31 @@ pub struct Caret {
     pub file: usize,
     /// The line, counted from 1.
     pub line: usize,
+    /// True if the reader has rested since the last letter: only what cannot be read yet, or has no
+    /// result yet, is then unfinished.
+    pub rests: bool,
 }
 
 impl Draft {
     /// Returns the caret's line if the faults may come only from missing words at its end: a
     /// bracket is not yet closed, all faults lie in the caret's statement, or the text without it
-    /// has none.
+    /// has none. While the reader rests, none of this holds for a text that can be read up to the
+    /// caret's line.
     pub(crate) fn unfinished_line(&self, faults: &[Fault]) -> Option<usize> {
         let caret = self.caret?;
         let before = self.text_before(caret)?;
         let text = &self.files[caret.file].text;
         if is_nested(before) && !is_nested(text) {
             return Some(caret.line);
+        }
+        let is_open = |fault: &Fault| {
+            let place = fault.place.as_ref();
+            let is_above =
+                |it: &SourceSpan| self.typed(it.file) != caret.file || it.line < caret.line;
+            is_unread(fault) && !place.is_some_and(is_above)
+        };
+        if caret.rests && !faults.iter().any(is_open) {
+            return None;
         }
         let statement = statement(before);
         // What a bracket ends may go on behind it.
@@ -46,9 +59,10 @@ impl Draft {
         is_alone.then_some(caret.line)
     }
 
-    /// Returns the caret's line if its statement is the beginning of one of the chapter's.
+    /// Returns the caret's line if its statement is the beginning of one of the chapter's, and the
+    /// reader does not rest.
     pub(crate) fn begun_line(&self) -> Option<usize> {
-        let caret = self.caret?;
+        let caret = self.caret.filter(|it| !it.rests)?;
         let name = &self.files.get(caret.file)?.name;
         let text = self.text_before(caret)?;
         let typed = without_blanks(&text[statement(text)?]);
@@ -80,6 +94,14 @@ impl Draft {
             rest.first_fault() != Some(FaultKind::Refused)
         })
     }
+}
+
+/// Returns true for a fault of the grammar: the text cannot be read at its place, or ends too early.
+pub(crate) fn is_unread(fault: &Fault) -> bool {
+    let is_of_grammar = ["expected", "unexpected"]
+        .iter()
+        .any(|it| fault.message.starts_with(it));
+    fault.kind == FaultKind::Unfinished || is_of_grammar
 }
 
 /// Returns the range of bytes of the last statement, if no `;`, `{` or `}` ends it.

@@ -31,6 +31,21 @@ pub(crate) fn words(text: &str) -> Vec<(usize, &str)> {
     words
 }
 
+/// Returns the text with other words in the place of those for which `instead`, asked with the text
+/// before a word and with the word, has some.
+pub(crate) fn replaced<'a>(
+    text: &'a str,
+    instead: impl Fn(&str, &'a str) -> Option<&'a str>,
+) -> String {
+    let (mut made, mut end) = (String::new(), 0);
+    for (at, word) in words(text) {
+        made += &text[end..at];
+        made += instead(&text[..at], word).unwrap_or(word);
+        end = at + word.len();
+    }
+    made + &text[end..]
+}
+
 /// Returns true for a letter, a digit or `_`.
 fn is_word(letter: char) -> bool {
     letter.is_alphanumeric() || letter == '_'

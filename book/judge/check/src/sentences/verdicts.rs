@@ -38,7 +38,7 @@ impl Attempt<'_> {
         }
         match self.laws {
             None | Some(LawsStatus::Obeyed) => self.right_in_all(right, format!("{by}: {same}")),
-            Some(laws) => right_but(laws, "The picture", self.commands.test),
+            Some(laws) => right_but(laws, THE_PICTURE, self.commands.test),
         }
     }
 
@@ -78,8 +78,8 @@ impl Attempt<'_> {
         if let Some(LawsStatus::Broken(report)) = self.laws
             && !finding.is_answered
         {
-            let rest = format!("{but}; and your program breaks a law.");
-            return Answer::of(Grade::Wrong, &self.name, "right", rest).with(law_rows(report));
+            let rest = format!(", and the picture is right{but}.");
+            return Answer::of(Grade::Wrong, "", BREAKS, rest).with(law_rows(report));
         }
         let next = if finding.task.has_another_shape() {
             let (width, height) = (finding.yours.width(), finding.yours.height());
@@ -120,11 +120,8 @@ impl Attempt<'_> {
         let rest = format!(": {pixels} from {from}{}.", by(&finding.task));
         let nearly = "right within one level, but not to the last bit";
         let answer = match finding.task.step() {
-            Some(step) if count == 0 => {
-                let name = step_of(self.task.chapter, step);
-                Answer::of(Grade::Wrong, &name, "right", BUT_A_LAW)
-            }
-            None if count == 0 => Answer::of(Grade::Wrong, "The picture", "right", BUT_A_LAW),
+            Some(step) if count == 0 => breaks_a_law(&step_of(self.task.chapter, step)),
+            None if count == 0 => breaks_a_law(THE_PICTURE),
             _ if finding.levels() == 1 => Answer::of(Grade::Wrong, &self.name, nearly, rest),
             _ => Answer::of(Grade::Wrong, &self.name, "wrong", rest),
         };
@@ -174,9 +171,7 @@ fn right_but(laws: &LawsStatus, subject: &str, test: &str) -> Answer {
     let is = |grade, rest: &str| Answer::of(grade, subject, "right", rest);
     match laws {
         LawsStatus::Broken(report) | LawsStatus::BrokenPrelude(report) => {
-            is(Grade::Wrong, BUT_A_LAW)
-                .with(law_rows(report))
-                .then(test)
+            breaks_a_law(subject).with(law_rows(report)).then(test)
         }
         LawsStatus::NotWritten(place) | LawsStatus::UnwrittenPrelude(place) => {
             let rest =
@@ -194,8 +189,16 @@ fn right_but(laws: &LawsStatus, subject: &str, test: &str) -> Answer {
     }
 }
 
-/// The end of a sentence about a right picture whose program breaks a law.
-const BUT_A_LAW: &str = ", but your program breaks a law, which must hold for every ray.";
+/// Answers that a program breaks a law, though what it draws, the subject, is right.
+fn breaks_a_law(subject: &str) -> Answer {
+    let rest = format!(", which must hold for every ray. {subject} alone is right.");
+    Answer::of(Grade::Wrong, "", BREAKS, rest)
+}
+
+/// The verdict on a program that breaks a law.
+const BREAKS: &str = "your program breaks a law";
+/// The name of a picture that is not a step's.
+const THE_PICTURE: &str = "The picture";
 
 /// Answers that what is called `name`, such as a file, is no picture or not the right one: `name is
 /// verdict`, with the problem, and its fix as what to do next. The answer is graded wrong if the

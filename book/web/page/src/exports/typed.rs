@@ -10,10 +10,11 @@ use interpreter::{Program, SourceFile, SourceSpan};
 use slips::Chapter;
 
 use super::{given::given, keep};
+use crate::next::{self, Lack};
 use crate::rgba;
 use crate::typed::{Draft, Feedback};
 use crate::typing::Caret;
-use crate::{home, next, typed};
+use crate::{home, typed};
 
 /// Returns the files with which an editor begins, of the chapter whose name was given: see
 /// [`typed::beginning`]. Zero bytes stand between the texts.
@@ -30,12 +31,12 @@ thread_local! {
 /// pixels are the answer, four bytes each; or 0 if the draft is no program or stops, and then the
 /// answer is the feedback on it.
 ///
-/// The reader is typing at the end of `line`, counted from 1, of the file with the index `file`;
-/// nowhere, if `line` is 0.
+/// The reader is typing at the end of `line`, counted from 1, of the file with the index `file`, or
+/// rests there; nowhere, if `line` is 0.
 #[unsafe(no_mangle)]
-extern "C" fn draw(width: u32, file: usize, line: usize) -> u32 {
+extern "C" fn draw(width: u32, file: usize, line: usize, rests: bool) -> u32 {
     let draft = Draft {
-        caret: (line > 0).then_some(Caret { file, line }),
+        caret: (line > 0).then_some(Caret { file, line, rests }),
         ..draft()
     };
     let drawn = draft.read().and_then(|program| {
@@ -71,15 +72,18 @@ extern "C" fn judge() -> usize {
 
 /// Returns the next line to type, searched from the file with the index `first` on: the index of
 /// its file, the line it goes above (from 0), 1 if it replaces that line, and its text, with tabs
-/// between them. Returns nothing if no line is missing.
+/// between them. Returns nothing if no line is missing, and `?` if the draft goes another way than
+/// the chapter.
 #[unsafe(no_mangle)]
 extern "C" fn next_line(first: usize) -> usize {
-    let next = next::next(&draft(), first);
-    let next = next.map(|it| {
-        let is_instead = u8::from(it.is_instead);
-        format!("{}\t{}\t{is_instead}\t{}", it.file, it.above, it.text)
-    });
-    keep(next.unwrap_or_default())
+    keep(match next::next(&draft(), first) {
+        Lack::Line(it) => {
+            let replaces = u8::from(it.replaces);
+            format!("{}\t{}\t{replaces}\t{}", it.file, it.above, it.text)
+        }
+        Lack::Nothing => String::new(),
+        Lack::Unknown => "?".to_owned(),
+    })
 }
 
 /// Returns an archive of the draft as a crate of its own; `number` tells that crate from all
