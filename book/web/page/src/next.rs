@@ -118,7 +118,9 @@ fn missing(file: usize, theirs: &Body, yours: &Body) -> Lack {
             _ => {
                 let at = found.unwrap_or(after);
                 let &(above, below) = yours.lines.get(at).unwrap_or(&(yours.end, ""));
-                let is_last = n + 1 == theirs.lines.len();
+                let mut rest = theirs.lines[n + 1..].iter();
+                let is_last =
+                    rest.all(|(_, line)| yours.find(&with_names(line, &renamed), at).is_some());
                 lack = Some(NextLine {
                     file,
                     above,
