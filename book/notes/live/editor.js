@@ -460,7 +460,7 @@ then offers what people type in its place.</p>
 <div class="home" hidden><p>Unpack the archive in the folder of the workspace: tar overwrites none of the files there.</p>
 <pre><code>tar -xkf NAME.tar
 cargo rtrace watch NAME</code></pre>
-<p>Moves and borrows are not checked in this page: cargo does that.</p></div>
+<p>This page does not check moves, borrows, privacy, traits, nor lines that never ran: cargo does that.</p></div>
 <dialog aria-label="Start again"><p>Begin with empty functions? They replace your text; undo (Ctrl+Z) brings it back.</p>
 <p class="controls"><button type="button" data-action="empty">Start again</button>
 <button type="button" data-action="stay">Keep my text</button></p></dialog>

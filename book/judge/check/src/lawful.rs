@@ -9,6 +9,7 @@
 use std::cmp::Reverse;
 
 use common::rtweekend::*;
+use interpreter::Value;
 use laws::answers::{Answered, Answers};
 use laws::camera::CameraPixel;
 use laws::list::World;
@@ -18,7 +19,7 @@ use laws::ray_color::rays;
 use laws::record::RecordedHit;
 use laws::strategies::{ordinary, ordinary_with_interval, worlds};
 use laws::{Case, ChapterScene, Complaint, IntervalCase, Outcome, Question, Report, Trial};
-use slips::{Ball, Chapter, ChapterProgram, Edit, Languages, Slip};
+use slips::{Chapter, ChapterProgram, Edit, Languages, Slip};
 
 /// The most mistakes that a message names: a root can lose its sign in four places.
 const NAMED: usize = 4;
@@ -181,28 +182,45 @@ fn answer_of(program: &ChapterProgram, question: &Question) -> Vec<f64> {
     }
 }
 
+/// Calls `Sphere::hit` on a sphere made by `Sphere::new`; `None` for a miss, if the program stops,
+/// or if one of these functions or a field of the record is missing.
 fn record(program: &ChapterProgram, asked: &IntervalCase) -> Option<RecordedHit> {
     let IntervalCase { case, t_min, t_max } = asked;
-    let ball = Ball {
-        center: case.center,
-        radius: case.radius,
-    };
-    let hit = program.code().record(ball, &case.ray, *t_min, *t_max)?;
+    let sphere = sphere(program, case.center, case.radius)?;
+    let mut given = [sphere, case.ray.into(), (*t_min).into(), (*t_max).into()];
+    let hit = program.call("Sphere::hit", &mut given)?;
+    let record = hit.parts().first()?;
+    let field = |name| program.code().field(record, name);
     Some(RecordedHit {
-        t: hit.t,
-        point: hit.point,
-        normal: hit.normal,
-        front_face: hit.front_face,
+        t: field("t")?.float()?,
+        point: field("point").or_else(|| field("p"))?.vec3()?,
+        normal: field("normal")?.vec3()?,
+        front_face: matches!(field("front_face")?, Value::Bool(true)),
     })
 }
 
+/// Calls `HittableList::hit` on a list with these spheres in this order; `None` like [`record`].
 fn nearest(program: &ChapterProgram, world: &World) -> Option<f64> {
-    let ball = |&(center, radius): &(Point3, f64)| Ball { center, radius };
-    let balls: Vec<Ball> = world.spheres.iter().map(ball).collect();
-    let World {
-        ray, t_min, t_max, ..
-    } = world;
-    program.code().nearest(&balls, ray, *t_min, *t_max)
+    let has_new = program.code().parameters("HittableList::new").is_some();
+    let name = ["HittableList::default", "HittableList::new"][usize::from(has_new)];
+    let mut list = program.call(name, &mut [])?;
+    for (center, radius) in &world.spheres {
+        let mut given = [list, sphere(program, *center, *radius)?];
+        program.call("HittableList::add", &mut given)?;
+        [list, _] = given;
+    }
+    let mut given = [
+        list,
+        world.ray.into(),
+        world.t_min.into(),
+        world.t_max.into(),
+    ];
+    let hit = program.call("HittableList::hit", &mut given)?;
+    program.code().field(hit.parts().first()?, "t")?.float()
+}
+
+fn sphere(program: &ChapterProgram, center: Point3, radius: f64) -> Option<Value> {
+    program.call("Sphere::new", &mut [center.into(), radius.into()])
 }
 
 fn pixel_ray(program: &ChapterProgram, pixel: &CameraPixel) -> Ray {
@@ -214,14 +232,21 @@ fn pixel_ray(program: &ChapterProgram, pixel: &CameraPixel) -> Ray {
 /// Calls `act` with the vector functions of a program. Where its text has no such function, glam's
 /// is meant; operators and rays are those of `common`.
 fn with_prelude<T>(program: &ChapterProgram, act: impl FnOnce(&Prelude) -> T) -> T {
-    let own = |name, of: &[Vec3]| program.code().call_with_vectors(name, of);
+    let own = |name: &str, of: &[Vec3]| {
+        let mut given: Vec<Value> = of.iter().copied().map(Value::from).collect();
+        program.call(name, &mut given)
+    };
+    let number = |name: &str, of: &[Vec3]| own(name, of)?.float();
     let length_squared =
-        |v: Vec3| own("length_squared", &[v]).map_or(v.length_squared(), |it| it[0]);
+        |v: Vec3| number("length_squared", &[v]).unwrap_or_else(|| v.length_squared());
     act(&Prelude {
-        dot: &|u, v| own("dot", &[u, v]).map_or(u.dot(v), |it| it[0]),
+        dot: &|u, v| number("dot", &[u, v]).unwrap_or_else(|| u.dot(v)),
         length_squared: &length_squared,
         length: &|v| length_squared(v).sqrt(),
-        normalize: &|v| own("normalize", &[v]).map_or(v.normalize(), |it| Vec3::from_slice(&it)),
+        normalize: &|v| {
+            let own = own("normalize", &[v]).and_then(|it| it.vec3());
+            own.unwrap_or_else(|| v.normalize())
+        },
         ..Prelude::of_common()
     })
 }

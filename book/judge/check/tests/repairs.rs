@@ -256,7 +256,7 @@ impl Text {
 fn said(chapter: Chapter, files: &[SourceFile], is_wrong: bool) -> Vec<Row> {
     let mut read = files.to_vec();
     read.sort_by_key(|it| it.name != "src/lib.rs");
-    let program = interpreter::read(&read).unwrap_or_else(|faults| panic!("{}", faults[0]));
+    let program = interpreter::read(&read).unwrap_or_else(|fault| panic!("{fault}"));
     let picture = program.draw(WIDTH).expect("it draws");
     // Step 1 of the normals shows the red sphere.
     let mut shown = [chapter, Chapter::RedSphere].into_iter();

@@ -1,33 +1,35 @@
-//! Interprets what a reader types in the page: the Rust in which our chapters are written, and
-//! what people write instead.
+//! Interprets the Rust in which the chapters are written, and what readers type instead.
 //!
-//! `read` parses the files, `names` resolves names, and `lower` turns syntax trees into closures
-//! ("lowers" them), which run on `machine` and call `library`. Floats are computed in the order in
-//! which the text has them, so a picture is that of the compiled program to the last bit. Names,
-//! fields, methods and counts of arguments are checked before a program runs. Types are checked
-//! when values meet what is declared, so a line that never ran is not checked:
-//! [`Program::unchecked`] lists these. What the interpreter does not read is refused by its name.
+//! Read in this order: `value` and `integers` are what a program computes with, `machine` and
+//! `calls` run it, `place` changes what lies in variables. `names` says what names mean, and
+//! `collect` gathers them from the files. `lower` turns each function into closures: an operator is
+//! added in `operators`, a pattern in `lower/patterns`, a function of the standard library in
+//! `natives` or as text in `texts/std.rs`. `program` and `canvas` are what others call.
+//!
+//! It runs a text and is no compiler. Syntax, names, counts of arguments and `mut` are checked when
+//! a text is read, types when values meet. Moves, borrows, privacy, and lines that never run are
+//! not checked. What the compiler may accept and is not read here is refused by its name. Floats
+//! are computed in the order in which the text has them, so a picture is that of the compiled
+//! program to the last bit.
 
-mod asked;
+mod calls;
 mod canvas;
-mod library;
-mod limits;
+mod collect;
+mod fault;
+mod integers;
 mod lower;
 mod machine;
 mod names;
+mod natives;
 pub mod nesting;
 mod operators;
-mod patch;
+mod place;
 mod program;
-mod read;
-mod refusal;
-mod types;
+mod syntax;
+mod value;
 
-pub use asked::{Ball, SphereHit};
-pub use canvas::{Canvas, TracedValue, format_number};
-pub use program::{ExpectedPixel, Program, SourceFile, UncheckedLines, read};
-pub use refusal::{Fault, FaultKind, SourceSpan};
-
-/// The sentence at the end of an answer that calls a typed text right, in plain text: it says that
-/// moves and borrows were not checked.
-pub const UNCHECKED: &str = "Moves and borrows are not checked here: cargo does that.";
+pub use canvas::Canvas;
+pub use fault::{Fault, FaultKind, Span};
+pub use machine::TracedValue;
+pub use program::{Program, SourceFile, read};
+pub use value::{Value, format_number};

@@ -1,122 +1,180 @@
-//! Operators: their texts, and the compiler's words for them.
+//! Operators: the arithmetic of the compiled chapters, to the last bit. A new one is a line in
+//! the table.
 
 use std::cmp::Ordering;
 
-/// An arithmetic operator between two values.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum ArithOp {
-    Plus,
-    Minus,
-    Times,
-    Over,
-    Remainder,
-}
+use common::rtweekend::Vec3;
 
-/// A comparison of two values.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum CompareOp {
-    Equal,
-    Unequal,
-    Less,
-    AtMost,
-    More,
-    AtLeast,
-}
+use crate::fault::Span;
+use crate::integers;
+use crate::machine::{Code, Machine, Run};
+use crate::value::{Kind, Shape, Value, kind};
 
-/// An operator between two expressions.
-#[derive(Clone, Copy)]
-pub(crate) enum Operator {
-    /// An arithmetic operator, and true if it assigns, as `+=`.
-    Arithmetic(ArithOp, bool),
-    Compare(CompareOp),
-    And,
-    Or,
-}
-
-/// Returns the operator with that text; `None` for one that chapters don't have.
-pub(crate) fn operator(sign: &str) -> Option<Operator> {
-    let order = CompareOp::ALL.iter().find(|it| it.1 == sign);
-    match sign {
-        "&&" => Some(Operator::And),
-        "||" => Some(Operator::Or),
-        _ if order.is_some() => order.map(|it| Operator::Compare(it.0)),
-        _ => {
-            let plain = sign.trim_end_matches('=');
-            let row = ArithOp::ALL.iter().find(|it| it.1 == plain)?;
-            Some(Operator::Arithmetic(row.0, plain != sign))
+/// Makes the operators of arithmetic from their names in `syn`, alone and before `=`, their signs,
+/// and the functions of integers that return `None` for an overflow.
+macro_rules! operators {
+    ($($name:ident $assign:ident $sign:tt $checked:ident;)*) => {
+        /// An operator of arithmetic.
+        #[derive(Clone, Copy, Debug)]
+        pub(crate) enum Op {
+            $($name),*
         }
-    }
+
+        impl Op {
+            /// Returns the operator, and true if it stands before `=`; `None` for those that compare.
+            pub(crate) fn of_syntax(op: &syn::BinOp) -> Option<(Self, bool)> {
+                match op {
+                    $(syn::BinOp::$name(_) => Some((Self::$name, false)),)*
+                    $(syn::BinOp::$assign(_) => Some((Self::$name, true)),)*
+                    _ => None,
+                }
+            }
+
+            fn sign(self) -> &'static str {
+                match self {
+                    $(Self::$name => stringify!($sign)),*
+                }
+            }
+
+            fn of_vectors(self, a: Vec3, b: Vec3) -> Vec3 {
+                match self {
+                    $(Self::$name => a $sign b),*
+                }
+            }
+
+            fn of_floats(self, a: f64, b: f64) -> f64 {
+                match self {
+                    $(Self::$name => a $sign b),*
+                }
+            }
+
+            /// Computes with integers; `None` for an overflow, or a division by zero.
+            fn of_integers(self, a: i64, b: i64) -> Option<i64> {
+                match self {
+                    $(Self::$name => a.$checked(b)),*
+                }
+            }
+
+            /// Returns the code that computes with the values of other code. Each operator has code
+            /// of its own, so that the common case needs no `match`.
+            pub(crate) fn code(self, left: Code, right: Code, at: Span) -> Code {
+                match self {
+                    $(Self::$name => Code::act(move |m| {
+                        if let (Some(a), Some(b)) = (left.number(m), right.number(m)) {
+                            return Ok(Value::Float(m.rounded(a $sign b)));
+                        }
+                        let (a, b) = (left.run(m)?, right.run(m)?);
+                        if let (Value::Float(a), Value::Float(b)) = (&a, &b) {
+                            return Ok(Value::Float(m.rounded(a $sign b)));
+                        }
+                        m.arithmetic(self, &a, &b, at)
+                    })),*
+                }
+            }
+        }
+    };
+}
+operators! {
+    Add AddAssign + checked_add;
+    Sub SubAssign - checked_sub;
+    Mul MulAssign * checked_mul;
+    Div DivAssign / checked_div;
+    Rem RemAssign % checked_rem;
 }
 
-impl ArithOp {
-    /// Each operator with its text, its trait, and the compiler's verb.
-    const ALL: [(Self, &str, &str, &str); 5] = [
-        (Self::Plus, "+", "Add", "add"),
-        (Self::Minus, "-", "Sub", "subtract"),
-        (Self::Times, "*", "Mul", "multiply"),
-        (Self::Over, "/", "Div", "divide"),
-        (Self::Remainder, "%", "Rem", "calculate the remainder of"),
-    ];
-
-    /// Returns the operator of a trait of the standard library, as `Add`.
-    pub(crate) fn of_trait(name: &str) -> Option<Self> {
-        Self::ALL.iter().find(|it| it.2 == name).map(|it| it.0)
-    }
-
-    /// Returns the compiler's verb for the operator.
-    fn verb(self) -> &'static str {
-        let own = Self::ALL.iter().find(|it| it.0 == self);
-        own.expect("all are listed").3
-    }
-
-    /// Returns the panic message for a result that does not fit its type.
-    pub(crate) fn overflow(self) -> String {
-        format!("attempt to {} with overflow", self.verb())
-    }
-
-    /// Returns the compiler's message for two types that have no such operator.
-    pub(crate) fn refused(self, is_assignment: bool, one: &str, other: &str) -> String {
-        let verb = if is_assignment {
-            format!("{}-assign", self.verb())
-        } else {
-            self.verb().to_owned()
+impl Machine<'_> {
+    pub(crate) fn arithmetic(&mut self, op: Op, a: &Value, b: &Value, at: Span) -> Run {
+        let vector = match (a, b) {
+            (Value::Vec3(a), Value::Vec3(b)) => op.of_vectors(*a, *b),
+            (Value::Vec3(a), Value::Float(b)) => op.of_vectors(*a, Vec3::splat(*b)),
+            (Value::Float(a), Value::Vec3(b)) => op.of_vectors(Vec3::splat(*a), *b),
+            (Value::Float(a), Value::Float(b)) => {
+                return Ok(Value::Float(self.rounded(op.of_floats(*a, *b))));
+            }
+            (Value::Int(..), Value::Int(..)) => return self.integer(op, a, b, at),
+            _ => return self.no_operator(op, [a.kind(), b.kind()], at),
         };
-        match self {
-            Self::Plus => format!("cannot {verb} `{other}` to `{one}`"),
-            Self::Minus => format!("cannot {verb} `{other}` from `{one}`"),
-            Self::Times | Self::Over => format!("cannot {verb} `{one}` by `{other}`"),
-            Self::Remainder => format!("cannot {verb} `{one}` divided by `{other}`"),
+        Ok(Value::Vec3(self.all_rounded(vector)))
+    }
+
+    fn integer(&mut self, op: Op, a: &Value, b: &Value, at: Span) -> Run {
+        let (&Value::Int(a, one), &Value::Int(b, other)) = (a, b) else {
+            return Ok(Value::Unit);
+        };
+        let Some(of) = integers::joined(one, other) else {
+            return self.no_operator(op, [one, other], at);
+        };
+        let result = op.of_integers(a, b);
+        match result.filter(|result| integers::is_in_range(of, [a, b], *result)) {
+            Some(result) => Ok(Value::Int(result, of)),
+            None => {
+                let ty = self.code.names.shown(of);
+                self.panic(at, format!("the result of `{}` is no `{ty}`", op.sign()))
+            }
         }
     }
-}
 
-impl CompareOp {
-    /// Each comparison with its text.
-    const ALL: [(Self, &str); 6] = [
-        (Self::Equal, "=="),
-        (Self::Unequal, "!="),
-        (Self::Less, "<"),
-        (Self::AtMost, "<="),
-        (Self::More, ">"),
-        (Self::AtLeast, ">="),
-    ];
-
-    /// Returns the text of the comparison.
-    pub(crate) fn sign(self) -> &'static str {
-        let own = Self::ALL.iter().find(|it| it.0 == self);
-        own.expect("all are listed").1
+    #[cold]
+    fn no_operator(&mut self, op: Op, kinds: [Kind; 2], at: Span) -> Run {
+        // Those of a text would be functions of a trait.
+        if kinds
+            .iter()
+            .any(|kind| (kind::CAMERA + 1..kind::ANY).contains(kind))
+        {
+            return self.unread(at, "operators of types of your own");
+        }
+        let [a, b] = kinds.map(|kind| self.code.names.shown(kind));
+        let message = format!("there is no `{a} {} {b}`", op.sign());
+        self.refuse(at, message)
     }
 
-    /// Returns true if the comparison holds for values in this order; `None` means that one is NaN.
-    #[inline]
-    pub(crate) fn holds(self, found: Option<Ordering>) -> bool {
-        match self {
-            Self::Equal => found.is_some_and(Ordering::is_eq),
-            Self::Unequal => !found.is_some_and(Ordering::is_eq),
-            Self::Less => found.is_some_and(Ordering::is_lt),
-            Self::AtMost => found.is_some_and(Ordering::is_le),
-            Self::More => found.is_some_and(Ordering::is_gt),
-            Self::AtLeast => found.is_some_and(Ordering::is_ge),
+    pub(crate) fn negated(&mut self, value: &Value, at: Span) -> Run {
+        match value {
+            Value::Float(number) => Ok(Value::Float(-number)),
+            Value::Vec3(vector) => Ok(Value::Vec3(-vector)),
+            Value::Int(number, of) => match number.checked_neg() {
+                Some(negated) if *of == kind::INT || integers::has(*of, negated) => {
+                    Ok(Value::Int(negated, *of))
+                }
+                _ => self.panic(at, "the result of `-` is out of range"),
+            },
+            other => self.mismatch(at, "number", other.kind()),
+        }
+    }
+
+    /// Compares two numbers or truths; `None` if one is NaN.
+    pub(crate) fn order(&mut self, a: &Value, b: &Value, at: Span) -> Run<Option<Ordering>> {
+        match (a, b) {
+            (Value::Float(a), Value::Float(b)) => Ok(a.partial_cmp(b)),
+            (Value::Int(a, one), Value::Int(b, other))
+                if integers::joined(*one, *other).is_some() =>
+            {
+                Ok(Some(a.cmp(b)))
+            }
+            (Value::Bool(a), Value::Bool(b)) => Ok(Some(a.cmp(b))),
+            _ => {
+                let wanted = self.code.names.shown(a.kind());
+                self.mismatch(at, wanted, b.kind())
+            }
+        }
+    }
+
+    /// Returns true if two values are equal, as by a derived `PartialEq`.
+    pub(crate) fn equal(&mut self, a: &Value, b: &Value, at: Span) -> Run<bool> {
+        match (a, b) {
+            (Value::Vec3(a), Value::Vec3(b)) => Ok(a == b),
+            (Value::Unit, Value::Unit) => Ok(true),
+            (Value::Data(Shape::TEXT, _), _) => self.unread(at, "a comparison of texts"),
+            (Value::Data(one, _), Value::Data(other, _)) if one.kind == other.kind => {
+                self.turn(at)?;
+                let (all, others) = (a.parts(), b.parts());
+                let mut is_equal = one.variant == other.variant && all.len() == others.len();
+                for (a, b) in all.iter().zip(others) {
+                    is_equal = is_equal && self.equal(a, b, at)?;
+                }
+                Ok(is_equal)
+            }
+            _ => Ok(self.order(a, b, at)? == Some(Ordering::Equal)),
         }
     }
 }

@@ -1,46 +1,22 @@
-//! The interpreted program: how its files are read, its picture is drawn, and which lines never
-//! ran.
+//! Programs: how their files are read, patched and mutated, and how their functions are called.
 
-use std::ops::RangeInclusive;
-use std::rc::Rc;
-use std::sync::atomic::Ordering::Relaxed;
+use std::fmt;
 use std::sync::{Arc, OnceLock};
 
-use common::rtweekend::*;
+use crate::collect::{Source, collect};
+use crate::fault::{Fault, FaultKind, PRELUDE, Span};
+use crate::lower::lower;
+use crate::machine::{Compiled, Machine};
+use crate::names::{Item, Names, Scope};
+use crate::natives;
+use crate::syntax::parse;
+use crate::value::{Target, Value};
 
-use crate::limits::{MAX_TURNS, MAX_TURNS_OF_A_PICTURE, MAX_WIDTH};
-use crate::machine::value::{Data, Value};
-use crate::machine::{Code, Machine};
-use crate::names::collect::collect;
-use crate::refusal::{Fault, FaultKind, Refusal, lines};
-use crate::types::Int;
-use crate::{lower, read as parsing};
-
-/// A pixel and the color that it should have.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct ExpectedPixel {
-    /// The number of the pixel: `j * width + i` in column `i` and row `j`, from 0 at the top left.
-    pub index: u32,
-    /// The levels of red, green and blue, 0 to 255.
-    pub levels: [u8; 3],
-}
-
-/// Lines of a file that never ran, so that their types are not checked.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct UncheckedLines {
-    /// The index of the file in the list that was given to [`read`], from 0.
-    pub file: usize,
-    /// The first line and the last, counted from 1, both included.
-    pub lines: RangeInclusive<usize>,
-}
-
-/// A Rust program, as a reader of the chapters types it, that was read without a fault and can be
-/// run.
-#[derive(Clone, Debug)]
-pub struct Program {
-    pub(crate) code: Arc<Code>,
-    pub(crate) refused: Arc<OnceLock<Fault>>,
-}
+/// The texts that every program has: the standard library's types, and the lesson's prelude.
+const TEXTS: [&str; 2] = [
+    include_str!("texts/std.rs"),
+    include_str!("texts/prelude.rs"),
+];
 
 /// A file of a program as its author typed it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -62,237 +38,211 @@ impl SourceFile {
     }
 }
 
-/// Reads the files of a crate. Its root is the file whose name ends with `lib.rs`, or else the
-/// first. Nothing runs yet.
+/// A program that was read without a fault and can be run. Its parts are shared with the programs
+/// that are made of it.
+#[derive(Clone)]
+pub struct Program {
+    pub(crate) code: Arc<Compiled>,
+    refused: Arc<OnceLock<Fault>>,
+}
+
+impl fmt::Debug for Program {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let functions: Vec<&str> = self.functions().map(|it| it.0).collect();
+        f.debug_tuple("Program").field(&functions).finish()
+    }
+}
+
+/// Reads the files of a program. Nothing runs yet.
 ///
 /// Spans of a text that was read earlier on this thread become invalid.
 ///
 /// # Errors
-/// Faults that show without running, from the first step that finds any: syntax, one for each file;
-/// then declarations; then bodies, one for each function. Those that the compiler would refuse come
-/// first, then texts that end too early, then what this interpreter does not read.
-///
-/// # Panics
-/// If there is no file.
-pub fn read(files: &[SourceFile]) -> Result<Program, Vec<Fault>> {
-    // Places of an earlier text are not needed any more.
-    proc_macro2::extra::invalidate_current_thread_spans();
-    let texts: Vec<String> = files.iter().map(|it| it.text.clone()).collect();
-    let refused = |mut all: Vec<Refusal>| {
-        all.sort_by_key(|it| it.kind);
-        let faults = all.into_iter().map(|it| it.fault(&texts));
-        faults.collect::<Vec<_>>()
-    };
-    let (mut trees, mut faults) = (Vec::new(), Vec::new());
-    for (n, file) in files.iter().enumerate() {
-        match parsing::parse(n, &file.text) {
-            Ok(tree) => trees.push((file.name.clone(), tree)),
-            Err(fault) => faults.push(fault),
-        }
-    }
-    if !faults.is_empty() {
-        return Err(refused(faults));
-    }
-    let (names, bodies) = collect(&trees).map_err(refused)?;
-    let mut functions = Vec::new();
-    for (signature, body) in names.functions.iter().zip(&bodies) {
-        let text = &texts[names.modules[signature.module].file as usize];
-        match lower::lower(&names, text, signature, *body) {
-            Ok(function) => functions.push(Arc::new(function)),
-            Err(fault) => faults.push(fault),
-        }
-    }
-    if !faults.is_empty() {
-        return Err(refused(faults));
-    }
+/// The first fault that shows without running: in the syntax, then in declarations, then in bodies.
+pub fn read(files: &[SourceFile]) -> Result<Program, Fault> {
+    static PRELUDE_CODE: OnceLock<Compiled> = OnceLock::new();
+    let texts: Vec<&str> = files.iter().map(|file| &*file.text).collect();
     Ok(Program {
-        code: Arc::new(Code {
-            names: Arc::new(names),
-            functions,
-            texts: Arc::new(texts),
-            is_single: false,
-            mutant: 0,
-            instead: Vec::new(),
-            read: Arc::default(),
-        }),
+        code: Arc::new(added(PRELUDE_CODE.get_or_init(prelude), 0, &texts)?),
         refused: Arc::default(),
     })
 }
 
+/// Reads the texts that every program has.
+fn prelude() -> Compiled {
+    let empty = Compiled {
+        names: Arc::new(Names::new()),
+        functions: Vec::new(),
+        mutant: 0,
+        is_single: false,
+        has_doubles: true,
+    };
+    added(&empty, PRELUDE, &TEXTS).unwrap_or_else(|fault| panic!("{fault:?}"))
+}
+
+/// Adds texts to a program. Their files have the numbers from `file` on.
+fn added(to: &Compiled, file: u16, texts: &[&str]) -> Result<Compiled, Fault> {
+    // Places of an earlier text are not needed any more.
+    proc_macro2::extra::invalidate_current_thread_spans();
+    let trees = (file..).zip(texts);
+    let trees = trees.map(|(n, text)| Ok((n, parse::<syn::File>(n, text)?)));
+    let trees = trees.collect::<Result<Vec<_>, Fault>>()?;
+    let mut names = Names::clone(&to.names);
+    let sources = collect(&mut names, trees.iter().map(|(n, tree)| (*n, tree)))?;
+    let mut functions = to.functions.clone();
+    for source in sources {
+        let n = functions.len();
+        let mut function = lower(&names, n, source)?;
+        if file >= PRELUDE {
+            function.double = natives::double(&names.signatures[n].name);
+        }
+        functions.push(Arc::new(function));
+    }
+    let names = Arc::new(names);
+    Ok(Compiled {
+        names,
+        functions,
+        ..*to
+    })
+}
+
+/// Changes of a program: each makes a new one, which shares with the first what did not change.
 impl Program {
-    /// Draws the whole picture, `width` pixels wide: by the program's `picture`, or by `ray_color`
-    /// and the book's camera if it has none.
-    ///
-    /// # Errors
-    /// If the program stops: a panic, an overflow, too many turns of a loop; if the compiler would
-    /// refuse a line that runs, as with mismatched types; or if the picture's width or height is
-    /// not from 1 to 4096 pixels.
-    pub fn draw(&self, width: u32) -> Result<Picture, Fault> {
-        let canvas = self.canvas(width)?;
-        let (width, height) = canvas.size();
-        let is_drawn = |it| (1..=MAX_WIDTH).contains(it);
-        if ![width, height].iter().all(is_drawn) {
-            let message = "there is no picture that is 1 to 4096 pixels wide and high";
-            return Err(stopped(message));
-        }
-        let mut rgb = Vec::with_capacity(3 * width as usize * height as usize);
-        for (j, i) in (0..height).flat_map(|j| (0..width).map(move |i| (j, i))) {
-            rgb.extend(canvas.levels(i, j)?);
-        }
-        Picture::from_rgb(width, height, rgb).ok_or_else(|| stopped(NO_PICTURE))
+    /// Lists the functions of the program's files, in the order of their declarations: first the
+    /// name, `hit_sphere` or `Sphere::hit`, then the text from `fn` to the closing bracket.
+    pub fn functions(&self) -> impl Iterator<Item = (&str, &str)> {
+        let all = self.code.names.signatures.iter().zip(&self.code.functions);
+        let own = all.filter(|(it, _)| it.scope.file < PRELUDE && !it.is_constant);
+        own.map(|(signature, function)| (&*signature.name, &*function.text))
     }
 
-    /// Computes these pixels one after the other, in a picture `width` pixels wide, and counts
-    /// those that have the expected levels, up to the first that has others or lies outside of the
-    /// picture. The count is the length of `pixels` if all match.
+    /// Returns the program with another text for the function with the name `function`, such as
+    /// `hit_sphere` or `Sphere::hit`, or `Camera::ray` of the prelude; `text` goes from `fn` to the
+    /// closing bracket. Only that is read. Types and count of the parameters stay as declared.
     ///
     /// # Errors
-    /// If the program stops, or the compiler would refuse a line that runs.
-    pub fn count_matching(&self, width: u32, pixels: &[ExpectedPixel]) -> Result<usize, Fault> {
-        // A reader's own loop over all pixels can't be asked for some.
-        let canvas = match self.code.names.own_ray {
-            Some(_) => self.by_ray_color(width)?,
-            None => self.canvas(width)?,
-        };
-        let (width, height) = canvas.size();
-        for (n, &ExpectedPixel { index, levels }) in pixels.iter().enumerate() {
-            if index >= width * height || canvas.levels(index % width, index / width)? != levels {
-                return Ok(n);
+    /// If there is no such function, if the text is no function or takes another number of
+    /// parameters, or has a fault that shows without running.
+    pub fn patched(&self, function: &str, text: &str) -> Result<Self, Fault> {
+        proc_macro2::extra::invalidate_current_thread_spans();
+        let n = self.number_of(function)?;
+        let item = parse::<syn::ImplItemFn>(PRELUDE, text)?;
+        if item.sig.inputs.len() != self.code.names.signatures[n].parameters.len() {
+            return Err(Fault::refused(
+                Span::default(),
+                "the parameters have changed",
+            ));
+        }
+        let source = Source::Function(&item.sig, &item.block);
+        let lowered = Arc::new(lower(&self.code.names, n, source)?);
+        let is_of_reader = self.code.names.signatures[n].scope.file < PRELUDE;
+        Ok(self.with(|code| {
+            code.functions[n] = lowered;
+            code.has_doubles &= is_of_reader;
+        }))
+    }
+
+    /// Returns the program in which one mutant runs, a variant of an expression:
+    /// `mutants!(7, right, one, other)` in the program's text is `one` if `number` is 7, `other` if
+    /// it is 8, and else `right`.
+    ///
+    /// All mutants are read at once (mutant schemata: Untch, Offutt and Harrold, 1993).
+    pub fn with_mutant(&self, number: u32) -> Self {
+        self.with(|code| code.mutant = number)
+    }
+
+    /// Returns the program with every number in its text and every result of `+ - * / %`, and every
+    /// number that the library returns, rounded to an `f32`.
+    pub fn in_single_precision(&self) -> Self {
+        self.with(|code| (code.is_single, code.has_doubles) = (true, false))
+    }
+
+    /// Returns the program with the patches of both `self` and `other`, which were patched from the
+    /// program `from`; `None` if both have patched the same function. Nothing is read again. The
+    /// result computes in `f32` if either does.
+    pub fn merged_with(&self, other: &Self, from: &Self) -> Option<Self> {
+        let [own, other, from] = [self, other, from].map(|program| &program.code);
+        let mut functions = own.functions.clone();
+        for (n, function) in other.functions.iter().enumerate() {
+            if Arc::ptr_eq(function, &from.functions[n]) {
+                continue;
             }
+            if !Arc::ptr_eq(&own.functions[n], &from.functions[n]) {
+                return None;
+            }
+            functions[n] = Arc::clone(function);
         }
-        Ok(pixels.len())
+        Some(self.with(|code| {
+            code.functions = functions;
+            code.is_single |= other.is_single;
+            code.has_doubles &= other.has_doubles;
+        }))
     }
 
-    /// Returns the first fault that the compiler would refuse and that showed only in a call, such
-    /// as [`ray_color`](Self::ray_color), which itself returns no fault. `None` if there was none
-    /// so far.
+    /// Returns the program with changed code, without any refusal yet.
+    fn with(&self, change: impl FnOnce(&mut Compiled)) -> Self {
+        let mut code = Compiled::clone(&self.code);
+        change(&mut code);
+        Self {
+            code: Arc::new(code),
+            refused: Arc::default(),
+        }
+    }
+}
+
+/// Calls of functions.
+impl Program {
+    /// Calls a function, `f` or `Type::f`, with values; `Type::default` needs no text. What it
+    /// changes by a `&mut` is changed in `given`.
+    ///
+    /// # Errors
+    /// If there is no such function, or the program stops.
+    pub fn call(&self, function: &str, given: &mut [Value]) -> Result<Value, Fault> {
+        let callee = match self.number_of(function) {
+            Ok(n) => Value::Function(Target::Own(n)),
+            Err(fault) => return self.default_by(function).ok_or(fault),
+        };
+        let result = Machine::new(&self.code, Vec::new()).ask(&callee, given);
+        if let Err(fault) = &result
+            && fault.kind == FaultKind::Refused
+        {
+            let _ = self.refused.set(fault.clone());
+        }
+        result
+    }
+
+    /// Returns the value that `Type::default` has of a type whose text has no such function.
+    fn default_by(&self, function: &str) -> Option<Value> {
+        let (owner, names) = (function.strip_suffix("::default")?, &self.code.names);
+        match names.find(&[owner.to_owned()], &Scope::default())? {
+            Item::Type(kind) => names.default_of(kind),
+            _ => None,
+        }
+    }
+
+    /// Returns how many parameters a function has, `f` or `Type::f`, with `self`; `None` if there is
+    /// no such function.
+    pub fn parameters(&self, function: &str) -> Option<usize> {
+        let n = self.number_of(function).ok()?;
+        Some(self.code.names.signatures[n].parameters.len())
+    }
+
+    /// Returns the first fault that the compiler would refuse and that showed in a
+    /// [call](Self::call). `None` if there was none so far.
     pub fn first_refusal(&self) -> Option<&Fault> {
         self.refused.get()
     }
 
-    /// Lists the lines that no picture and no call has run so far, in the order of files and lines;
-    /// ranges that touch are joined. Empty if each line has run.
-    ///
-    /// Types are checked when a line runs, so these may have mistakes that the compiler would
-    /// refuse.
-    pub fn unchecked(&self) -> Vec<UncheckedLines> {
-        let marks = self.code.functions.iter().flat_map(|it| &it.marks);
-        let unrun = marks.filter(|it| !it.has_run.load(Relaxed));
-        let lines = unrun.filter_map(|it| lines(&self.code.texts, it.at));
-        let mut lines: Vec<_> = lines.collect();
-        lines.sort_by_key(|it| (it.file, *it.lines.start()));
-        let mut joined: Vec<UncheckedLines> = Vec::new();
-        for UncheckedLines { file, lines } in lines {
-            match joined.last_mut() {
-                Some(last) if last.file == file && *lines.start() <= last.lines.end() + 1 => {
-                    last.lines = *last.lines.start()..=*last.lines.end().max(lines.end());
-                }
-                _ => joined.push(UncheckedLines { file, lines }),
-            }
-        }
-        joined
-    }
-}
-
-/// The message about a program whose `picture` returns none.
-pub(crate) const NO_PICTURE: &str = "there is no picture to draw";
-
-/// Makes the fault of a program that stops at no place of its text.
-pub(crate) fn stopped(message: &str) -> Fault {
-    Fault::without_place(FaultKind::Stopped, message.to_owned())
-}
-
-impl Program {
-    /// Makes a machine with the budget of one pixel, or of a picture if the text loops over its
-    /// own.
-    pub(crate) fn machine(&self) -> Machine<'_> {
-        let turns = match self.code.names.own_ray {
-            Some(_) => MAX_TURNS_OF_A_PICTURE,
-            None => MAX_TURNS,
-        };
-        Machine::new(&self.code, turns)
+    /// Returns a field of a struct; `None` if it has none of that name.
+    pub fn field(&self, value: &Value, name: &str) -> Option<Value> {
+        let def = self.code.names.kinds.get(usize::from(value.kind()))?;
+        value.part(def.variants.first()?.field(name)?)
     }
 
-    /// Calls the function with that number; `None` if it stops.
-    pub(crate) fn call(&self, function: usize, given: &[Value]) -> Option<Value> {
-        self.asked(self.machine().call(function, given))
+    fn number_of(&self, function: &str) -> Result<usize, Fault> {
+        let mut signatures = self.code.names.signatures.iter();
+        let n = signatures.rposition(|signature| signature.name == function);
+        let message = || format!("there is no function `{function}`");
+        n.ok_or_else(|| Fault::refused(Span::default(), message()))
     }
-
-    /// Turns a refusal into a fault with line and columns.
-    pub(crate) fn ran<T>(&self, result: Result<T, Refusal>) -> Result<T, Fault> {
-        result.map_err(|it| it.fault(&self.code.texts))
-    }
-
-    /// Returns the value; or `None` for a refusal, which is kept if the compiler would refuse it.
-    pub(crate) fn asked<T>(&self, result: Result<T, Refusal>) -> Option<T> {
-        match self.ran(result) {
-            Ok(value) => Some(value),
-            Err(fault) => {
-                if fault.kind == FaultKind::Refused {
-                    let _ = self.refused.set(fault);
-                }
-                None
-            }
-        }
-    }
-
-    /// Makes a vector of the program's own type, if it has one, or else of ours.
-    pub(crate) fn vec3(&self, vector: Vec3) -> Value {
-        let parts = vector.to_array().map(Value::from);
-        match self.code.names.own_vec3 {
-            Some(kind) => self.own(kind, ["x", "y", "z"].into_iter().zip(parts)),
-            None => vector.into(),
-        }
-    }
-
-    /// Makes a ray of the program's own type, if it has one, or else of ours.
-    pub(crate) fn ray(&self, ray: &Ray) -> Value {
-        let parts = [ray.origin, ray.direction].map(|it| self.vec3(it));
-        match self.code.names.own_ray {
-            Some(kind) => self.own(kind, ["origin", "direction"].into_iter().zip(parts)),
-            None => Data::Ray(Rc::new(*ray)).into(),
-        }
-    }
-
-    /// Makes one of the program's structs from values with field names. A value whose name no field
-    /// has goes to the field at its position; a field without a value is left empty.
-    pub(crate) fn own<'n>(
-        &self,
-        kind: u32,
-        parts: impl Iterator<Item = (&'n str, Value)>,
-    ) -> Value {
-        let known = &self.code.names.structs[kind as usize];
-        let mut fields = vec![Value::default(); known.fields.len()];
-        for (n, (name, value)) in parts.enumerate() {
-            let place = known.field(name).unwrap_or(n);
-            if let Some(field) = fields.get_mut(place) {
-                *field = value;
-            }
-        }
-        Data::Own(kind, fields.into()).into()
-    }
-
-    /// Returns a vector, or a struct of the program's with three numbers, as a vector; `None` for a
-    /// struct with fewer.
-    pub(crate) fn vec3_of(&self, value: &Value) -> Option<Vec3> {
-        let Data::Own(kind, fields) = &value.data else {
-            return Some(value.vec3());
-        };
-        let known = &self.code.names.structs[*kind as usize];
-        let parts = ["x", "y", "z"].into_iter().enumerate().map(|(n, name)| {
-            let place = known.field(name).unwrap_or(n);
-            match fields.get(place)?.data {
-                Data::Float(it) => Some(it),
-                Data::Single(it) => Some(it.into()),
-                _ => None,
-            }
-        });
-        let parts = parts.collect::<Option<Vec<f64>>>()?;
-        Some(Vec3::from_slice(&parts))
-    }
-}
-
-/// Makes a value of type `u32`.
-pub(crate) fn u32_value(number: u32) -> Value {
-    Value::whole(number.into(), Int::U32)
 }

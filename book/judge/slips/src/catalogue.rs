@@ -23,6 +23,9 @@ pub fn all() -> impl Iterator<Item = &'static Slip> {
 
 /// Returns what version 3 of the book has otherwise than version 4, which the chapters follow: no
 /// mistake, though made by edits as a slip is.
+///
+/// # Panics
+/// If the catalogue has no such slip.
 pub fn version_3() -> &'static Slip {
     let mut slips = SLIPS.iter();
     slips

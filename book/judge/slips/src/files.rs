@@ -33,7 +33,9 @@ pub fn program_files(chapter: Chapter) -> Vec<SourceFile> {
     files.sort_by_key(|it| !it.name.ends_with("lib.rs"));
     let mut add = |name: &str, text: &str, imported: &str| {
         files[0].text += &format!("\nmod {name};\n{imported}");
-        let own = text.lines().filter(|line| !line.starts_with("use "));
+        // What stands first in a file comes later here.
+        let is_own = |line: &&str| !line.starts_with("use ") && !line.starts_with("//!");
+        let own = text.lines().filter(is_own);
         let own = own.fold(String::new(), |text, line| text + line + "\n");
         let import = match name {
             "render" => "use crate::camera::Camera;\n",

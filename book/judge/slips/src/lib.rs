@@ -26,6 +26,7 @@
 //! assert_eq!(hit_sphere(Point3::new(0.0, 0.0, -1.0), 0.5, &ahead), Some(-1.5));
 //! ```
 
+mod asked;
 mod catalogue;
 mod code;
 mod edit;
@@ -41,12 +42,12 @@ mod wrong_picture;
 
 use course::chapter;
 
+pub use asked::Ball;
 pub use catalogue::{all, find, unnamed, version_3};
 pub use code::{ChapterCode, ChapterFile};
 pub use course::chapter::{Chapter, SphereCount};
 pub use edit::Edit;
 pub use files::{program_files, typed_files};
-pub use interpreter::{Ball, SphereHit};
 pub use output::Output;
 pub use probes::{PROBES, Probe, find as find_probe, width_line};
 pub use program::ChapterProgram;

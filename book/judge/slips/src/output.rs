@@ -5,6 +5,7 @@ use std::fmt;
 use common::rtweekend::*;
 use interpreter::{Canvas, TracedValue};
 
+use crate::asked::integers;
 use crate::files::FILE;
 use crate::program::ChapterProgram;
 
@@ -33,7 +34,7 @@ impl ChapterProgram {
     pub fn run(&self, width: u32) -> Output {
         let canvas = self.code().canvas(width).ok();
         let (columns, rows) = canvas.as_ref().map_or((0, 0), Canvas::size);
-        let header = self.code().call_with_integers("header", &[columns, rows]);
+        let header = integers(self.code(), "header", &mut [columns.into(), rows.into()]);
         let size = match header.as_deref() {
             Some([columns, rows]) => (*columns as u32, *rows as u32),
             _ => (0, 0),
@@ -77,7 +78,7 @@ impl Output {
             );
         }
         let program = &self.program;
-        let levels = program.code().call_with_color("print", color)?;
+        let levels = integers(program.code(), "print", &mut [color.into()])?;
         levels.try_into().ok()
     }
 
@@ -100,10 +101,8 @@ impl Output {
         if self.has_right_loop {
             return Some((n.checked_rem(columns)?, n / columns));
         }
-        let place = self
-            .program
-            .code()
-            .call_with_integers("place", &[n, columns, rows])?;
+        let mut given = [n.into(), columns.into(), rows.into()];
+        let place = integers(self.program.code(), "place", &mut given)?;
         Some((place[0] as u32, place[1] as u32))
     }
 
@@ -124,10 +123,8 @@ impl Output {
     /// Returns true if the ray of the `n`th pixel, from 0, hits a sphere: `ray_color` returns
     /// before its last expression, the sky.
     pub fn hits(&self, n: u32) -> bool {
-        match (&self.canvas, self.place(n)) {
-            (Some(canvas), Some((i, j))) => canvas.returns_early("ray_color", i, j),
-            _ => false,
-        }
+        let is_hit = |value: &TracedValue| value.name.is_none() && *value.function == *"ray_color";
+        self.traced_values(n).iter().any(is_hit)
     }
 
     /// Returns all pixels as bytes of red, green and blue, row by row from the top left. Levels are

@@ -1,10 +1,9 @@
 //! Probes: changes of a chapter that make visible what the book's picture hides.
 
-use interpreter::Ball;
-
-use super::program::ChapterProgram;
+use crate::asked::Ball;
 use crate::chapter::{Chapter, SphereCount};
 use crate::edit::Edit;
+use crate::program::ChapterProgram;
 use crate::slip::Languages;
 
 /// A small change of a chapter, of its width, spheres or focal length, that a reader makes to test

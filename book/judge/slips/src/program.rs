@@ -2,8 +2,6 @@
 
 use std::sync::OnceLock;
 
-use common::rtweekend::*;
-
 use crate::chapter::Chapter;
 use crate::edit::Edit;
 use crate::files::program_files;
@@ -17,8 +15,8 @@ pub struct ChapterProgram {
     code: interpreter::Program,
 }
 
-/// The functions of vectors and rays that a program may have in its text. Where it has none, or has
-/// not changed them, the library's own are run.
+/// The functions of vectors and rays that a program may have in its text. Changed there, they are
+/// changed in the interpreter's prelude, too, whose methods are called.
 const VECTOR_FUNCTIONS: [&str; 5] = ["dot", "length_squared", "length", "normalize", "at"];
 
 impl ChapterProgram {
@@ -42,7 +40,7 @@ impl ChapterProgram {
     /// Reads the program of a chapter from its own text.
     fn read(chapter: Chapter) -> Self {
         let code = interpreter::read(&program_files(chapter))
-            .unwrap_or_else(|faults| panic!("the text of {chapter:?} is read: {}", faults[0]));
+            .unwrap_or_else(|fault| panic!("the text of {chapter:?} is read: {fault}"));
         Self::from_reader(chapter, code)
     }
 
@@ -122,16 +120,16 @@ impl ChapterProgram {
     pub fn with_function(&self, function: &str, text: &str) -> Option<Self> {
         let mut code = self.code.patched(function, text).ok()?;
         if VECTOR_FUNCTIONS.contains(&function) {
-            code = code.instead_of_the_library(&VECTOR_FUNCTIONS);
+            let owner = if function == "at" { "Ray" } else { "DVec3" };
+            code = code.patched(&format!("{owner}::{function}"), text).ok()?;
         }
         Some(Self { code, ..*self })
     }
 
     /// Returns the program with every number and result rounded to single precision.
     fn in_single_precision(&self) -> Self {
-        let code = self.code.instead_of_the_library(&VECTOR_FUNCTIONS);
         Self {
-            code: code.in_single_precision(),
+            code: self.code.in_single_precision(),
             ..*self
         }
     }
@@ -155,25 +153,5 @@ impl ChapterProgram {
     /// Returns the code of the program, as the interpreter runs it.
     pub fn code(&self) -> &interpreter::Program {
         &self.code
-    }
-
-    /// Returns the ray that the program casts through a pixel of a picture `width` pixels wide, in
-    /// column `i` and row `j`, from 0 at the top left. `None` if the program has no camera or has a
-    /// ray type of its own, or stops there.
-    pub fn ray(&self, width: u32, i: u32, j: u32) -> Option<Ray> {
-        self.code.camera_ray(width, i, j)
-    }
-
-    /// Calls the program's `ray_color`. Components of the color are 0 to 1 if the program is right,
-    /// and NaN if it stops or has no such function.
-    pub fn ray_color(&self, ray: &Ray) -> Color {
-        self.code.ray_color(ray)
-    }
-
-    /// Calls the program's `hit_sphere`, which chapters 2 to 4 have. Returns the nearer root `t`, in
-    /// lengths of `ray.direction`, also behind the origin; `None` for a miss, or if the program
-    /// stops or has no such function. In chapter 2, which only decides, `t` is 0 for a hit.
-    pub fn hit_sphere(&self, center: Point3, radius: f64, ray: &Ray) -> Option<f64> {
-        self.code.hit_sphere(center, radius, ray)
     }
 }

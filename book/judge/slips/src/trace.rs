@@ -55,14 +55,14 @@ fn labeled(values: Vec<TracedValue>) -> Vec<TraceRow> {
         value,
     } in values
     {
-        let is_of_the_way = ["Camera::new", "Camera::with_size"].contains(&function.as_str());
-        let Some(name) = name.filter(|_| !is_of_the_way) else {
+        let (is_of_the_way, value) = (function.starts_with("Camera::"), value.to_string());
+        let Some(name) = name.filter(|_| !is_of_the_way && !value.is_empty()) else {
             continue;
         };
         let again = format!("{name}, again");
-        let is_same = |row: &&TraceRow| row.label == name || row.label.starts_with(&again);
+        let is_same = |row: &&TraceRow| row.label == *name || row.label.starts_with(&again);
         let label = match rows.iter().filter(is_same).count() {
-            0 => name,
+            0 => name.to_string(),
             1 => again,
             n => format!("{again} {n}"),
         };

@@ -1,9 +1,7 @@
 //! Habits from C++, Python and similar languages: what people type out of habit, and what Rust
 //! writes instead.
 
-use std::ops::Range;
-
-use interpreter::{Fault, FaultKind, SourceSpan};
+use interpreter::{Fault, FaultKind, Span};
 
 use crate::typed::Draft;
 use crate::words::{replaced, words};
@@ -81,6 +79,15 @@ const HABITS: &[(&str, &str)] = &[
     ("not (", "`!(…)`"),
     ("# …", "`// …` for a comment"),
     ("=>", "`>=`"),
+    ("−", "`-`"),
+    ("–", "`-`"),
+    ("×", "`*`"),
+    ("·", "`*`"),
+    ("÷", "`/`"),
+    ("≤", "`<=`"),
+    ("≥", "`>=`"),
+    ("½", "`0.5`"),
+    ("x ^", "`x * x`, or `x.powi(2)`"),
 ];
 
 /// The first words of a line that ends with a colon in Python, and the Rust for them.
@@ -100,47 +107,40 @@ const KEYWORDS: [&str; 24] = [
 ];
 
 impl Draft {
-    /// Returns help for a fault that comes from a habit of another language, if it has no better
-    /// help.
+    /// Returns what Rust writes for a habit of another language in the place of a fault, if it comes
+    /// from one.
     pub(crate) fn habit(&self, fault: &Fault) -> Option<String> {
-        let place = fault.place.as_ref()?;
-        let text = &self.files[self.typed(place.file)].text;
-        let line = text.lines().nth(place.line - 1)?;
-        let is_poor =
-            ["", "cargo may"].contains(&&*fault.help) || fault.help.starts_with("there is");
-        let rust = match is_poor {
-            true => without_let(line, fault, text)
-                .or_else(|| in_rust(line, &place.columns))
-                .or_else(|| of_types(fault)),
-            false => with_point(line, fault),
-        };
+        let place = fault.place()?;
+        let text = &self.files[usize::from(place.file)].text;
+        let line = text.lines().nth(place.line as usize - 1)?;
+        let rust = without_let(line, fault, text)
+            .or_else(|| in_rust(line, place))
+            .or_else(|| three_numbers(fault))
+            .or_else(|| with_point(line, place, fault));
         Some(format!("Rust writes {}", rust?))
     }
 
     /// Returns the fault of the first block of Python, if there is one: a line such as `if a < b:`,
     /// which spoils the text up to its end.
     pub(crate) fn block_of_python(&self) -> Option<Fault> {
-        let lines = self.files.iter().enumerate().flat_map(|(file, it)| {
-            let lines = it.text.lines().enumerate();
-            lines.map(move |(n, line)| (file, n, line.trim_end()))
+        let lines = self.files.iter().zip(0..).flat_map(|(it, file)| {
+            let lines = it.text.lines().zip(1..);
+            lines.map(move |(line, n)| (file, n, line.trim_end()))
         });
         let mut found = lines.filter_map(|(file, n, line)| {
             let words = words(line);
             let first = words.iter().map(|(_, it)| *it).find(|it| *it != "}")?;
             let &(end, last) = words.last()?;
             let (_, rust) = BLOCKS.iter().find(|(it, _)| *it == first && last == ":")?;
-            let column = line[..end].chars().count();
-            Some(Fault {
-                place: Some(SourceSpan {
-                    file: (file + 1) % self.files.len(),
-                    line: n + 1,
-                    columns: column..column + 1,
-                }),
-                message: "expected `{`, found `:`".to_owned(),
-                label: String::new(),
-                help: format!("Rust writes {rust}, with braces"),
-                kind: FaultKind::Refused,
-            })
+            let column = line[..end].chars().count() as u32;
+            let at = Span {
+                file,
+                line: n,
+                start: column,
+                end: column + 1,
+            };
+            let message = format!("expected `{{`, found `:`: Rust writes {rust}, with braces");
+            Some(Fault::new(FaultKind::Unparsed, at, message))
         });
         found.next()
     }
@@ -149,42 +149,40 @@ impl Draft {
 /// Returns the `let` that a line lacks which gives a value to a new name. A name like another one
 /// that may change is a slip of the pen.
 fn without_let(line: &str, fault: &Fault, text: &str) -> Option<String> {
-    let name = fault
-        .message
-        .strip_prefix("cannot find value `")?
-        .split('`')
-        .next()?;
-    let other = fault.help.split('`').nth(1);
+    let message = &fault.message;
+    let rest = message.strip_prefix("there is no variable or function `")?;
+    let mut quoted = rest.split('`').step_by(2);
+    let (name, other) = (quoted.next()?, quoted.next());
     let may_change = other.is_some_and(|it| text.contains(&format!("let mut {it} ")));
     let begins = matches!(words(line)[..], [(_, it), (_, "="), ..] if it == name);
     (begins && !may_change).then(|| format!("`let {name} = …`"))
 }
 
-/// Returns the words for a power, and for three numbers where a vector is meant.
-fn of_types(fault: &Fault) -> Option<String> {
-    let said = format!("{} {}", fault.message, fault.label);
-    if said.contains("f64 ^ ") {
-        return Some("`x * x`, or `x.powi(2)`".to_owned());
-    }
-    let is_tuple = said.contains("expected `Vec3`, found `(");
-    let three = is_tuple || said.contains("[f64; 3]") || said.contains("[{float}; 3]");
+/// Returns the words for three numbers where a vector is meant: a tuple or a list.
+fn three_numbers(fault: &Fault) -> Option<String> {
+    let named: Vec<&str> = fault.message.split([' ', '`']).collect();
+    let is_three = named.contains(&"Vec3") && ["tuple", "Vec"].iter().any(|it| named.contains(it));
     let one_type = "`Color::new(…)`, `Point3::new(…)` or `Vec3::new(…)`, which are one type";
-    three.then(|| one_type.to_owned())
+    is_three.then(|| one_type.to_owned())
 }
 
-/// Returns the whole number at which a fault lies as the `f64` that is wanted there.
-fn with_point(line: &str, fault: &Fault) -> Option<String> {
-    let columns = &fault.place.as_ref()?.columns;
-    let (at, _) = line.char_indices().nth(columns.start)?;
-    let (_, number) = *words(line).iter().find(|(start, _)| *start == at)?;
-    let is_whole = number.bytes().all(|it| it.is_ascii_digit());
-    (is_whole && fault.help.contains("float")).then(|| format!("`{number}.0`"))
+/// Returns the whole number at which a fault of types lies as an `f64`.
+fn with_point(line: &str, place: Span, fault: &Fault) -> Option<String> {
+    let words = words(line);
+    let (from, to) = (place.start as usize, place.end as usize);
+    let in_place = |at: usize| (from..to).contains(&line[..at].chars().count());
+    let mut numbers = words
+        .iter()
+        .filter(|(at, number)| in_place(*at) && number.bytes().all(|it| it.is_ascii_digit()));
+    let (_, number) = numbers.next()?;
+    let is_of_types = fault.message.contains("f64") && fault.message.contains("integer");
+    is_of_types.then(|| format!("`{number}.0`"))
 }
 
-/// Returns the Rust for the habit that a line shows where `columns` begin, or `None` if there is
+/// Returns the Rust for the habit that a line shows where `place` begins, or `None` if there is
 /// none.
-fn in_rust(line: &str, columns: &Range<usize>) -> Option<String> {
-    let (at, _) = line.char_indices().nth(columns.start)?;
+fn in_rust(line: &str, place: Span) -> Option<String> {
+    let (at, _) = line.char_indices().nth(place.start as usize)?;
     let words = words(line);
     HABITS.iter().find_map(|(typed, rust)| {
         let pattern: Vec<&str> = typed.split_whitespace().collect();

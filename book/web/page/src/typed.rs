@@ -4,8 +4,6 @@
 //! [`check`] judges it in the words that `watch` has for a crate on disk. This module turns the
 //! verdict into HTML.
 
-use std::slice;
-
 use check::answer::{Answer, Grade, Row, RowKind};
 use check::attempt::{Attempt, Commands, LawsStatus};
 use check::context::Context;
@@ -18,7 +16,7 @@ use check::sentences;
 use check::sources::Sources;
 use check::task::Task;
 use common::rtweekend::*;
-use interpreter::{Fault, FaultKind, SourceFile, SourceSpan};
+use interpreter::{Fault, FaultKind, SourceFile, Span};
 use laws::{Complaint, Trial};
 use slips::{Chapter, ChapterCode, ChapterProgram, Languages, Slip, steps};
 
@@ -41,7 +39,7 @@ pub struct Draft {
 pub struct Feedback {
     /// The places in the draft to be underlined, each with the index of its file in
     /// [`Draft::files`], from 0; empty if no place is at fault.
-    pub places: Vec<SourceSpan>,
+    pub places: Vec<Span>,
     /// The verdict as one line of HTML, without a line break, which the page reads aloud.
     pub headline: String,
     /// The explanation below the verdict, as HTML; empty if there is none.
@@ -99,28 +97,15 @@ impl Draft {
     ///
     /// # Errors
     /// Returns feedback if a compiler would refuse the text, or if the interpreter can't read it.
-    ///
-    /// # Panics
-    /// If the draft has no files.
     pub fn read(&self) -> Result<interpreter::Program, Feedback> {
-        self.parsed().map_err(|faults| self.not_compiled(&faults))
-    }
-
-    /// Parses and checks the files, with the crate's root first: readers type that file last.
-    fn parsed(&self) -> Result<interpreter::Program, Vec<Fault>> {
-        let mut files = self.files.clone();
-        files.rotate_right(1);
-        interpreter::read(&files)
+        interpreter::read(&self.files).map_err(|fault| self.not_compiled(&fault))
     }
 
     /// Returns the kind of the first fault that shows when the draft is read and drawn in a small
     /// picture, or `None` if it draws.
     pub(crate) fn first_fault(&self) -> Option<FaultKind> {
-        let fault = match self.parsed().map(|it| it.draw(TRIAL_WIDTH)) {
-            Ok(drawn) => drawn.err(),
-            Err(faults) => faults.into_iter().next(),
-        };
-        fault.map(|it| it.kind)
+        let drawn = interpreter::read(&self.files).and_then(|it| it.draw(TRIAL_WIDTH));
+        drawn.err().map(|fault| fault.kind)
     }
 
     /// Draws the picture of `program`, as which [`Draft::read`] has read this draft, `width` pixels
@@ -131,7 +116,7 @@ impl Draft {
     pub fn draw(&self, program: &interpreter::Program, width: u32) -> Result<Picture, Feedback> {
         program.draw(width).map_err(|fault| match fault.kind {
             FaultKind::Stopped => self.stopped(&fault),
-            _ => self.not_compiled(&[fault]),
+            _ => self.not_compiled(&fault),
         })
     }
 
@@ -142,31 +127,14 @@ impl Draft {
         let mut answer = self.answer(&program, picture);
         // A line that the picture never runs is run by the laws.
         if let Some(fault) = program.first_refusal() {
-            return self.not_compiled(slice::from_ref(fault));
+            return self.not_compiled(fault);
         }
-        if answer.is_right() {
-            let unchecked = self.unchecked(&program);
-            answer.headline.rest += &unchecked;
-        } else if let Some(line) = self.begun_line() {
+        if !answer.is_right()
+            && let Some(line) = self.begun_line()
+        {
             answer = being_typed(line);
         }
         Feedback::new(&answer)
-    }
-
-    /// Names the lines that ran neither for the picture nor for the laws: a sentence, or nothing.
-    fn unchecked(&self, program: &interpreter::Program) -> String {
-        let lines = program.unchecked().into_iter().map(|it| {
-            let name = &self.files[self.typed(it.file)].name;
-            let lines = it.lines;
-            match (lines.start(), lines.end()) {
-                (from, to) if from == to => format!("{name}:{from}"),
-                (from, to) => format!("{name}:{from} to {to}"),
-            }
-        });
-        match lines.collect::<Vec<_>>().join(", ") {
-            none if none.is_empty() => none,
-            lines => format!(" Never run, and so not checked: {lines}."),
-        }
     }
 
     /// Judges the draft, which was read as `program` and drew `picture`: compares the picture with
@@ -208,54 +176,40 @@ impl Draft {
         attempt.answer(judge(&task, &reading, 0, &context))
     }
 
-    /// Returns the feedback on faults of compilation: calm, if the reader is still typing the line.
-    fn not_compiled(&self, faults: &[Fault]) -> Feedback {
-        let block = faults.first().filter(|it| is_unread(it));
-        let block = block.and_then(|_| self.block_of_python());
-        let faults = block.as_ref().map_or(faults, slice::from_ref);
-        if let Some(line) = self.unfinished_line(faults) {
-            let told = self.caret.filter(|it| it.rests).and(faults.first());
-            let so_far = told.map(|it| format!("So far: {}", self.in_words(it)));
-            let rows = so_far.map(|words| Row::new(RowKind::Printed, words));
-            return Feedback::new(&being_typed(line).with(rows));
-        }
-        let line = |fault: &Fault| {
-            let place = self.place(fault).map_or(String::new(), |it| it + "  ");
-            Row::new(RowKind::Printed, place + &self.in_words(fault))
+    /// Returns the feedback on a text that can't be run: calm, if the reader is still typing the
+    /// line.
+    fn not_compiled(&self, fault: &Fault) -> Feedback {
+        let block = self.block_of_python().filter(|_| is_unread(fault));
+        let fault = block.as_ref().unwrap_or(fault);
+        let habit = self.habit(fault);
+        let row = |words: String| Row::new(RowKind::Printed, words);
+        let place = self.place(fault).map_or(String::new(), |it| it + "  ");
+        let words = match &habit {
+            Some(rust) => format!("{}: {rust}", fault.message),
+            None => fault.message.clone(),
         };
-        match faults {
-            [fault, ..] if fault.kind == FaultKind::Unread => {
-                let number = fault.place.as_ref().map_or(0, |it| it.line);
-                let said = format!("This page cannot read line {number}; cargo may.");
-                Feedback::new(&Answer::sentence(Grade::OnTheWay, said).with([line(fault)]))
+        if let Some(line) = self.unfinished_line(fault) {
+            let rests = self.caret.is_some_and(|it| it.rests);
+            let so_far = rests.then(|| row(format!("So far: {words}")));
+            return Feedback::new(&being_typed(line).with(so_far));
+        }
+        match fault.kind {
+            FaultKind::Unread => {
+                let number = fault.place().map_or(0, |it| it.line);
+                let what = &fault.message;
+                let said = format!("This page cannot read line {number} ({what}); cargo may.");
+                let habit = habit.map(|rust| row(place + &rust));
+                Feedback::new(&Answer::sentence(Grade::OnTheWay, said).with(habit))
             }
-            [fault, ..] if fault.kind == FaultKind::Unfinished => {
-                let said = format!("Not finished: {}.", fault.help);
+            FaultKind::Unfinished => {
+                let said = format!("Not finished: {}.", fault.message);
                 Feedback::new(&Answer::sentence(Grade::OnTheWay, said))
             }
-            _ => {
-                let first = faults.iter().take(MOST_FAULTS).map(line).collect();
-                let places = faults.iter().filter_map(|it| self.span(it)).collect();
-                Feedback {
-                    places,
-                    ..Feedback::new(&sentences::not_compiled(faults.len(), first))
-                }
-            }
+            _ => Feedback {
+                places: fault.place().into_iter().collect(),
+                ..Feedback::new(&sentences::not_compiled(1, vec![row(place + &words)]))
+            },
         }
-    }
-
-    /// Returns the message of a fault, its label unless the message says as much, and its help, with
-    /// colons between them.
-    fn in_words(&self, fault: &Fault) -> String {
-        let habit = self.habit(fault);
-        let help = habit.as_ref().unwrap_or(&fault.help);
-        let label = match fault.label.as_str() {
-            "not found in this scope" => "",
-            label => label,
-        };
-        let parts = [&fault.message, label, help].map(|it: &str| it);
-        let parts: Vec<&str> = parts.into_iter().filter(|it| !it.is_empty()).collect();
-        parts.join(": ")
     }
 
     /// Returns the feedback on a program that stopped while it was drawn.
@@ -268,10 +222,9 @@ impl Draft {
             place => {
                 let place = place.map_or(String::new(), |place| format!(" at {place}"));
                 let said = format!("The program stopped{place}: {}.", fault.message);
-                let answer = Answer::sentence(Grade::Wrong, said).then(&fault.help);
                 Feedback {
-                    places: self.span(fault).into_iter().collect(),
-                    ..Feedback::new(&answer)
+                    places: fault.place().into_iter().collect(),
+                    ..Feedback::new(&Answer::sentence(Grade::Wrong, said))
                 }
             }
         }
@@ -290,23 +243,9 @@ impl Draft {
 
     /// Returns the place of a fault as rustc writes it: `file:line:column`, both counted from 1.
     fn place(&self, fault: &Fault) -> Option<String> {
-        let place = self.span(fault)?;
-        let name = &self.files[place.file].name;
-        Some(format!("{name}:{}:{}", place.line, place.columns.start + 1))
-    }
-
-    /// Returns the place of a fault with the index of its file in [`Draft::files`].
-    fn span(&self, fault: &Fault) -> Option<SourceSpan> {
-        let place = fault.place.as_ref()?;
-        Some(SourceSpan {
-            file: self.typed(place.file),
-            ..place.clone()
-        })
-    }
-
-    /// Returns the index in [`Draft::files`] of the file that has this index in reading order.
-    pub(crate) fn typed(&self, file: usize) -> usize {
-        (file + self.files.len() - 1) % self.files.len()
+        let place = fault.place()?;
+        let name = &self.files[usize::from(place.file)].name;
+        Some(format!("{name}:{}:{}", place.line, place.start + 1))
     }
 }
 
@@ -320,8 +259,6 @@ fn being_typed(line: usize) -> Answer {
 const NOT_WRITTEN: &str = "not yet implemented";
 /// The width, in pixels, of a picture that is drawn only to find faults.
 const TRIAL_WIDTH: u32 = 24;
-/// The largest number of faults that are shown: later ones often come from the first.
-const MOST_FAULTS: usize = 5;
 /// The number of answers unlike a program's at which counting stops.
 const MOST_UNLIKE: usize = 60;
 /// The number of cases for each law: the interpreter is a hundred times slower than compiled code.

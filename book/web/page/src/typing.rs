@@ -3,7 +3,7 @@
 
 use std::ops::Range;
 
-use interpreter::{Fault, FaultKind, SourceSpan};
+use interpreter::{Fault, FaultKind, Span};
 use slips::ChapterCode;
 
 use crate::typed::Draft;
@@ -21,24 +21,21 @@ pub struct Caret {
 }
 
 impl Draft {
-    /// Returns the caret's line if the faults may come only from missing words at its end: a
-    /// bracket is not yet closed, all faults lie in the caret's statement, or the text without it
-    /// has none. While the reader rests, none of this holds for a text that can be read up to the
-    /// caret's line.
-    pub(crate) fn unfinished_line(&self, faults: &[Fault]) -> Option<usize> {
+    /// Returns the caret's line if the fault may come only from missing words at its end: a bracket
+    /// is not yet closed, the fault lies in the caret's statement, or the text without it has none.
+    /// While the reader rests, none of this holds for a text that can be read up to the caret's
+    /// line.
+    pub(crate) fn unfinished_line(&self, fault: &Fault) -> Option<usize> {
         let caret = self.caret?;
         let before = self.text_before(caret)?;
         let text = &self.files[caret.file].text;
         if is_nested(before) && !is_nested(text) {
             return Some(caret.line);
         }
-        let is_open = |fault: &Fault| {
-            let place = fault.place.as_ref();
-            let is_above =
-                |it: &SourceSpan| self.typed(it.file) != caret.file || it.line < caret.line;
-            is_unread(fault) && !place.is_some_and(is_above)
-        };
-        if caret.rests && !faults.iter().any(is_open) {
+        let line = |it: Span| (usize::from(it.file) == caret.file).then_some(it.line as usize);
+        let is_above = |it: Span| line(it).is_none_or(|line| line < caret.line);
+        let is_open = is_unread(fault) && !fault.place().is_some_and(is_above);
+        if caret.rests && !is_open {
             return None;
         }
         let statement = statement(before);
@@ -48,14 +45,12 @@ impl Draft {
             None if before.ends_with('}') => caret.line,
             None => return None,
         };
-        let is_there = |fault: &Fault| {
-            let place = fault.place.as_ref();
-            place.is_some_and(|it| {
-                self.typed(it.file) == caret.file && (first..=caret.line).contains(&it.line)
-            })
-        };
-        let is_alone = faults.iter().all(is_there)
-            || statement.is_some_and(|statement| self.is_read_without(statement));
+        let is_there = fault
+            .place()
+            .and_then(line)
+            .is_some_and(|line| (first..=caret.line).contains(&line));
+        let is_alone =
+            is_there || statement.is_some_and(|statement| self.is_read_without(statement));
         is_alone.then_some(caret.line)
     }
 
@@ -91,17 +86,15 @@ impl Draft {
                 let text = &mut rest.files[caret.file].text;
                 text.replace_range(part.clone(), instead);
             }
-            rest.first_fault() != Some(FaultKind::Refused)
+            let fault = rest.first_fault();
+            !matches!(fault, Some(FaultKind::Unparsed | FaultKind::Refused))
         })
     }
 }
 
 /// Returns true for a fault of the grammar: the text cannot be read at its place, or ends too early.
 pub(crate) fn is_unread(fault: &Fault) -> bool {
-    let is_of_grammar = ["expected", "unexpected"]
-        .iter()
-        .any(|it| fault.message.starts_with(it));
-    fault.kind == FaultKind::Unfinished || is_of_grammar
+    matches!(fault.kind, FaultKind::Unparsed | FaultKind::Unfinished)
 }
 
 /// Returns the range of bytes of the last statement, if no `;`, `{` or `}` ends it.

@@ -5,7 +5,7 @@
 //! find what the picture hides.
 
 use common::rtweekend::*;
-use interpreter::{ExpectedPixel, Program};
+use interpreter::{Fault, Program};
 use laws::answers::Answers;
 use slips::Chapter;
 
@@ -20,6 +20,15 @@ pub(super) const LOOKED: u32 = 100;
 pub(super) const DRAWN: u32 = 100_000;
 /// One in so many questions of [`lawful::questions`] is asked.
 const ASKED: usize = 3;
+
+/// A pixel and the color that it should have.
+#[derive(Clone, Copy)]
+struct ExpectedPixel {
+    /// The number of the pixel: `j * width + i` in column `i` and row `j`, from 0 at the top left.
+    index: u32,
+    /// The levels of red, green and blue, 0 to 255.
+    levels: [u8; 3],
+}
 
 /// The test that a right program passes: pixels, and answers.
 pub(super) struct Goal {
@@ -51,7 +60,18 @@ pub(super) fn draws(program: &Program, reading: &Reading, count: u32) -> bool {
 
 /// Returns true if a program draws these pixels of a picture `width` pixels wide.
 fn has_pixels(program: &Program, width: u32, pixels: &[ExpectedPixel]) -> bool {
-    program.count_matching(width, pixels).ok() == Some(pixels.len())
+    let has_all = || -> Result<bool, Fault> {
+        let canvas = program.canvas(width)?;
+        let (width, height) = canvas.size();
+        for &ExpectedPixel { index, levels } in pixels {
+            let is_outside = index >= width * height;
+            if is_outside || canvas.levels(index % width, index / width)? != levels {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    };
+    has_all().unwrap_or(false)
 }
 
 /// Chooses `count` of these pixels, evenly spread.

@@ -1,154 +1,206 @@
-//! Calls of functions by their paths, and of values that are functions.
+//! Calls of functions and methods.
 
-use std::rc::Rc;
+use std::slice;
 
 use common::rtweekend::Vec3;
 
-use super::declared::some;
-use super::paths::Callee;
-use super::{Expr, Lowered, Lowerer};
-use crate::machine::value::{Data, Value};
-use crate::machine::{Eval, ExprForm, Given, Native, Thunk};
-use crate::names::names;
-use crate::refusal::{Refusal, Span};
-use crate::types::{Ctor, Type};
+use super::lowerer::{Lowered, Lowerer};
+use crate::calls::Argument;
+use crate::fault::{Fault, Span};
+use crate::integers;
+use crate::machine::{Code, Machine, Run};
+use crate::names::{Item, path_names};
+use crate::natives;
+use crate::value::{Kind, Shape, Target, Value, kind};
 
 impl Lowerer<'_> {
-    /// Lowers a call by a path or of a value that is a function.
-    pub(super) fn call(&mut self, it: &syn::ExprCall) -> Lowered {
-        let at = Span {
-            end: self.at_span(it.paren_token.span.close()).end,
-            ..self.at(&it.func)
+    pub(super) fn call(&mut self, call: &syn::ExprCall) -> Lowered {
+        let path = match &*call.func {
+            syn::Expr::Path(it) if self.variable(&it.path).is_none() => Some(&it.path),
+            _ => None,
         };
-        let syn::Expr::Path(function) = &*it.func else {
-            return self.call_value(it, at);
-        };
-        if self.variable_of(&it.func).is_some() {
-            return self.call_value(it, at);
+        if let Some(code) = path.map_or(Ok(None), |path| self.default_call(path))? {
+            return Ok(code);
         }
-        let path = names(&function.path);
-        if let Some("Some" | "Ok") = path.last().map(String::as_str) {
-            counted(1, it, at)?;
-            return Ok(some(self.expr(&it.args[0])?, at));
-        }
-        let at_path = self.at_any(&function.path);
-        let (owner, name) = self.owner(&path, at_path)?;
-        match self.callee(owner.as_ref(), &name, &path, at_path, "function")? {
-            Callee::Own(own) => self.call_own(own, it, at),
-            Callee::Default(ty) => {
-                counted(0, it, at)?;
-                self.default_of(&ty, at)
-            }
-            Callee::Struct(kind) => {
-                let fields = self.names.structs[kind as usize].fields.iter();
-                let wanted: Vec<Type> = fields.map(|it| it.ty.clone()).collect();
-                counted(wanted.len(), it, at)?;
-                let given = self.all_given(&it.args, wanted)?;
-                Ok(made(
-                    kind,
-                    given.into_iter().enumerate().collect(),
-                    None,
-                    at,
-                ))
-            }
-            Callee::Native(native) => {
-                counted(native.count(), it, at)?;
-                self.call_native(native, &it.args, at)
-            }
-            Callee::OfTrait => {
-                let given: Vec<&syn::Expr> = it.args.iter().collect();
-                let Some((receiver, rest)) = given.split_first() else {
-                    return Err(Refusal::miscounted(false, 1, 0, at));
-                };
-                self.method(receiver, &name, rest, (at_path, at))
+        let arguments = call.args.iter().map(|argument| self.argument(argument));
+        let arguments = arguments.collect::<Lowered<Vec<_>>>()?;
+        let at = self.at(&call.func);
+        match path.map_or(Ok(None), |path| self.target(path))? {
+            Some(target) => self.call_of(target, arguments, at),
+            None => {
+                let callee = self.expr(&call.func)?;
+                Ok(Code::act(move |m| {
+                    let callee = callee.run(m)?;
+                    m.apply(&callee, &arguments, at)
+                }))
             }
         }
     }
 
-    /// Lowers a call of one of the text's own functions.
-    fn call_own(&mut self, function: usize, it: &syn::ExprCall, at: Span) -> Lowered {
-        let own = &self.names.functions[function];
-        if own.is_constant {
-            return self.refused(at, "expected function, found a constant");
+    /// Lowers the call of a function that is known.
+    fn call_of(&self, target: Target, arguments: Vec<Argument>, at: Span) -> Lowered {
+        let wanted = self.names.takes(target);
+        if wanted != arguments.len() {
+            return Err(Fault::miscounted(at, wanted, arguments.len()));
         }
-        let wanted = own.parameters.clone();
-        counted(wanted.len(), it, at)?;
-        let given = self.all_given(&it.args, wanted)?;
-        Ok(Expr::new(at, move |m| m.called(function, &given, at)))
-    }
-
-    /// Lowers a call of a library function by its path.
-    pub(super) fn call_native<'s>(
-        &mut self,
-        native: &'static Native,
-        all: impl IntoIterator<Item = &'s syn::Expr>,
-        at: Span,
-    ) -> Lowered {
-        let (runs, given) = self.arguments(all, at)?;
-        if let [Thunk::Float(x), Thunk::Float(y), Thunk::Float(z)] = runs[..]
-            && native.name == "new"
-            && (native.owner)(Ctor::Vec3)
-        {
-            // A vector of numbers is made once.
-            let vector = Vec3::new(x, y, z);
-            return Ok(Expr::new(at, move |_| Ok(vector.into())));
+        if let Some(vector) = constant(target, &arguments) {
+            return Ok(Code::Vector(vector));
         }
-        Ok(Expr::new(at, move |m| {
-            m.called_native(native, None, &runs, &given)
+        let lent = self.lent_to(target, &arguments);
+        Ok(Code::act(move |m| {
+            m.call(&Value::Function(target), None, &arguments, &lent, at)
         }))
     }
 
-    /// Lowers a call of a value that is a function, such as a closure in a variable.
-    fn call_value(&mut self, it: &syn::ExprCall, at: Span) -> Lowered {
-        let function = self.expr(&it.func)?;
-        if function.spot.form == ExprForm::Open {
-            return self.needs_a_type(function.spot.at);
-        }
-        let (runs, _) = self.arguments(&it.args, at)?;
-        Ok(Expr::new(at, move |m| {
-            let function = function.run.eval(m)?;
-            let values = runs.iter().map(|it| it.eval(m));
-            let mut values = values.collect::<Eval<Vec<_>>>()?;
-            m.applied_to(&function, &mut values, at)
+    /// Returns which arguments a function may change: those that lie in a place and are a `&mut`.
+    fn lent_to(&self, target: Target, given: &[Argument]) -> Vec<usize> {
+        let is_lent = |n: &usize| given[*n].place.is_some() && self.names.changes(target, *n);
+        (0..given.len()).filter(is_lent).collect()
+    }
+
+    /// Returns what a path calls; `None` for a constant.
+    pub(super) fn target(&self, path: &syn::Path) -> Lowered<Option<Target>> {
+        Ok(Some(match self.item(path)? {
+            Item::Function(n) if self.names.signatures[n].is_constant => return Ok(None),
+            Item::Function(n) => Target::Own(n),
+            Item::Native(native) if native.is_constant => return Ok(None),
+            Item::Native(native) => Target::Native(native),
+            Item::Variant(shape) => Target::Variant(self.without_names(path, shape)?),
+            Item::Type(kind) if self.names.kind(kind).variants.len() == 1 => {
+                Target::Variant(self.without_names(path, Shape::new(kind, 0))?)
+            }
+            _ => return self.refused(path, "this is no value"),
         }))
     }
 
-    /// Lowers the arguments of a call whose callee is known only when it runs, and which checks
-    /// their types then.
-    pub(super) fn arguments<'s>(
-        &mut self,
-        all: impl IntoIterator<Item = &'s syn::Expr>,
-        at: Span,
-    ) -> Lowered<(Vec<Thunk>, Given)> {
-        let all = all.into_iter().map(|it| self.given(it, &Type::UNKNOWN));
-        let all = all.collect::<Lowered<Vec<Expr>>>()?;
-        let spots = all.iter().map(|it| it.spot).collect();
-        let runs = all.into_iter().map(|it| it.run).collect();
-        Ok((runs, Given { spots, at }))
-    }
-}
-
-/// Checks that a call has as many arguments as wanted.
-fn counted(wanted: usize, call: &syn::ExprCall, at: Span) -> Lowered<()> {
-    match call.args.len() {
-        count if count == wanted => Ok(()),
-        count => Err(Refusal::miscounted(false, wanted, count, at)),
-    }
-}
-
-/// Makes an expression for a struct: its fields by their numbers, and the others from the value
-/// behind `..`, if there is one.
-pub(super) fn made(kind: u32, fields: Vec<(usize, Thunk)>, base: Option<Thunk>, at: Span) -> Expr {
-    Expr::new(at, move |m| {
-        let base = base.as_ref().map(|base| base.eval(m)).transpose()?;
-        let mut all: Rc<[Value]> = match base.map(|it| it.data) {
-            Some(Data::Own(_, fields)) => fields,
-            _ => fields.iter().map(|_| Value::default()).collect(),
-        };
-        for (n, run) in &fields {
-            let value = run.eval(m)?;
-            Rc::make_mut(&mut all)[*n] = value;
+    /// Checks that the fields of a variant or a struct have no names.
+    fn without_names(&self, path: &syn::Path, shape: Shape) -> Lowered<Shape> {
+        let variant = self.names.variant(shape);
+        match variant.field("0").is_some() || variant.fields.is_empty() {
+            true => Ok(shape),
+            false => self.refused(path, "this is no function: write `new`, or fields in `{ }`"),
         }
-        Ok(Data::Own(kind, all).into())
-    })
+    }
+
+    /// Lowers `T::default()` of a type whose text has no such function.
+    fn default_call(&self, path: &syn::Path) -> Lowered<Option<Code>> {
+        let names = path_names(path);
+        let [.., owner, name] = &*names else {
+            return Ok(None);
+        };
+        if name != "default" || self.names.find(&names, self.scope).is_some() {
+            return Ok(None);
+        }
+        match self.names.find(slice::from_ref(owner), self.scope) {
+            Some(Item::Type(kind)) => self.default_of(kind, self.at(path)).map(Some),
+            _ => Ok(None),
+        }
+    }
+
+    pub(super) fn argument(&mut self, expr: &syn::Expr) -> Lowered<Argument> {
+        let (place, at) = (self.place(expr)?, self.at(expr));
+        let code = match (&place, expr) {
+            (Some(place), _) => place.read(at),
+            (None, syn::Expr::Reference(it)) => self.expr(&it.expr)?,
+            (None, _) => self.expr(expr)?,
+        };
+        Ok(Argument { code, place, at })
+    }
+
+    pub(super) fn method_call(&mut self, call: &syn::ExprMethodCall) -> Lowered {
+        let (name, at) = (call.method.to_string(), self.at(&call.method));
+        if let Some(generic) = &call.turbofish {
+            self.names.arguments(generic, self.scope)?;
+        }
+        let mut arguments = vec![self.argument(&call.receiver)?];
+        for argument in &call.args {
+            arguments.push(self.argument(argument)?);
+        }
+        let all = self.methods(&name, arguments.len(), at)?;
+        let lent = |(of, target)| (of, target, self.lent_to(target, &arguments));
+        let method = Method {
+            targets: all.into_iter().map(lent).collect(),
+            arguments,
+            name,
+            at,
+        };
+        Ok(Code::act(move |m| method.call(m)))
+    }
+
+    /// Lists the functions of that name that take so many arguments, each with its type.
+    fn methods(&self, name: &str, count: usize, at: Span) -> Lowered<Vec<(Kind, Target)>> {
+        let own = self.names.methods(name).into_iter();
+        let own = own.map(|(of, n)| (of, Target::Own(n)));
+        let natives = natives::named(name).filter(|it| !it.is_constant);
+        let natives = natives.map(|native| (native.of, Target::Native(native)));
+        // What the library has goes before the trait of a text, unless all types have it.
+        let (of_all, natives): (Vec<_>, Vec<_>) = natives.partition(|it| it.0 == kind::ANY);
+        let mut all: Vec<_> = natives.into_iter().chain(own).chain(of_all).collect();
+        let Some(takes) = all.first().map(|(_, target)| self.names.takes(*target)) else {
+            return Err(self.no_method(name, at));
+        };
+        all.retain(|(_, target)| self.names.takes(*target) == count);
+        match all.is_empty() {
+            true => Err(Fault::miscounted(at, takes.saturating_sub(1), count - 1)),
+            false => Ok(all),
+        }
+    }
+
+    /// Makes the fault of a method that is not known: a field, or one that is not read here.
+    fn no_method(&self, name: &str, at: Span) -> Fault {
+        match self.names.fields().any(|field| field == name) {
+            true => Fault::refused(at, format!("`{name}` is no method: leave out the `()`")),
+            false => self.unread_function(at, name),
+        }
+    }
+}
+
+/// Returns the vector that a native function makes of numbers.
+fn constant(target: Target, given: &[Argument]) -> Option<Vec3> {
+    let numbers = given.iter().map(|argument| match argument.code {
+        Code::Number(number) => Some(number.into()),
+        _ => None,
+    });
+    let mut numbers = numbers.collect::<Option<Vec<Value>>>()?;
+    match target {
+        Target::Native(native) => (native.run)(&mut numbers).ok()?.vec3(),
+        _ => None,
+    }
+}
+
+/// A call of a method: which function is called depends on the type of its first argument.
+struct Method {
+    name: String,
+    /// The functions of that name, each with its type, and the arguments that it may change.
+    targets: Vec<(Kind, Target, Vec<usize>)>,
+    /// The first is what stands before the point.
+    arguments: Vec<Argument>,
+    at: Span,
+}
+
+impl Method {
+    fn call(&self, m: &mut Machine<'_>) -> Run {
+        let mut receiver = self.arguments[0].code.run(m)?;
+        let mut target = self.target(receiver.kind());
+        if target.is_none() && receiver.kind() == kind::RANGE {
+            // A range is the list of its numbers.
+            receiver = m.listed(&receiver, self.at)?;
+            target = self.target(kind::LIST);
+        }
+        if let Some((_, target, lent)) = target {
+            let callee = Value::Function(*target);
+            return m.call(&callee, Some(receiver), &self.arguments, lent, self.at);
+        }
+        let ty = m.code.names.shown(receiver.kind());
+        let message = format!("there is no method `{}` of `{ty}`", self.name);
+        m.refuse(self.at, message)
+    }
+
+    #[inline]
+    fn target(&self, of: Kind) -> Option<&(Kind, Target, Vec<usize>)> {
+        let takes = |kind: Kind| {
+            kind == of || kind == kind::ANY || kind == kind::INT && integers::is_integer(of)
+        };
+        self.targets.iter().find(|target| takes(target.0))
+    }
 }

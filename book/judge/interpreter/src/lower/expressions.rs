@@ -1,391 +1,351 @@
-//! Expressions other than calls: operators, literals, casts, references, ranges.
+//! Expressions other than calls and control flow.
 
-use std::rc::Rc;
+use std::cmp::Ordering;
 
-use super::declared::tuple;
-use super::{Expr, Lowered, Lowerer};
-use crate::machine::value::{Data, Value};
-use crate::machine::{EarlyExit, ExprForm, Thunk, alike};
-use crate::names::Meaning;
-use crate::operators::{ArithOp, Operator, operator};
-use crate::refusal::Span;
-use crate::types::{Ctor, Int, Type};
+use super::lowerer::{Lowered, Lowerer};
+use super::places::member_name;
+use crate::fault::{Fault, Span};
+use crate::integers::{self, named};
+use crate::machine::{Code, Exit};
+use crate::names::{Item, UNREAD, path_names};
+use crate::operators::Op;
+use crate::place::Part;
+use crate::value::{Kind, Shape, Target, Value, kind};
 
 impl Lowerer<'_> {
-    /// Lowers an expression of which no type is expected.
     pub(super) fn expr(&mut self, expr: &syn::Expr) -> Lowered {
-        let at = || self.at(expr);
         match expr {
             syn::Expr::Lit(it) => self.literal(&it.lit),
             syn::Expr::Paren(it) => self.expr(&it.expr),
             syn::Expr::Group(it) => self.expr(&it.expr),
-            syn::Expr::Path(it) => self.path(it),
+            syn::Expr::Path(it) => self.path(&it.path),
             syn::Expr::Unary(it) => self.unary(it),
             syn::Expr::Binary(it) => self.binary(it),
-            syn::Expr::Assign(it) => self.assignment(it),
+            syn::Expr::Assign(it) => self.assignment(&it.left, &it.right),
             syn::Expr::Call(it) => self.call(it),
             syn::Expr::MethodCall(it) => self.method_call(it),
-            syn::Expr::Field(it) => self.field(it),
-            syn::Expr::Index(it) => self.index(it),
-            syn::Expr::Block(it) if it.label.is_none() => {
-                self.block_given(&it.block, &Type::UNKNOWN)
-            }
-            syn::Expr::If(it) => self.condition(it, &Type::UNKNOWN),
-            syn::Expr::Let(it) => self.test(it),
-            syn::Expr::Match(it) => self.matching(it, &Type::UNKNOWN),
-            syn::Expr::While(it) => self.while_loop(it),
-            syn::Expr::Loop(it) => self.endless_loop(it),
-            syn::Expr::ForLoop(it) => self.for_loop(it),
-            syn::Expr::Break(it) => self.leave_loop(it),
-            syn::Expr::Continue(it) => self.next_turn(it),
-            syn::Expr::Return(it) => self.returned(it),
-            syn::Expr::Closure(it) => self.closure(it, false),
-            syn::Expr::Tuple(it) => {
-                let at = at();
-                let all = it.elems.iter().map(|it| self.expr(it));
-                Ok(tuple(all.collect::<Lowered<_>>()?, at))
-            }
-            syn::Expr::Array(it) => self.listed(&it.elems, &Type::UNKNOWN, true, at()),
-            syn::Expr::Repeat(it) => self.repeated(it, true, at()),
+            syn::Expr::Field(it) => self.field_of_value(it),
+            syn::Expr::Index(it) => self.element(it),
+            syn::Expr::Closure(it) => self.closure(it),
+            syn::Expr::Tuple(it) if it.elems.is_empty() => Ok(Code::unit()),
+            syn::Expr::Tuple(it) => self.several(&it.elems, self.at(it), Shape::TUPLE),
+            syn::Expr::Array(it) => self.several(&it.elems, self.at(it), Shape::LIST),
+            syn::Expr::Repeat(it) => self.repeated(it),
             syn::Expr::Range(it) => self.range(it),
-            syn::Expr::Reference(it) => self.reference(it),
+            syn::Expr::Reference(it) if it.mutability.is_none() => self.expr(&it.expr),
+            syn::Expr::Reference(it) => self.unread(it, "a `&mut` at this place"),
             syn::Expr::Cast(it) => self.cast(it),
-            syn::Expr::Try(it) => self.tried(it),
             syn::Expr::Struct(it) => self.structure(it),
             syn::Expr::Macro(it) => self.macro_call(&it.mac),
-            syn::Expr::Unsafe(_) => self.unread(at(), "`unsafe`"),
-            _ => self.unread(at(), "this kind of expression"),
+            _ => self.control_flow(expr),
         }
     }
 
-    fn cast(&mut self, it: &syn::ExprCast) -> Lowered {
-        let (from, at) = (self.expr(&it.expr)?.run, self.at_any(it));
-        let to = self.names.ty(&self.context, &it.ty)?;
-        Ok(Expr::new(at, move |m| {
-            let value = from.eval(m)?;
-            m.cast(&value, &to, at)
-        }))
-    }
-
-    /// Lowers `let … = …` as a condition.
-    fn test(&mut self, it: &syn::ExprLet) -> Lowered {
-        let value = self.expr(&it.expr)?;
-        let pattern = self.pattern(&it.pat, false)?;
-        let test = Expr::new(value.spot.at, move |m| {
-            let value = value.run.eval(m)?;
-            Ok(pattern.binds(m, &value)?.into())
-        });
-        Ok(test.shown(ExprForm::Bool))
-    }
-
-    fn returned(&mut self, it: &syn::ExprReturn) -> Lowered {
-        let result = self.result.clone();
-        let at = self.at_span(it.return_token.span);
-        let value = match &it.expr {
-            Some(value) => self.given(value, &result)?,
-            None if result.is_unknown() || result == Type::UNIT => tuple(Vec::new(), at),
-            None => return Err(self.names.mismatch(&result, &Type::UNIT, "`()`", at)),
-        };
-        Ok(leave_with(value, EarlyExit::Return))
-    }
-
-    fn reference(&mut self, it: &syn::ExprReference) -> Lowered {
-        let at = self.at_any(&it.and_token);
-        if it.mutability.is_none() {
-            let of = self.expr(&it.expr)?;
-            let at = Span {
-                start: at.start,
-                ..of.spot.at
-            };
-            let lend = Expr::new(at, move |m| Ok(of.run.eval(m)?.lent()));
-            return Ok(lend.shown(ExprForm::Lend));
-        }
-        let Some(place) = self.place(&it.expr)? else {
-            let what = "`&mut` of a value without a name";
-            return self.unread(self.at(&it.expr), what);
-        };
-        let place = self.mutable(place);
-        let at = Span {
-            start: at.start,
-            ..place.at
-        };
-        Ok(Expr::new(at, move |m| m.borrowed(&place)))
-    }
-
-    /// Lowers the elements of an array or `vec!`, and adds a check that they are of one type.
-    pub(super) fn listed<'s>(
-        &mut self,
-        all: impl IntoIterator<Item = &'s syn::Expr>,
-        of: &Type,
-        is_array: bool,
-        at: Span,
-    ) -> Lowered {
-        let all = all.into_iter().map(|it| self.given(it, of));
-        let all: Vec<Expr> = all.collect::<Lowered<_>>()?;
-        Ok(Expr::new(at, move |m| {
-            let mut values: Vec<Value> = Vec::with_capacity(all.len());
-            for one in &all {
-                let value = one.run.eval(m)?;
-                m.keep(&value, at)?;
-                if let Some(first) = values.first() {
-                    m.must_be_like(&value, first, one.spot)?;
-                }
-                values.push(value);
+    /// Lowers an expression that says what runs, and how often.
+    fn control_flow(&mut self, expr: &syn::Expr) -> Lowered {
+        match expr {
+            syn::Expr::Block(it) if it.label.is_none() => self.block(&it.block),
+            syn::Expr::If(it) => self.condition(it),
+            syn::Expr::Let(it) => self.test(it),
+            syn::Expr::Match(it) => self.matching(it),
+            syn::Expr::While(it) if it.label.is_none() => self.while_loop(it),
+            syn::Expr::Loop(it) if it.label.is_none() => self.endless_loop(it),
+            syn::Expr::ForLoop(it) if it.label.is_none() => self.for_loop(it),
+            syn::Expr::Break(it) if it.label.is_none() => {
+                self.leave(it.expr.as_deref(), Exit::Break, self.at(it))
             }
-            Ok(Value::listed(values, is_array))
+            syn::Expr::Continue(it) if it.label.is_none() => Ok(Code::act(|_| Err(Exit::Continue))),
+            syn::Expr::Return(it) => self.leave(it.expr.as_deref(), Exit::Return, self.at(it)),
+            syn::Expr::Try(it) => self.tried(it),
+            _ => self.unread(expr, "this kind of expression"),
+        }
+    }
+
+    fn field_of_value(&mut self, field: &syn::ExprField) -> Lowered {
+        let part = Part::Field(self.field(&field.member)?);
+        Ok(part.read(self.expr(&field.base)?, self.at(&field.member)))
+    }
+
+    fn element(&mut self, element: &syn::ExprIndex) -> Lowered {
+        let (list, index) = (self.expr(&element.expr)?, self.expr(&element.index)?);
+        let at = self.at(&element.index);
+        Ok(Code::act(move |m| {
+            let (list, index) = (list.run(m)?, index.run(m)?);
+            let n = m.index_in(&list, &index, at)?;
+            Ok(list.part(n).unwrap_or_default())
         }))
     }
 
-    /// Lowers `[value; count]`, also of a `vec!`.
-    pub(super) fn repeated(&mut self, it: &syn::ExprRepeat, is_array: bool, at: Span) -> Lowered {
-        let value = self.expr(&it.expr)?.run;
-        let count = self.given(&it.len, &Ctor::Int(Int::Usize).into())?.run;
-        Ok(Expr::new(at, move |m| {
-            let value = value.eval(m)?;
-            let count = count.eval(m)?.int() as usize;
-            m.take(count.saturating_mul(value.size()), at)?;
-            Ok(Value::listed(vec![value; count], is_array))
-        }))
-    }
-
-    pub(super) fn literal(&mut self, literal: &syn::Lit) -> Lowered {
-        let at = self.at_any(literal);
-        Ok(match literal {
+    pub(super) fn literal(&self, literal: &syn::Lit) -> Lowered {
+        let suffix = match literal {
+            syn::Lit::Float(it) => it.suffix(),
+            syn::Lit::Int(it) => it.suffix(),
+            _ => "",
+        };
+        let number = |digits: &str| Ok(Code::Number(digits.parse().unwrap_or(f64::NAN)));
+        match literal {
             syn::Lit::Bool(it) => {
                 let truth = it.value;
-                Expr::new(at, move |_| Ok(truth.into())).shown(ExprForm::Bool)
+                Ok(Code::constant(move || Value::Bool(truth)))
             }
-            syn::Lit::Str(it) => {
-                let text = it.value();
-                Expr::new(at, move |_| Ok(Value::str(&*text).lent()))
-            }
-            syn::Lit::Float(it) => {
-                let ctor = self.suffix(it.suffix(), "float", at)?;
-                let digits = it.base10_digits();
-                match ctor {
-                    Some(Ctor::F32) => {
-                        let number: f32 = digits.parse().unwrap_or(f32::NAN);
-                        Expr::new(at, move |_| Ok(number.into()))
-                    }
-                    ctor => float(digits.parse().unwrap_or(f64::NAN), ctor.is_none(), at),
+            _ if suffix == "f32" => self.unread(literal, "`f32`"),
+            syn::Lit::Float(it) if ["", "f64"].contains(&suffix) => number(it.base10_digits()),
+            syn::Lit::Int(it) if suffix == "f64" => number(it.base10_digits()),
+            syn::Lit::Int(it) if suffix.is_empty() || named(suffix).is_some() => {
+                let of = named(suffix).unwrap_or(kind::INT);
+                match it.base10_digits().parse() {
+                    Ok(number) => Ok(Code::constant(move || Value::Int(number, of))),
+                    Err(_) => self.refused(literal, "this integer is too large"),
                 }
             }
-            syn::Lit::Int(it) => {
-                let Ok(value) = it.base10_digits().parse::<i128>() else {
-                    return self.refused(at, "integer literal is too large");
-                };
-                match self.suffix(it.suffix(), "number", at)? {
-                    Some(Ctor::F64) => float(value as f64, false, at),
-                    Some(Ctor::F32) => Expr::new(at, move |_| Ok((value as f32).into())),
-                    Some(Ctor::Int(int)) => Expr::new(at, move |_| Ok(Value::whole(value, int))),
-                    _ => Expr::new(at, move |_| Ok(Value::whole(value, Int::Any)))
-                        .shown(ExprForm::Int),
-                }
+            syn::Lit::Float(_) | syn::Lit::Int(_) => {
+                let message = format!("a number can't end with `{suffix}`");
+                self.refused(literal, message)
             }
-            _ => return self.unread(at, "this kind of literal"),
+            syn::Lit::Str(_) => Ok(Code::constant(|| Value::data(Shape::TEXT, []))),
+            _ => self.unread(literal, "this kind of literal"),
+        }
+    }
+
+    /// Lowers the name of a variable, a constant, a function or a variant.
+    pub(super) fn path(&mut self, path: &syn::Path) -> Lowered {
+        let at = self.at(path);
+        if let Some(place) = self.variable(path) {
+            return Ok(place.read(at));
+        }
+        Ok(match (self.target(path)?, self.item(path)?) {
+            (Some(Target::Variant(shape)), _) if self.names.variant(shape).fields.is_empty() => {
+                Code::constant(move || Value::data(shape, []))
+            }
+            (Some(target), _) => Code::constant(move || Value::Function(target)),
+            (None, Item::Function(n)) => {
+                Code::act(move |m| m.apply(&Value::Function(Target::Own(n)), &[], at))
+            }
+            (None, Item::Native(native)) => match (native.run)(&mut []) {
+                Ok(Value::Float(number)) => Code::Number(number),
+                Ok(Value::Vec3(vector)) => Code::Vector(vector),
+                Ok(Value::Int(number, of)) => Code::constant(move || Value::Int(number, of)),
+                _ => return self.refused(path, "this is no value"),
+            },
+            _ => return self.refused(path, "this is no value"),
         })
     }
 
-    /// Returns the type that the suffix of a number names; `None` for an empty one.
-    fn suffix(&self, suffix: &str, what: &str, at: Span) -> Lowered<Option<Ctor>> {
-        if suffix.is_empty() {
-            return Ok(None);
+    /// Returns what a path means that is no variable.
+    pub(super) fn item(&self, path: &syn::Path) -> Lowered<Item> {
+        let names = path_names(path);
+        let (at, last) = (self.at(path), &names[names.len() - 1]);
+        match self.names.find(&names, self.scope) {
+            Some(item) if names.iter().all(|name| name != "f32") => return Ok(item),
+            _ => {}
         }
-        match self.names.found(self.context.module, &[suffix.to_owned()]) {
-            Ok(Meaning::Type(Type(ctor @ (Ctor::Int(_) | Ctor::F64 | Ctor::F32), _))) => {
-                Ok(Some(ctor))
-            }
-            Ok(Meaning::Standard(_)) => self.unread(at, &format!("`{suffix}`")),
-            _ => {
-                let message = format!("invalid suffix `{suffix}` for {what} literal");
-                let label = format!("invalid suffix `{suffix}`");
-                let help = format!("a sign is missing before `{suffix}`, or a blank");
-                self.fault(at, &message, &label, &help)
-            }
+        let is_unread = |name: &String| UNREAD.contains(&name.as_str());
+        if let Some(name) = names.iter().find(|name| is_unread(name)) {
+            return Err(Fault::unread(at, format!("`{name}`")));
+        }
+        if names.len() > 1 {
+            return Err(self.unread_function(at, last));
+        }
+        let variables = self.variables.iter().map(|it| it.0.as_str());
+        let known = self.names.items.keys().map(String::as_str).chain(variables);
+        let fault = Fault::refused(at, format!("there is no variable or function `{last}`"));
+        Err(fault.or_meant(last, known))
+    }
+
+    /// Makes the fault of a function that is not known here, though Rust may have it.
+    pub(super) fn unread_function(&self, at: Span, name: &str) -> Fault {
+        let known = self.names.functions_of_types();
+        Fault::unread(at, format!("`{name}`")).or_meant(name, known)
+    }
+
+    fn unary(&mut self, unary: &syn::ExprUnary) -> Lowered {
+        let (of, at) = (self.expr(&unary.expr)?, self.at(unary));
+        match (&unary.op, of) {
+            (syn::UnOp::Deref(_), of) => Ok(of),
+            (syn::UnOp::Neg(_), Code::Number(it)) => Ok(Code::Number(-it)),
+            (syn::UnOp::Neg(_), of) => Ok(Code::act(move |m| {
+                let value = of.run(m)?;
+                m.negated(&value, at)
+            })),
+            (syn::UnOp::Not(_), of) => Ok(Code::act(move |m| Ok((!m.truth(&of, at)?).into()))),
+            _ => self.unread(unary, "this operator"),
         }
     }
 
-    fn range(&mut self, it: &syn::ExprRange) -> Lowered {
-        let at = self.at_any(it);
-        let Some(from) = &it.start else {
-            return self.unread(at, "ranges without a beginning");
-        };
-        let from = self.expr(from)?.run;
-        let to = it.end.as_ref().map(|to| self.expr(to)).transpose()?;
-        let is_closed = matches!(it.limits, syn::RangeLimits::Closed(_));
-        Ok(Expr::new(at, move |m| {
-            let from = from.eval(m)?;
-            let mut end = Value::default();
-            if let Some(to) = &to {
-                end = to.run.eval(m)?;
-                m.must_be_like(&end, &from, to.spot)?;
-            }
-            Ok(Data::Range(Rc::new([from, end]), is_closed).into())
-        }))
-    }
-
-    /// Lowers `…?` on an option.
-    fn tried(&mut self, it: &syn::ExprTry) -> Lowered {
-        let of = self.expr(&it.expr)?.run;
-        let at = self.at_any(&it.question_token);
-        if !self.result.is_unknown() && !self.result.is(Ctor::Option) {
-            let message =
-                "the `?` operator can only be used in a function that returns `Result` or `Option`";
-            let label = format!("this one returns `{}`", self.result.name(self.names));
-            return self.fault(at, message, &label, "");
+    fn binary(&mut self, binary: &syn::ExprBinary) -> Lowered {
+        use syn::BinOp::{And, Eq, Ge, Gt, Le, Lt, Ne, Or};
+        let op = Op::of_syntax(&binary.op);
+        if let Some((op, true)) = op {
+            return self.update(op, binary);
         }
-        Ok(Expr::new(at, move |m| {
-            let value = of.eval(m)?;
-            match value.data {
-                Data::Some(value) => Ok(Rc::unwrap_or_clone(value)),
-                Data::None => {
-                    m.left = None.into();
-                    Err(EarlyExit::Return)
-                }
-                _ => {
-                    let name = m.named(&value);
-                    let message = "the `?` operator can only be applied to values that implement";
-                    m.wrong(at, format!("{message} `Try`, and this is `{name}`"), "")
-                }
-            }
-        }))
-    }
-
-    fn unary(&mut self, it: &syn::ExprUnary) -> Lowered {
-        let at = self.at_any(it);
-        let Expr { run, spot } = self.expr(&it.expr)?;
-        Ok(match (&it.op, run) {
-            (syn::UnOp::Deref(_), run) => Expr::new(at, move |m| {
-                let value = run.eval(m)?;
-                m.dereferenced(value, at)
-            }),
-            (syn::UnOp::Not(_), run) => Expr::new(at, move |m| {
-                let value = run.eval(m)?;
-                m.not(&value, at)
-            }),
-            (syn::UnOp::Neg(_), Thunk::Float(it)) => float(-it, spot.form == ExprForm::Float, at),
-            (syn::UnOp::Neg(_), run) => {
-                let negation = Expr::new(at, move |m| {
-                    let value = run.eval(m)?;
-                    m.negated(&value, at)
-                });
-                negation.shown(spot.form)
-            }
-            _ => return self.unread(at, "this operator"),
+        let (left, right) = (self.expr(&binary.left)?, self.expr(&binary.right)?);
+        let at = self.at(&binary.op);
+        if let Some((op, false)) = op {
+            return Ok(op.code(left, right, at));
+        }
+        Ok(match binary.op {
+            Lt(_) => order(left, right, Ordering::is_lt, at),
+            Le(_) => order(left, right, Ordering::is_le, at),
+            Gt(_) => order(left, right, Ordering::is_gt, at),
+            Ge(_) => order(left, right, Ordering::is_ge, at),
+            Eq(_) => equality(left, right, true, at),
+            Ne(_) => equality(left, right, false, at),
+            And(_) => self.join(binary, [left, right], true),
+            Or(_) => self.join(binary, [left, right], false),
+            _ => return self.unread(&binary.op, "this operator between numbers"),
         })
     }
 
-    fn binary(&mut self, it: &syn::ExprBinary) -> Lowered {
-        let at = Span {
-            end: self.at(&it.right).end,
-            ..self.at(&it.left)
-        };
-        let sign = self.at_any(&it.op);
-        let sign = self.text.get(sign.start as usize..sign.end as usize);
-        let sign = sign.unwrap_or_default();
-        match operator(sign) {
-            Some(Operator::Arithmetic(sign, true)) => self.update(it, sign, at),
-            Some(Operator::And) => self.logical(it, false),
-            Some(Operator::Or) => self.logical(it, true),
-            operator => {
-                let [left, right] = [self.expr(&it.left)?, self.expr(&it.right)?];
-                Ok(operation(operator, sign, [left, right], at))
-            }
-        }
+    /// Returns the code of `&&`, which goes on where the left is true, or of `||`.
+    fn join(&self, binary: &syn::ExprBinary, sides: [Code; 2], goes_on: bool) -> Code {
+        let ends = [self.at(&binary.left), self.at(&binary.right)];
+        Code::act(move |m| match m.truth(&sides[0], ends[0])? == goes_on {
+            true => m.truth(&sides[1], ends[1]).map(Value::from),
+            false => Ok((!goes_on).into()),
+        })
     }
 
-    /// Lowers `+=` and the like.
-    fn update(&mut self, it: &syn::ExprBinary, sign: ArithOp, at: Span) -> Lowered {
-        let Expr { run, spot } = self.expr(&it.right)?;
-        let Some(place) = self.place(&it.left)? else {
-            return self.refused(self.at(&it.left), "invalid left-hand side of assignment");
-        };
-        let place = self.mutable(place);
-        Ok(Expr::new(at, move |m| {
-            let right = run.eval(m)?;
-            m.updated(&place, sign, right, (spot, at))
+    /// Lowers the parts of a tuple or an array.
+    fn several<'s>(
+        &mut self,
+        all: impl IntoIterator<Item = &'s syn::Expr>,
+        at: Span,
+        shape: Shape,
+    ) -> Lowered {
+        let all = all.into_iter().map(|part| self.expr(part));
+        let all = all.collect::<Lowered<Vec<_>>>()?;
+        Ok(Code::act(move |m| m.gather(shape, &all, at)))
+    }
+
+    fn repeated(&mut self, repeat: &syn::ExprRepeat) -> Lowered {
+        let (value, count) = (self.expr(&repeat.expr)?, self.expr(&repeat.len)?);
+        let at = self.at(repeat);
+        Ok(Code::act(move |m| match (value.run(m)?, count.run(m)?) {
+            (value, Value::Int(count, kind::INT | kind::USIZE)) => {
+                m.spend(count as usize, at)?;
+                m.keep(Value::list(vec![value; count as usize]), at)
+            }
+            (_, other) => m.mismatch(at, "usize", other.kind()),
         }))
     }
 
-    /// Lowers `&&` and `||`. The right side is not evaluated if the left one is `enough`: false for
-    /// `&&`, true for `||`.
-    fn logical(&mut self, it: &syn::ExprBinary, enough: bool) -> Lowered {
-        let one = self.given(&it.left, &Type::BOOL)?;
-        let mut other = self.given(&it.right, &Type::BOOL)?;
-        let (left, right) = (self.at(&it.left), self.at(&it.right));
-        // Lines of its own may never run.
-        let between = left.end as usize..right.start as usize;
-        if self.text.get(between).is_some_and(|it| it.contains('\n')) {
-            other = self.marked(other, right);
-        }
-        let (one, other) = (one.run, other.run);
-        let both = Expr::new(left, move |m| {
-            let is_enough = one.eval(m)?.truth() == enough;
-            if is_enough {
-                Ok(enough.into())
-            } else {
-                other.eval(m)
-            }
-        });
-        Ok(both.shown(ExprForm::Bool))
+    fn range(&mut self, range: &syn::ExprRange) -> Lowered {
+        let mut end = |end: &Option<Box<syn::Expr>>| match end {
+            Some(end) => self.expr(end),
+            None => Ok(Code::unit()),
+        };
+        let (start, end) = (end(&range.start)?, end(&range.end)?);
+        let is_closed = matches!(range.limits, syn::RangeLimits::Closed(_));
+        let is_closed = Code::constant(move || is_closed.into());
+        let (all, at) = ([start, end, is_closed], self.at(range));
+        Ok(Code::act(move |m| m.gather(Shape::RANGE, &all, at)))
     }
-}
 
-/// Makes an expression that applies an operator to two others. `sign` is its text, for operators
-/// that chapters don't have.
-fn operation(operator: Option<Operator>, sign: &str, [left, right]: [Expr; 2], at: Span) -> Expr {
-    let spot = right.spot;
-    let forms = [left.spot.form, spot.form];
-    let is_any = forms.map(|it| it == ExprForm::Float);
-    let (left, right) = (left.run, right.run);
-    match operator {
-        Some(Operator::Arithmetic(sign, _)) => {
-            let made = Expr::new(at, move |m| {
-                if let (Some(a), Some(b)) = (left.number(m), right.number(m)) {
-                    return Ok(m.of_floats(sign, a, b));
+    fn cast(&mut self, cast: &syn::ExprCast) -> Lowered {
+        let (from, at) = (self.expr(&cast.expr)?, self.at(cast));
+        let to = self.names.ty(&cast.ty, self.scope)?;
+        Ok(Code::act(move |m| {
+            let value = from.run(m)?;
+            match integers::cast(&value, to) {
+                Some(value) => Ok(value),
+                None => m.unread(at, "`as` between these types"),
+            }
+        }))
+    }
+
+    fn structure(&mut self, structure: &syn::ExprStruct) -> Lowered {
+        let (shape, at) = (self.shape(&structure.path)?, self.at(structure));
+        let declared = &self.names.variant(shape).fields;
+        let mut fields: Vec<Option<Code>> = declared.iter().map(|_| None).collect();
+        for field in &structure.fields {
+            let n = self.field_of(shape, &field.member)?;
+            fields[n] = Some(self.given(&field.expr, declared[n].1)?);
+        }
+        // The fields that `..` gives are read from a variable of their own.
+        let (rest, slot) = (self.rest(structure, shape)?, self.slot());
+        let mut codes = Vec::new();
+        for (n, code) in fields.into_iter().enumerate() {
+            codes.push(match (code, &rest) {
+                (Some(code), _) => code,
+                (None, Some(_)) => Part::Number(n).read(Code::Local(slot), at),
+                (None, None) => {
+                    let message = format!("the field `{}` is missing", declared[n].0);
+                    return self.refused(structure, message);
                 }
-                let left = left.eval(m)?;
-                let right = right.eval(m)?;
-                let [left, right] = alike([left, right], is_any);
-                m.combined(sign, left, right, at)
             });
-            match forms {
-                [ExprForm::Float, ExprForm::Float] | [ExprForm::Int, ExprForm::Int] => {
-                    made.shown(forms[0])
-                }
-                _ => made,
-            }
         }
-        Some(Operator::Compare(order)) => Expr::new(at, move |m| {
-            if let (Some(a), Some(b)) = (left.number(m), right.number(m)) {
-                return Ok(order.holds(a.partial_cmp(&b)).into());
+        Ok(Code::act(move |m| {
+            if let Some(rest) = &rest {
+                *m.local_mut(slot) = rest.run(m)?;
             }
-            let left = left.eval(m)?;
-            let right = right.eval(m)?;
-            m.compared(order, alike([left, right], is_any), (at, spot))
+            m.gather(shape, &codes, at)
+        }))
+    }
+
+    /// Lowers what stands behind `..` in a struct.
+    fn rest(&mut self, structure: &syn::ExprStruct, shape: Shape) -> Lowered<Option<Code>> {
+        Ok(match structure.rest.as_deref() {
+            Some(syn::Expr::Call(call)) if is_default(&call.func) => {
+                Some(self.default_of(shape.kind, self.at(call))?)
+            }
+            Some(rest) => Some(self.given(rest, shape.kind)?),
+            None => None,
         })
-        .shown(ExprForm::Bool),
-        _ => {
-            let sign = sign.to_owned();
-            Expr::new(at, move |m| {
-                let left = left.eval(m)?;
-                let right = right.eval(m)?;
-                m.bits(&sign, [left, right], at)
-            })
+    }
+
+    /// Returns the code of the default value of a type.
+    pub(super) fn default_of(&self, kind: Kind, at: Span) -> Lowered {
+        if self.names.default_of(kind).is_none() {
+            let message = format!("`{}` has no default value", self.names.shown(kind));
+            return Err(Fault::refused(at, message));
         }
+        Ok(Code::act(move |m| {
+            Ok(m.code.names.default_of(kind).unwrap_or_default())
+        }))
+    }
+
+    /// Returns the struct or the variant that a path names.
+    pub(super) fn shape(&self, path: &syn::Path) -> Lowered<Shape> {
+        match self.item(path)? {
+            Item::Variant(shape) => Ok(shape),
+            Item::Type(kind) if self.names.kind(kind).variants.len() == 1 => {
+                Ok(Shape::new(kind, 0))
+            }
+            _ => self.refused(path, "this is no struct"),
+        }
+    }
+
+    /// Returns the number of a field of a struct.
+    pub(super) fn field_of(&self, shape: Shape, member: &syn::Member) -> Lowered<usize> {
+        let (name, variant) = (member_name(member), self.names.variant(shape));
+        let known = variant.fields.iter().map(|it| it.0.as_str());
+        let fault = Fault::refused(self.at(member), format!("there is no field `{name}`"));
+        variant
+            .field(&name)
+            .ok_or_else(|| fault.or_meant(&name, known))
     }
 }
 
-/// Makes an expression for a number with a point. If `is_any`, it takes the width of what it meets.
-fn float(number: f64, is_any: bool, at: Span) -> Expr {
-    Expr::of(Thunk::Float(number), at).shown_if(is_any, ExprForm::Float)
+/// Returns true for `Default::default`.
+fn is_default(function: &syn::Expr) -> bool {
+    matches!(function, syn::Expr::Path(it) if path_names(&it.path) == ["Default", "default"])
 }
 
-/// Makes an expression that leaves a function or a loop with a value.
-pub(super) fn leave_with(value: Expr, stop: EarlyExit) -> Expr {
-    let leave = Expr::new(value.spot.at, move |m| {
-        m.left = value.run.eval(m)?;
-        Err(stop)
-    });
-    leave.shown(ExprForm::Never)
+/// Returns the code that compares numbers.
+fn order(left: Code, right: Code, is_true: fn(Ordering) -> bool, at: Span) -> Code {
+    Code::act(move |m| {
+        if let (Some(a), Some(b)) = (left.number(m), right.number(m)) {
+            return Ok(a.partial_cmp(&b).is_some_and(is_true).into());
+        }
+        let (a, b) = (left.run(m)?, right.run(m)?);
+        Ok(m.order(&a, &b, at)?.is_some_and(is_true).into())
+    })
+}
+
+/// Returns the code of `==` or `!=`.
+fn equality(left: Code, right: Code, wanted: bool, at: Span) -> Code {
+    Code::act(move |m| {
+        let (a, b) = (left.run(m)?, right.run(m)?);
+        Ok((m.equal(&a, &b, at)? == wanted).into())
+    })
 }

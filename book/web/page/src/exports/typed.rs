@@ -6,7 +6,7 @@
 use std::cell::RefCell;
 
 use common::rtweekend::Picture;
-use interpreter::{Program, SourceFile, SourceSpan};
+use interpreter::{Program, SourceFile, Span};
 use slips::Chapter;
 
 use super::{given::given, keep};
@@ -110,10 +110,7 @@ pub(super) fn draft() -> Draft {
 /// Writes feedback for the script: the places on the first line, the headline on the second, and
 /// then the rest.
 fn lines(feedback: &Feedback) -> String {
-    let place = |it: &SourceSpan| {
-        let columns = &it.columns;
-        format!("{} {} {} {}", it.file, it.line, columns.start, columns.end)
-    };
+    let place = |it: &Span| format!("{} {} {} {}", it.file, it.line, it.start, it.end);
     let places: Vec<String> = feedback.places.iter().map(place).collect();
     let (places, headline, rest) = (places.join("\t"), &feedback.headline, &feedback.rest);
     format!("{places}\n{headline}\n{rest}")
