@@ -116,7 +116,7 @@ impl Draft {
         let rust = without_let(line, fault, text)
             .or_else(|| in_rust(line, place))
             .or_else(|| three_numbers(fault))
-            .or_else(|| with_point(line, place, fault));
+            .or_else(|| with_point(line, fault));
         Some(format!("Rust writes {}", rust?))
     }
 
@@ -166,17 +166,19 @@ fn three_numbers(fault: &Fault) -> Option<String> {
     is_three.then(|| one_type.to_owned())
 }
 
-/// Returns the whole number at which a fault of types lies as an `f64`.
-fn with_point(line: &str, place: Span, fault: &Fault) -> Option<String> {
-    let words = words(line);
-    let (from, to) = (place.start as usize, place.end as usize);
-    let in_place = |at: usize| (from..to).contains(&line[..at].chars().count());
-    let mut numbers = words
-        .iter()
-        .filter(|(at, number)| in_place(*at) && number.bytes().all(|it| it.is_ascii_digit()));
-    let (_, number) = numbers.next()?;
+/// Returns the line's only whole number as an `f64`, if a fault of types lies in that line.
+fn with_point(line: &str, fault: &Fault) -> Option<String> {
     let is_of_types = fault.message.contains("f64") && fault.message.contains("integer");
-    is_of_types.then(|| format!("`{number}.0`"))
+    let is_whole = |number: &str| number.bytes().all(|it| it.is_ascii_digit());
+    let words = words(line);
+    let numbers: Vec<&str> = words
+        .iter()
+        .filter_map(|(_, it)| is_whole(it).then_some(*it))
+        .collect();
+    match numbers[..] {
+        [number] if is_of_types => Some(format!("`{number}.0`")),
+        _ => None,
+    }
 }
 
 /// Returns the Rust for the habit that a line shows where `place` begins, or `None` if there is
