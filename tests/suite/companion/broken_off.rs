@@ -99,7 +99,9 @@ impl Writer {
 
     /// Sees to it that there is something else to be written than the time before.
     fn turn(self, desk: &Desk, n: usize) {
-        desk.write("source/book.toml", "book.src = \".\"\n");
+        // As in the book's own: mdBook would write a page that it can't see anew.
+        let settings = "book.src = \".\"\nbuild.create-missing = false\n";
+        desk.write("source/book.toml", settings);
         desk.write("source/SUMMARY.md", "- [Page](page.md)\n");
         desk.write("source/page.md", format!("# Page {}\n", n % 3));
         if self.line.starts_with("rtrace start") {
