@@ -83,7 +83,9 @@ impl Finding {
 
     /// Makes a finding beside the right picture of a candidate's task, as yet without explanation.
     fn beside(evidence: &Evidence, by: &Candidate) -> Self {
-        let (reading, task) = (evidence.reading, by.task);
+        let (reading, mut task) = (evidence.reading, by.task);
+        // Chapter 4 draws what chapter 3 does: the answer names the one that the reader types.
+        task.chapter = evidence.task.chapter;
         let right = task.right_picture(reading.width, reading.height);
         let yours = reading.picture();
         let difference = match Comparison::of(&right, &yours) {
