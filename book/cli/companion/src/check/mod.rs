@@ -156,9 +156,10 @@ impl Arguments {
         source: &PictureInput,
         context: &'a Context<'a>,
     ) -> Result<(Attempt<'a>, Verdict), Box<dyn Error>> {
-        let (is_guessed, tolerance) = (task.is_none(), self.tolerance);
         let bytes = source.read(self.timeout);
-        let (task, verdict, flaw) = match (bytes.and_then(|it| reading::read(&it)), task) {
+        let read = bytes.and_then(|it| reading::read(&it));
+        let (is_guessed, tolerance) = (task.is_none() && read.is_ok(), self.tolerance);
+        let (task, verdict, flaw) = match (read, task) {
             (Ok(reading), Some(task)) => {
                 let verdict = judge(&task, &reading, tolerance, context);
                 (task, verdict, reading.flaw)
