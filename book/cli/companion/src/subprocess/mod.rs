@@ -30,20 +30,20 @@ pub(crate) use running::RunningProgram;
 /// If the program does not start, fails, or takes longer than `limit`.
 pub(crate) fn output_of(words: &[OsString], limit: Duration) -> Result<Vec<u8>, Cause> {
     let ran = run(reader_command(words), limit, show_errors, &mut || false);
-    printed_or_cause(words, ran.map(|(end, _)| end), limit)
+    let name = names::escaped_name(&words[0]);
+    printed_or_cause(&name, ran.map(|(end, _)| end), limit)
 }
 
-/// Returns the standard output of a program that has ended well, or that printed too much for a
-/// picture.
+/// Returns the standard output of the program `name` that has ended well, or that printed too much
+/// for a picture.
 ///
 /// # Errors
 /// If the program did not start, failed, or was ended after `limit`.
 pub(crate) fn printed_or_cause(
-    words: &[OsString],
+    name: &str,
     end: io::Result<ProgramEnd>,
     limit: Duration,
 ) -> Result<Vec<u8>, Cause> {
-    let name = names::escaped_name(&words[0]);
     let (problem, fix) = match end {
         Ok(ProgramEnd::Itself(status, bytes)) if status.success() => return Ok(bytes),
         Ok(ProgramEnd::Full(bytes)) => return Ok(bytes),

@@ -20,7 +20,7 @@ use check::attempt::{Attempt, Commands, LawsStatus};
 use check::context::Context;
 use check::judge_file;
 use check::lawful;
-use check::names::{companion_command, name_from_here};
+use check::names::{self, companion_command, name_from_here};
 use check::reading::read;
 use check::sentences::step_done_line;
 use check::sources::Sources;
@@ -213,7 +213,11 @@ impl WatchedProgram {
             Err(cause) => (Err(cause), String::new()),
         };
         let place = no_picture::unwritten_places(&errors).next();
-        match (subprocess::printed_or_cause(&words, end, self.limit), place) {
+        let name = match is_crate {
+            true => "your program".to_owned(),
+            false => names::escaped_name(&words[0]),
+        };
+        match (subprocess::printed_or_cause(&name, end, self.limit), place) {
             (Ok(bytes), _) => self.of_picture(&bytes, built, &mut ask),
             (Err(_), Some(place)) => {
                 let asks = is_crate && self.task.chapter != Chapter::RedSphere;
