@@ -103,9 +103,10 @@ fn advice(scene: &Scene, found: &[PrecisionNeeds], with_acne: usize) -> String {
         Some((name, Some(failing))) => {
             format!("Take {name}: it draws this picture right, and {failing} does not.")
         }
-        Some((name, None)) => {
-            format!("Take {name}: it draws this picture right, and nothing is cheaper.")
-        }
+        // It may cost a twentieth more than another of its precision, and that as much again.
+        Some((name, None)) => format!(
+            "Take {name}: it draws this picture right, and no method that does is cheaper by a tenth."
+        ),
         None => match found.first().and_then(|it| it.failing.as_ref()) {
             Some((_, culprit)) if needs_order(culprit) => "Take certified_nearest: two spheres \
                  are nearer to each other than an f64 can tell, and it compares their roots."
