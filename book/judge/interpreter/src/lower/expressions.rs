@@ -95,7 +95,7 @@ impl Lowerer<'_> {
                 let of = named(suffix).unwrap_or(kind::INT);
                 match it.base10_digits().parse() {
                     Ok(number) => Ok(Code::constant(move || Value::Int(number, of))),
-                    Err(_) => self.refused(literal, "this integer is too large"),
+                    Err(_) => self.unread(literal, "an integer as large as this"),
                 }
             }
             syn::Lit::Float(_) | syn::Lit::Int(_) => {
