@@ -1,4 +1,5 @@
-//! Integers: an `i64` and its type. One of no known type, as a literal, takes that of the other.
+//! Integers: an `i64` and its type. One of no known type, as a literal, takes that of the other; it
+//! is computed as an `i32`.
 
 use std::ops::RangeInclusive;
 
@@ -21,8 +22,8 @@ fn range(kind: Kind) -> RangeInclusive<i128> {
         kind::U64 | kind::USIZE => unsigned(64),
         kind::I8 => signed(8),
         kind::I16 => signed(16),
-        kind::I32 => signed(32),
-        kind::INT | kind::I64 | kind::ISIZE => signed(64),
+        kind::INT | kind::I32 => signed(32),
+        kind::I64 | kind::ISIZE => signed(64),
         other => unreachable!("type {other} is no integer"),
     }
 }
@@ -60,15 +61,6 @@ pub(crate) fn joined(one: Kind, other: Kind) -> Option<Kind> {
     match (one, other) {
         (kind::INT, kind) | (kind, kind::INT) => Some(kind),
         (one, other) => (one == other).then_some(one),
-    }
-}
-
-/// Returns true if a result is in the range of its type. What is computed of literals alone is an
-/// `i32`, unless one of them is larger.
-pub(crate) fn is_in_range(kind: Kind, operands: [i64; 2], result: i64) -> bool {
-    match kind {
-        kind::INT => has(kind::I32, result) || !operands.iter().all(|it| has(kind::I32, *it)),
-        kind => has(kind, result),
     }
 }
 

@@ -135,7 +135,7 @@ impl Names {
     }
 
     /// Returns the function, the constant or the variant of that name which belongs to a type.
-    fn associated(&self, kind: Kind, name: &str) -> Option<Item> {
+    pub(crate) fn associated(&self, kind: Kind, name: &str) -> Option<Item> {
         let def = self.kinds.get(usize::from(kind))?;
         if let Some((_, number)) = def.functions.iter().find(|it| it.0 == name) {
             return Some(Item::Function(*number));

@@ -2,6 +2,7 @@
 //! the faster doubles of functions in the prelude's text.
 
 use std::mem;
+use std::ops::{Add, Div, Mul, Neg, Rem, Sub};
 
 use common::rtweekend::{Ray, Vec3};
 
@@ -151,13 +152,14 @@ static VECTORS: &[Native] = same! {
 };
 
 static VECTOR_DOUBLES: &[Native] = same! {
-    VEC3 Vec3 () { length length_squared normalize }
-    VEC3 Vec3 (other: Vec3) { dot }
+    VEC3 Vec3 () { length length_squared normalize neg }
+    VEC3 Vec3 (other: Vec3) { dot add sub mul div rem }
 };
 
 static DOUBLES: &[Native] = natives! {
     RAY.new(origin: Vec3, direction: Vec3) => Ray::new(origin, direction);
     RAY.at(ray: Ray, t: f64) => ray.at(t);
+    FLOAT.mul(number: f64, vector: Vec3) => number * vector;
     CAMERA.ray(camera: Value, i: Value, j: Value) => match (camera.parts(), i, j) {
         (
             [_, _, Value::Vec3(center), Value::Vec3(pixel00), Value::Vec3(u), Value::Vec3(v)],
@@ -229,7 +231,6 @@ static OTHERS: &[Native] = natives! {
         count if n < count => changed(list, |all| all.remove(n)),
         _ => return Err(Wrong::Panic("removal index should be < len")),
     };
-    LIST.sum(list: Value) => sum(list.parts())?;
 };
 
 /// Changes a list as a `Vec`.
@@ -238,26 +239,4 @@ fn changed<T>(list: &mut Value, change: impl FnOnce(&mut Vec<Value>) -> T) -> T 
     let result = change(&mut all);
     *list = Value::list(all);
     result
-}
-
-/// Adds numbers or vectors. glam starts at zero, the standard library at a zero that adds nothing.
-fn sum(all: &[Value]) -> Result<Value, Wrong> {
-    let mut sum = match all.first() {
-        Some(Value::Vec3(_)) => Value::Vec3(Vec3::ZERO),
-        Some(Value::Int(_, of)) => Value::Int(0, *of),
-        _ => Value::Float(-0.0),
-    };
-    for part in all {
-        sum = match (sum, part) {
-            (Value::Vec3(a), Value::Vec3(b)) => Value::Vec3(a + b),
-            (Value::Float(a), Value::Float(b)) => Value::Float(a + b),
-            (Value::Int(a, of), Value::Int(b, other)) => {
-                let of = integers::joined(of, *other).ok_or(Wrong::Type("integer", *other))?;
-                let sum = a.checked_add(*b).filter(|sum| integers::has(of, *sum));
-                Value::Int(sum.ok_or(Wrong::Panic("attempt to add with overflow"))?, of)
-            }
-            (_, other) => return Err(Wrong::Type("number", other.kind())),
-        };
-    }
-    Ok(sum)
 }

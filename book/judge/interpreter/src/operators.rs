@@ -5,15 +5,17 @@ use std::cmp::Ordering;
 
 use common::rtweekend::Vec3;
 
+use crate::calls::Argument;
 use crate::fault::Span;
 use crate::integers;
 use crate::machine::{Code, Machine, Run};
-use crate::value::{Kind, Shape, Value, kind};
+use crate::names::Item;
+use crate::value::{Kind, Shape, Target, Value, kind};
 
-/// Makes the operators of arithmetic from their names in `syn`, alone and before `=`, their signs,
-/// and the functions of integers that return `None` for an overflow.
+/// Makes the operators of arithmetic from their names in `syn`, alone and before `=`, their names in
+/// the prelude, their signs, and the functions of integers that return `None` for an overflow.
 macro_rules! operators {
-    ($($name:ident $assign:ident $sign:tt $checked:ident;)*) => {
+    ($($name:ident $assign:ident $function:ident $sign:tt $checked:ident;)*) => {
         /// An operator of arithmetic.
         #[derive(Clone, Copy, Debug)]
         pub(crate) enum Op {
@@ -33,6 +35,13 @@ macro_rules! operators {
             fn sign(self) -> &'static str {
                 match self {
                     $(Self::$name => stringify!($sign)),*
+                }
+            }
+
+            /// Returns the name of the function in the prelude's text that computes with vectors.
+            fn function(self) -> &'static str {
+                match self {
+                    $(Self::$name => stringify!($function)),*
                 }
             }
 
@@ -75,26 +84,57 @@ macro_rules! operators {
     };
 }
 operators! {
-    Add AddAssign + checked_add;
-    Sub SubAssign - checked_sub;
-    Mul MulAssign * checked_mul;
-    Div DivAssign / checked_div;
-    Rem RemAssign % checked_rem;
+    Add AddAssign add + checked_add;
+    Sub SubAssign sub - checked_sub;
+    Mul MulAssign mul * checked_mul;
+    Div DivAssign div / checked_div;
+    Rem RemAssign rem % checked_rem;
 }
 
 impl Machine<'_> {
     pub(crate) fn arithmetic(&mut self, op: Op, a: &Value, b: &Value, at: Span) -> Run {
-        let vector = match (a, b) {
-            (Value::Vec3(a), Value::Vec3(b)) => op.of_vectors(*a, *b),
-            (Value::Vec3(a), Value::Float(b)) => op.of_vectors(*a, Vec3::splat(*b)),
-            (Value::Float(a), Value::Vec3(b)) => op.of_vectors(Vec3::splat(*a), *b),
+        // A number beside a vector is three components.
+        let [one, other] = match (a, b) {
+            (Value::Vec3(a), Value::Vec3(b)) => [*a, *b],
+            (Value::Vec3(a), Value::Float(b)) => [*a, Vec3::splat(*b)],
+            (Value::Float(a), Value::Vec3(b)) => [Vec3::splat(*a), *b],
             (Value::Float(a), Value::Float(b)) => {
                 return Ok(Value::Float(self.rounded(op.of_floats(*a, *b))));
             }
             (Value::Int(..), Value::Int(..)) => return self.integer(op, a, b, at),
             _ => return self.no_operator(op, [a.kind(), b.kind()], at),
         };
-        Ok(Value::Vec3(self.all_rounded(vector)))
+        if self.code.has_doubles {
+            return Ok(Value::Vec3(op.of_vectors(one, other)));
+        }
+        let (of, given) = match (op, a, b) {
+            (Op::Mul, &Value::Float(number), _) => {
+                (kind::FLOAT, [Code::Number(number), Code::Vector(other)])
+            }
+            (Op::Mul, _, &Value::Float(number)) => {
+                (kind::FLOAT, [Code::Number(number), Code::Vector(one)])
+            }
+            _ => (kind::VEC3, [Code::Vector(one), Code::Vector(other)]),
+        };
+        self.by_text(of, op.function(), given, at)
+    }
+
+    /// Computes by a function of the prelude's text: an edit has changed it, or what it calls.
+    #[cold]
+    fn by_text<const N: usize>(&mut self, of: Kind, name: &str, given: [Code; N], at: Span) -> Run {
+        let argument = |code| Argument {
+            code,
+            place: None,
+            at,
+        };
+        let given = given.map(argument);
+        match self.code.names.associated(of, name) {
+            Some(Item::Function(n)) => {
+                let function = Value::Function(Target::Own(n));
+                self.call(&function, None, &given, &[], at)
+            }
+            _ => self.unread(at, name),
+        }
     }
 
     fn integer(&mut self, op: Op, a: &Value, b: &Value, at: Span) -> Run {
@@ -105,9 +145,10 @@ impl Machine<'_> {
             return self.no_operator(op, [one, other], at);
         };
         let result = op.of_integers(a, b);
-        match result.filter(|result| integers::is_in_range(of, [a, b], *result)) {
+        match result.filter(|result| integers::has(of, *result)) {
             Some(result) => Ok(Value::Int(result, of)),
             None => {
+                let of = if of == kind::INT { kind::I32 } else { of };
                 let ty = self.code.names.shown(of);
                 self.panic(at, format!("the result of `{}` is no `{ty}`", op.sign()))
             }
@@ -131,11 +172,10 @@ impl Machine<'_> {
     pub(crate) fn negated(&mut self, value: &Value, at: Span) -> Run {
         match value {
             Value::Float(number) => Ok(Value::Float(-number)),
-            Value::Vec3(vector) => Ok(Value::Vec3(-vector)),
+            Value::Vec3(vector) if self.code.has_doubles => Ok(Value::Vec3(-vector)),
+            Value::Vec3(vector) => self.by_text(kind::VEC3, "neg", [Code::Vector(*vector)], at),
             Value::Int(number, of) => match number.checked_neg() {
-                Some(negated) if *of == kind::INT || integers::has(*of, negated) => {
-                    Ok(Value::Int(negated, *of))
-                }
+                Some(negated) if integers::has(*of, negated) => Ok(Value::Int(negated, *of)),
                 _ => self.panic(at, "the result of `-` is out of range"),
             },
             other => self.mismatch(at, "number", other.kind()),

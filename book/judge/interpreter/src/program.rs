@@ -1,6 +1,7 @@
 //! Programs: how their files are read, patched and mutated, and how their functions are called.
 
 use std::fmt;
+use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
 use crate::collect::{Source, collect};
@@ -111,8 +112,19 @@ impl Program {
     /// Lists the functions of the program's files, in the order of their declarations: first the
     /// name, `hit_sphere` or `Sphere::hit`, then the text from `fn` to the closing bracket.
     pub fn functions(&self) -> impl Iterator<Item = (&str, &str)> {
+        self.functions_of(0..PRELUDE)
+    }
+
+    /// Lists the functions of the lesson's prelude, such as `DVec3::dot` and `Ray::at`, with their
+    /// texts. The operators of vectors are among them: `DVec3::sub`, `DVec3::neg`, and `f64::mul`
+    /// for a number times a vector.
+    pub fn prelude_functions(&self) -> impl Iterator<Item = (&str, &str)> {
+        self.functions_of(PRELUDE + 1..u16::MAX)
+    }
+
+    fn functions_of(&self, files: Range<u16>) -> impl Iterator<Item = (&str, &str)> {
         let all = self.code.names.signatures.iter().zip(&self.code.functions);
-        let own = all.filter(|(it, _)| it.scope.file < PRELUDE && !it.is_constant);
+        let own = all.filter(move |(it, _)| files.contains(&it.scope.file) && !it.is_constant);
         own.map(|(signature, function)| (&*signature.name, &*function.text))
     }
 

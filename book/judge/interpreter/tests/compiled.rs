@@ -37,6 +37,50 @@ fn an_edit_of_the_prelude_is_drawn() {
     }
 }
 
+/// Makes rows of an edited function of vectors, an expression of `a` and `b` that calls it, and what
+/// the compiler makes of that expression.
+macro_rules! edits {
+    ($($name:literal $edit:literal, $expression:literal: |$a:ident, $b:ident| $compiled:expr;)*) => {
+        [$(($name, $edit, $expression, (|$a, $b| $compiled) as fn(Vec3, Vec3) -> Vec3)),*]
+    };
+}
+
+#[test]
+fn an_edited_operator_or_function_of_vectors_computes_as_the_compiled_one() {
+    let edits = edits! {
+        "DVec3::add" "fn add(self, v: Vec3) -> Vec3 { Vec3::new(self.x + v.x, self.y, self.z) }",
+            "a + b + 0.5": |a, b| Vec3::new(a.x + b.x + 0.5, a.y, a.z);
+        "DVec3::sub" "fn sub(self, v: Vec3) -> Vec3 { Vec3::new(self.x - v.x, self.y - v.y, self.y - v.y) }",
+            "a - b": |a, b| Vec3::new(a.x - b.x, a.y - b.y, a.y - b.y);
+        "DVec3::neg" "fn neg(self) -> Vec3 { Vec3::new(-self.x, -self.y, self.z) }",
+            "-a * b": |a, b| Vec3::new(-a.x * b.x, -a.y * b.y, a.z * b.z);
+        "DVec3::mul" "fn mul(self, v: Vec3) -> Vec3 { Vec3::new(self.x * v.x, self.y * v.y, self.z * v.y) }",
+            "2.0 * (a * b)": |a, b| 2.0 * Vec3::new(a.x * b.x, a.y * b.y, a.z * b.y);
+        "f64::mul" "fn mul(self, v: Vec3) -> Vec3 { Vec3::new(self * v.x, self * v.y, self * v.y) }",
+            "a * 0.3 - 0.7 * b": |a, b| Vec3::new(a.x, a.y, a.y) * 0.3 - 0.7 * Vec3::new(b.x, b.y, b.y);
+        "DVec3::div" "fn div(self, v: Vec3) -> Vec3 { Vec3::new(self.x, self.y / v.y, self.z / v.z) }",
+            "a / b / 3.0": |a, b| Vec3::new(a.x, a.y / b.y / 3.0, a.z / b.z / 3.0);
+        "DVec3::dot" "fn dot(self, v: Vec3) -> f64 { self.x * v.x + self.x * v.x + self.x * v.x }",
+            "a.dot(b) * a": |a, b| (a.x * b.x + a.x * b.x + a.x * b.x) * a;
+        "DVec3::length" "fn length(self) -> f64 { (self.x * self.x + self.y * self.y).sqrt() }",
+            "a.normalize() * b": |a, b| a * (1.0 / (a.x * a.x + a.y * a.y).sqrt()) * b;
+        "DVec3::normalize" "fn normalize(self) -> Vec3 { let v = self * (1.0 / self.length()); Vec3::new(self.x, v.y, v.z) }",
+            "a.normalize() + b": |a, b| a.normalize().with_x(a.x) + b;
+    };
+    let [a, b] = [Vec3::new(0.3, -1.7, 2.9), Vec3::new(-1.1, 0.6, 0.7)];
+    for (name, edit, expression, compiled) in edits {
+        let text = format!("fn f(a: Vec3, b: Vec3) -> Vec3 {{ {expression} }}");
+        let right = read(&text).expect("rustc compiles it");
+        let names: Vec<_> = right.prelude_functions().map(|it| it.0).collect();
+        assert!(names.contains(&name), "{name} is none of {names:?}");
+        let value = |program: &Program| program.call("f", &mut [a.into(), b.into()]);
+        let value = |program| value(program).expect("it runs").vec3();
+        let edited = right.patched(name, edit).expect("rustc compiles it");
+        assert_eq!(value(&edited), Some(compiled(a, b)), "{name}");
+        assert_ne!(value(&edited), value(&right), "{name}");
+    }
+}
+
 /// Two functions with other texts, one after the other, and one that does not go with the rest.
 #[test]
 fn a_function_that_is_read_anew_draws_what_the_whole_text_does() {

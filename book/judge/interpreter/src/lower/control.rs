@@ -208,7 +208,7 @@ impl Lowerer<'_> {
                 m.run_body(&body, body_at)
             };
             let all = all.run(m)?;
-            if let kind::LIST = all.kind() {
+            if let kind::LIST | kind::OPTION = all.kind() {
                 for value in all.parts() {
                     if turn(m, value)? {
                         break;

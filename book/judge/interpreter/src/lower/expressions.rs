@@ -94,8 +94,10 @@ impl Lowerer<'_> {
             syn::Lit::Int(it) if suffix.is_empty() || named(suffix).is_some() => {
                 let of = named(suffix).unwrap_or(kind::INT);
                 match it.base10_digits().parse() {
-                    Ok(number) => Ok(Code::constant(move || Value::Int(number, of))),
-                    Err(_) => self.unread(literal, "an integer as large as this"),
+                    Ok(number) if of != kind::INT || integers::has(of, number) => {
+                        Ok(Code::constant(move || Value::Int(number, of)))
+                    }
+                    _ => self.unread(literal, "an integer as large as this"),
                 }
             }
             syn::Lit::Float(_) | syn::Lit::Int(_) => {

@@ -60,9 +60,28 @@ impl Lowerer<'_> {
                 self.parts(&it.elems, shape, place)
             }
             syn::Pat::Tuple(it) => self.parts(&it.elems, Shape::TUPLE, place),
+            syn::Pat::Or(it) => self.one_of(it, place),
             syn::Pat::Slice(it) => self.parts(&it.elems, Shape::LIST, place),
             _ => self.unread(pattern, "this kind of pattern"),
         }
+    }
+
+    /// Lowers `a | b`, in which no names are read.
+    fn one_of(&mut self, cases: &syn::PatOr, place: Option<&Place>) -> Lowered<Pattern> {
+        let count = self.variables.len();
+        let patterns = cases.cases.iter().map(|case| self.pattern(case, place));
+        let patterns = patterns.collect::<Lowered<Vec<_>>>()?;
+        if self.variables.len() > count {
+            return self.unread(cases, "names in a pattern with `|`");
+        }
+        Ok(Box::new(move |m, value, at| {
+            for pattern in &patterns {
+                if pattern(m, value, at)? {
+                    return Ok(true);
+                }
+            }
+            Ok(false)
+        }))
     }
 
     fn typed(&mut self, typed: &syn::PatType, place: Option<&Place>) -> Lowered<Pattern> {

@@ -12,6 +12,46 @@ pub struct Camera {
     pixel_delta_u: Vec3, pixel_delta_v: Vec3,
 }
 
+impl Add for DVec3 {
+    fn add(self, other: Vec3) -> Vec3 {
+        Vec3::new(self.x + other.x, self.y + other.y, self.z + other.z)
+    }
+}
+
+impl Sub for DVec3 {
+    fn sub(self, other: Vec3) -> Vec3 {
+        Vec3::new(self.x - other.x, self.y - other.y, self.z - other.z)
+    }
+}
+
+impl Neg for DVec3 {
+    fn neg(self) -> Vec3 { Vec3::new(-self.x, -self.y, -self.z) }
+}
+
+impl Mul for DVec3 {
+    fn mul(self, other: Vec3) -> Vec3 {
+        Vec3::new(self.x * other.x, self.y * other.y, self.z * other.z)
+    }
+}
+
+// It serves for `Vec3 * f64`, too.
+impl Mul<Vec3> for f64 {
+    fn mul(self, v: Vec3) -> Vec3 { Vec3::new(self * v.x, self * v.y, self * v.z) }
+}
+
+// Beside a vector, another operator takes a number as three components.
+impl Div for DVec3 {
+    fn div(self, other: Vec3) -> Vec3 {
+        Vec3::new(self.x / other.x, self.y / other.y, self.z / other.z)
+    }
+}
+
+impl Rem for DVec3 {
+    fn rem(self, other: Vec3) -> Vec3 {
+        Vec3::new(self.x % other.x, self.y % other.y, self.z % other.z)
+    }
+}
+
 impl DVec3 {
     fn dot(self, other: Vec3) -> f64 { self.x * other.x + self.y * other.y + self.z * other.z }
     fn length_squared(self) -> f64 { self.x * self.x + self.y * self.y + self.z * self.z }

@@ -26,10 +26,15 @@ impl integer {
     fn signum(self) -> _ { if self < 0 { -1 } else if self > 0 { 1 } else { 0 } }
     fn pow(self, power: u32) -> _ { let mut product = 1; for _ in 0..power { product *= self; } product }
     fn rem_euclid(self, other: _) -> _ { let rest = self % other; if rest < 0 { rest + other.abs() } else { rest } }
+    fn nothing(self) -> _ { self - self }
     fn cmp(self, other: _) -> Ordering {
         if self < other { Ordering::Less } else if self > other { Ordering::Greater } else { Ordering::Equal }
     }
 }
+
+// With what a sum begins: glam's at zero, the others at a zero that adds nothing.
+impl f64 { fn nothing(self) -> f64 { -0.0 } }
+impl DVec3 { fn nothing(self) -> Self { Self::ZERO } }
 
 impl bool {
     fn then(self, f: _) -> _ { if self { Some(f()) } else { None } }
@@ -106,10 +111,12 @@ impl<T> Vec<T> {
     }
     fn fold(self, start: _, f: _) -> _ { let mut sum = start; for it in self { sum = f(sum, it); } sum }
     fn reduce(self, f: _) -> _ { match self.first() { Some(it) => Some(self.skip(1).fold(it, f)), None => None } }
+    fn sum(self) -> _ { match self.first() { Some(it) => self.fold(it.nothing(), |a, b| a + b), None => -0.0 } }
     fn product(self) -> _ { self.reduce(|a, b| a * b).unwrap() }
     fn count(self) -> usize { self.len() }
     fn nth(self, n: usize) -> _ { self.get(n) }
-    fn flatten(self) -> _ { self.filter_map(|it| it) }
+    fn flatten(self) -> _ { let mut all = vec![]; for it in self { all.extend(it); } all }
+    fn flat_map(self, f: _) -> _ { self.map(f).flatten() }
     fn take_while(self, f: _) -> _ {
         let mut all = vec![];
         for it in self { if f(it) { all.push(it); } else { break; } }
