@@ -9,9 +9,8 @@ use crate::blind_spots;
 use crate::candidate::Candidate;
 use crate::lawful::Mismatch;
 use crate::reading::Reading;
-use crate::search::{self, DrawingMutants, Repair};
-pub(crate) use crate::sources::LineStatus;
-use crate::sources::{CorrectedLine, Sources};
+use crate::search::{self, DrawingMutants, Repair, TypedText};
+use crate::sources::{CorrectedLine, LineStatus, Sources};
 use crate::task::Task;
 
 /// A function that compares the answers of the reader's functions with those of the given program,
@@ -28,6 +27,8 @@ pub struct Context<'a> {
     pub can_be_made: Option<&'a dyn Fn(&Slip) -> bool>,
     /// The reader's files; empty if they are not known.
     pub sources: Sources,
+    /// The text that the reader types in a page, which is repaired; `None` elsewhere.
+    pub typed: Option<TypedText<'a>>,
     /// Compares the answers of the reader's functions with those of a program; `None` if they were
     /// not asked.
     pub answers: Option<&'a CompareAnswers<'a>>,
@@ -65,22 +66,22 @@ impl Context<'_> {
             && self.line_status(slip, task) != LineStatus::Right
     }
 
-    /// Returns true if the slip's line is wrong in the reader's files and right once they are
-    /// repaired.
-    pub(crate) fn is_mended(&self, slip: &Slip, task: &Task, repair: &Repair) -> bool {
-        let repaired = Sources::of_chapter(repair.files.clone(), task.chapter);
-        self.sources.slip_line(slip, task).status == LineStatus::Wrong
-            && repaired.slip_line(slip, task).status == LineStatus::Right
-    }
-
     /// Finds out whether the slip's line is wrong or right in the reader's files.
     pub(crate) fn line_status(&self, slip: &Slip, task: &Task) -> LineStatus {
-        self.sources.slip_line(slip, task).status
+        if self.sources.is_empty() {
+            return LineStatus::NotFound;
+        }
+        let task = task.without_probe();
+        let right = task.program(&[]);
+        self.sources.status(&right, &task.program(&[slip]))
     }
 
     /// Finds the reader's line that makes the slip; `None` if the files are not known or have none.
     pub(crate) fn wrong_line(&self, slip: &Slip, task: &Task) -> Option<CorrectedLine> {
-        self.sources.slip_line(slip, task).corrected
+        match self.line_status(slip, task) {
+            LineStatus::Wrong(line) => Some(line),
+            LineStatus::Right | LineStatus::NotFound => None,
+        }
     }
 
     /// Returns true if the reader's functions give all answers of the program, or were not asked.
@@ -128,10 +129,10 @@ impl<'a> Evidence<'a> {
         }
     }
 
-    /// Searches for a change of the reader's own lines that makes the program right.
+    /// Searches for a change of the text that is typed in a page that makes the program right.
     pub(crate) fn repair(&self) -> Option<&Repair> {
-        let before = self.context.steps.len().saturating_sub(1);
-        let repair = || Repair::find(&self.task, self.reading, &self.context.sources, before);
+        let typed = self.context.typed.as_ref();
+        let repair = || Repair::find(&self.task, self.reading, typed?);
         self.repair.get_or_init(repair).as_ref()
     }
 
@@ -195,7 +196,7 @@ impl<'a> Evidence<'a> {
 
     /// Returns true if the wrong line of each slip of the candidate stands in the reader's files.
     pub(crate) fn has_lines_of(&self, it: &Candidate) -> bool {
-        let is_found = |slip: &&Slip| self.context.line_status(slip, &it.task) == LineStatus::Wrong;
+        let is_found = |slip: &&Slip| self.context.wrong_line(slip, &it.task).is_some();
         it.slips.iter().all(is_found)
     }
 }

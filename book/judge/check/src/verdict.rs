@@ -94,8 +94,8 @@ pub struct Finding {
     /// One or two rows about the first pixel that differs: its color, and the numbers of its ray as
     /// they should be, if it has any. Empty if a known mistake draws the picture.
     pub first_pixel: Vec<Row>,
-    /// The change of the reader's own lines that was tried and makes the program right; `None` if
-    /// none was found.
+    /// The change of the text that is typed in a page that was tried and makes the program right;
+    /// `None` if none was found.
     pub repair: Option<Repair>,
     /// True if the reader's functions give the answers of the program that explains the picture,
     /// or were asked nothing.

@@ -8,13 +8,13 @@ use check::answer::{Answer, Grade, Row, RowKind};
 use check::attempt::{Attempt, Commands, LawsStatus};
 use check::context::Context;
 use check::html::{self, HostPage};
-use check::judge;
 use check::lawful;
 use check::names::companion_command;
 use check::reading::Reading;
 use check::sentences;
 use check::sources::Sources;
 use check::task::Task;
+use check::{TypedText, judge};
 use common::rtweekend::*;
 use interpreter::{Fault, FaultKind, SourceFile, Span};
 use laws::{Complaint, Trial};
@@ -154,6 +154,10 @@ impl Draft {
             languages: Languages::Rust,
             can_be_made: Some(&can_be_made),
             sources: Sources::of_chapter(self.files.clone(), self.chapter),
+            typed: Some(TypedText {
+                files: &self.files,
+                program,
+            }),
             answers: laws.is_some().then_some(&compare),
             warnings: Vec::new(),
             steps: vec![false; steps::of_chapter(self.chapter).len()],

@@ -289,6 +289,7 @@ impl WatchedProgram {
                 true => sources::of_crate(&self.folder, chapter),
                 false => Sources::default(),
             },
+            typed: None,
             answers: compare.as_ref().map(|compare| compare as _),
             warnings,
             steps: self.done_steps(),

@@ -55,9 +55,9 @@ const PART: usize = 8;
 const PAIRS: usize = 4;
 
 /// Explains the picture by the first of these that draws it: the right program; another task whose
-/// change was forgotten; a mistake whose line stands in the reader's files, or beside which a
-/// repair was found; any other mistake; another task; the right program but for a few pixels; two
-/// mistakes. A repair without such a mistake ends the search.
+/// change was forgotten; a mistake whose line stands in the reader's files; a repair of the text that
+/// is typed in a page, which ends the search; any other mistake; another task; the right program but
+/// for a few pixels; two mistakes.
 pub(crate) fn explain(evidence: &Evidence) -> Explanation {
     let reading = evidence.reading;
     let (right, unexplained) = nearest(evidence);
@@ -75,8 +75,7 @@ pub(crate) fn explain(evidence: &Evidence) -> Explanation {
     }
     let single = first(evidence, &unexplained, programs_with_one_slip(evidence))
         .map(|it| in_the_text(evidence, it));
-    let is_repaired = || evidence.repair().is_some();
-    if let Some(single) = single.clone().filter(|it| it.is_in_text || is_repaired()) {
+    if let Some(single) = single.clone().filter(|it| it.is_in_text) {
         return Explanation::Mistakes(single);
     }
     if evidence.repair().is_some() {

@@ -1,17 +1,16 @@
-//! The making of a [`Finding`]: what explains a picture, weighed beside the repair of the reader's
-//! own lines.
+//! The making of a [`Finding`]: what explains a picture.
 
 use difference::Comparison;
 use slips::Slip;
 
 use super::explain::{Explanation, Fit, explain};
-use crate::candidate::{Candidate, Unexplained};
+use crate::candidate::Candidate;
 use crate::context::{Context, Evidence};
 use crate::reading::Reading;
-use crate::search::{DrawingMutants, Repair};
+use crate::search::DrawingMutants;
 use crate::task::Task;
 use crate::verdict::{Finding, Mistakes};
-use crate::{candidates, seen, telling};
+use crate::{seen, telling};
 
 impl Finding {
     /// Explains the picture: by a repair of the reader's lines, by programs, or by what is seen.
@@ -40,45 +39,12 @@ impl Finding {
                 mistakes: Some(Mistakes::of(&fit)),
                 ..Self::beside(&evidence, &fit.candidates[0])
             },
-            Explanation::Nothing(right) => Self::unknown(&evidence, &right),
+            Explanation::Nothing(right) => Self {
+                repair: evidence.repair().cloned(),
+                ..Self::unknown(&evidence, &right)
+            },
         };
-        Ok(Box::new(finding.repaired(&evidence)))
-    }
-
-    /// Adds the repair of the reader's lines, if one was found, and keeps of the mistakes only the
-    /// one whose line the repair puts right.
-    fn repaired(mut self, evidence: &Evidence) -> Self {
-        let (sources, context) = (&evidence.context.sources, evidence.context);
-        let is_exact = |it: &Self| {
-            it.almost_right
-                .as_ref()
-                .is_some_and(Unexplained::is_nothing)
-        };
-        let step = evidence.repair().and_then(|it| it.step);
-        if self.task.step() != step
-            && (sources.is_written() || !is_exact(&self))
-            && evidence.repair().is_some_and(Repair::replaces_lines_only)
-        {
-            // A line is wrong in what is written: in all of the chapter, or as far as a step.
-            let rights = candidates::right_programs(evidence);
-            let right = rights.iter().find(|it| it.task.step() == step);
-            self = Self::beside(evidence, right.unwrap_or(&rights[0]));
-        }
-        if self.task.step() != step || is_exact(&self) && self.is_answered {
-            return self;
-        }
-        let Some(repair) = evidence.repair().cloned() else {
-            return self;
-        };
-        self.almost_right = None;
-        if let Some(mistakes) = &mut self.mistakes {
-            let task = mistakes.task;
-            let is_mended = |slip: &&'static Slip| context.is_mended(slip, &task, &repair);
-            mistakes.all.retain(|slips| slips.iter().all(is_mended));
-        }
-        self.mistakes = self.mistakes.filter(|it| it.all.len() == 1);
-        self.repair = Some(repair);
-        self
+        Ok(Box::new(finding))
     }
 
     /// Makes a finding beside the right picture of a candidate's task, as yet without explanation.

@@ -14,26 +14,10 @@ pub(super) struct RankedEdit {
     pub(super) rank: u32,
 }
 
-/// The most words that a whole expression or statement of the chapter counts for in a rank, beside
-/// an eighth of the words that change.
-const MOST: u32 = 3;
-
 impl RankedEdit {
     /// Makes an edit of a text; `penalty` is added to the rank that its words give.
     pub(super) fn new(text: &str, at: Range<usize>, new: String, penalty: u32) -> Self {
         let rank = penalty + 2 * words_apart(&text[at.clone()], &new);
-        Self { at, new, rank }
-    }
-
-    /// Makes an edit that puts a whole expression or statement of the chapter in its place; many
-    /// new words then add little to its rank.
-    pub(super) fn whole(text: &str, at: Range<usize>, new: String, penalty: u32) -> Self {
-        // A choice is long to read in the place of a value.
-        if new.contains(" if ") {
-            return Self::new(text, at, new, penalty);
-        }
-        let apart = words_apart(&text[at.clone()], &new);
-        let rank = penalty + 2 * apart.min(MOST + apart / 8);
         Self { at, new, rank }
     }
 
@@ -49,12 +33,6 @@ impl RankedEdit {
     pub(super) fn brackets(&self, text: &str) -> u32 {
         let count = |text: &str| text.matches('(').count() as u32;
         2 * count(&self.new).saturating_sub(count(&text[self.at.clone()]))
-    }
-
-    /// Returns true if the edit of a text removes a call of the function `name`.
-    pub(super) fn removes_call(&self, name: &str, text: &str) -> bool {
-        let count = |text: &str| words(text).iter().filter(|it| **it == name).count();
-        count(&text[self.at.clone()]) > count(&self.new)
     }
 }
 
@@ -80,7 +58,7 @@ fn words_apart(one: &str, other: &str) -> u32 {
 }
 
 /// Splits a text into its words and signs, without blanks and round brackets.
-pub(super) fn words(text: &str) -> Vec<&str> {
+fn words(text: &str) -> Vec<&str> {
     let is_word = |c: char| c.is_alphanumeric() || c == '_';
     let mut words = Vec::new();
     let mut rest = text;

@@ -9,13 +9,11 @@ use slips::{ChapterCode, ChapterProgram, Output};
 
 use super::edit::RankedEdit;
 use super::functions::RustFn;
-use super::goal::{answers, some_of};
 use super::mutation;
-use super::tree::squeezed;
 use crate::lawful;
 use crate::pixels::{distance, spread};
 use crate::reading::Reading;
-use crate::sources::{CorrectedLine, LineComparison, LineStatus, StatementDiff};
+use crate::sources::{CorrectedLine, LineStatus, Sources, squeezed};
 
 /// The number of wrong pixels, and of right ones, that are compared first.
 const FIRST: u32 = 24;
@@ -74,8 +72,8 @@ pub(super) struct PictureSearch<'a> {
     pub(super) reading: &'a Reading,
     /// The functions of the right program.
     pub(super) functions: &'a [RustFn],
-    /// The statements of the right program beside those of the reader.
-    pub(super) lines: &'a LineComparison<'a>,
+    /// The files of the reader.
+    pub(super) sources: &'a Sources,
     /// The pixels that are compared first, from [`places`].
     pub(super) places: Vec<u32>,
 }
@@ -96,21 +94,20 @@ impl<'a> PictureSearch<'a> {
             if !seen.insert((&function.name, text.clone())) {
                 continue;
             }
-            let change = StatementDiff::of([(&*function.text, &*text)].into_iter());
-            let said = self.lines.status(&change);
-            if said == LineStatus::Right {
-                continue;
-            }
-            let yours = (said == LineStatus::Wrong).then(|| self.lines.corrected(&change));
             let Some(program) = self.right.with_function(&function.name, &text) else {
                 continue;
             };
+            let yours = match self.sources.status(self.right, &program) {
+                LineStatus::Right => continue,
+                LineStatus::Wrong(line) => Some(line),
+                LineStatus::NotFound => None,
+            };
             drawn.add(Mutant {
-                yours: yours.flatten(),
+                yours,
                 does: Some(Behavior::of(program)),
                 ..Mutant::new(function, &edit)
             });
-            if self.lines.is_empty() && drawn.likeliest.len() > MOST {
+            if self.sources.is_empty() && drawn.likeliest.len() > MOST {
                 break;
             }
         }
@@ -228,7 +225,7 @@ impl Behavior {
 
 /// Returns the whole lines around a part of a text, on one line; `before` and `after` are the bytes
 /// before and behind the part.
-fn lines(text: &str, before: usize, after: usize) -> String {
+pub(super) fn lines(text: &str, before: usize, after: usize) -> String {
     let end = text.len() - after;
     let start = text[..before].rfind('\n').map_or(0, |at| at + 1);
     let end = text[end..].find('\n').map_or(text.len(), |at| end + at);
@@ -268,4 +265,19 @@ fn is_drawn(output: &Output, reading: &Reading, n: u32) -> bool {
         let found = reading.pixels[n as usize];
         distance(levels, found) == 0 || levels.map(|it| it.clamp(0, 255)) == found
     })
+}
+
+/// Chooses `count` of these pixels, evenly spread.
+pub(super) fn some_of(pixels: &[u32], count: u32) -> Vec<u32> {
+    let places = spread(count, pixels.len() as u32);
+    places.map(|n| pixels[n as usize]).collect()
+}
+
+/// One in so many questions of [`lawful::questions`] is asked.
+const ASKED: usize = 3;
+
+/// Asks a program questions about all of its functions, and returns them with its answers.
+pub(super) fn answers(program: &ChapterProgram) -> Answers {
+    let questions = lawful::questions(program.chapter).into_iter();
+    lawful::answers_of(program, questions.step_by(ASKED))
 }

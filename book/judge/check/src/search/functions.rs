@@ -37,11 +37,6 @@ impl RustFn {
         })
     }
 
-    /// Returns the name without that of a type: `hit` for `Sphere::hit`.
-    pub(super) fn short_name(&self) -> &str {
-        self.name.rsplit(':').next().unwrap_or(&self.name)
-    }
-
     /// Finds the function in a list of files: the index of its file, and the byte of that file's
     /// text at which it begins.
     pub(super) fn place(&self, files: &[SourceFile]) -> Option<(usize, usize)> {
@@ -55,17 +50,4 @@ pub(super) fn functions(program: &Program) -> Vec<RustFn> {
     let all = program.functions();
     all.filter_map(|(name, text)| RustFn::read(name, text))
         .collect()
-}
-
-/// Returns the files with other texts for these functions. Functions that are in no file are
-/// skipped.
-pub(super) fn with(files: &[SourceFile], changes: &[(&RustFn, &str)]) -> Vec<SourceFile> {
-    let mut changed = files.to_vec();
-    for (function, text) in changes {
-        if let Some((file, _)) = function.place(files) {
-            let changed = &mut changed[file].text;
-            *changed = changed.replacen(&function.text, text, 1);
-        }
-    }
-    changed
 }

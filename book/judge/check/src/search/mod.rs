@@ -1,23 +1,17 @@
-//! One search for edits, both ways: forwards from the chapter, for those that draw the reader's
-//! picture; backwards from the reader's text, for those that make it right.
+//! The search for single edits: forwards from the chapter, for those that draw the reader's picture;
+//! and of a text that is typed in a page, for the one that makes it right.
 //!
-//! Both try the likeliest edits first: those that bring one text nearer to the other, and those
-//! that people make when they type. An edit is found only if its program was run and drew the
-//! picture.
+//! Both try the likeliest edits first. An edit is found only if its program was run.
 
-mod backwards;
 mod edit;
 mod everywhere;
 mod forwards;
 mod functions;
-mod goal;
 mod mutation;
-mod nearer;
 mod parsed;
-mod renaming;
-mod repair;
 mod roots;
 mod tree;
+mod typed;
 
 use crate::reading::Reading;
 use crate::sources::Sources;
@@ -26,8 +20,7 @@ pub use everywhere::{FileEdit, edits_everywhere};
 use forwards::PictureSearch;
 pub(crate) use forwards::{DrawingMutants, Mutant};
 use functions::functions;
-pub(crate) use repair::{Correction, LineChange, Repair};
-pub(crate) use tree::squeezed;
+pub use typed::{Repair, TypedText};
 
 /// The most pixels of a picture for which edits are searched, since each edit has to draw it.
 const LARGEST: usize = 500_000;
@@ -42,7 +35,7 @@ pub(crate) fn drawn(task: &Task, reading: &Reading, sources: &Sources) -> Drawin
     let search = PictureSearch {
         reading,
         functions: &functions(right.code()),
-        lines: &sources.beside(&right),
+        sources,
         places: forwards::places(&right, reading),
         right: &right,
     };

@@ -6,7 +6,6 @@ use std::collections::HashSet;
 
 use super::edit::RankedEdit;
 use super::functions::RustFn;
-use super::renaming::locals;
 use super::roots::roots;
 use super::tree::{RustOp, RustTree};
 
@@ -51,7 +50,7 @@ pub(super) struct Mutation<'t> {
 /// Lists all mutations of a function. Those of one node follow one another.
 pub(super) fn mutations(function: &RustFn) -> Vec<Mutation<'_>> {
     let mut names: Vec<String> = function.parameters.clone();
-    names.extend(locals(&function.body).iter().map(|it| it.name.to_owned()));
+    names.extend(locals(&function.body));
     names.retain(|it| it != "self");
     names.sort();
     names.dedup();
@@ -70,6 +69,13 @@ pub(super) fn mutations(function: &RustFn) -> Vec<Mutation<'_>> {
         (at.start, Reverse(at.end), std::ptr::from_ref(it.old))
     });
     all
+}
+
+/// Lists the names of the variables that a function declares, in their order.
+fn locals(body: &RustTree) -> Vec<String> {
+    let nodes = body.nodes().into_iter();
+    let patterns = nodes.filter_map(|node| node.op.pattern());
+    patterns.map(|it| it.name.clone()).collect()
 }
 
 impl Mutation<'_> {

@@ -4,7 +4,8 @@ use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 use syn::{Block, Expr, FieldValue, Pat, Stmt, Type};
 
-use super::tree::{BoundName, RustOp, RustTree, squeezed};
+use super::tree::{BoundName, RustOp, RustTree};
+use crate::sources::squeezed;
 
 /// Converts the syntax trees of `syn` to those of this search.
 pub(super) struct Reader<'a> {

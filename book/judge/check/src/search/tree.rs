@@ -5,8 +5,6 @@
 
 use std::ops::Range;
 
-use crate::sources::likeness;
-
 /// The operation of a node on its parts.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum RustOp {
@@ -160,13 +158,6 @@ impl RustTree {
             && parts.all(|(one, other)| one.is_same(other))
     }
 
-    /// Returns the share of nodes that two trees have in common, from 0 to 1.
-    pub(super) fn likeness(&self, other: &Self) -> f64 {
-        let ops =
-            |tree: &Self| -> Vec<RustOp> { tree.nodes().iter().map(|it| it.op.clone()).collect() };
-        likeness(&ops(self), &ops(other))
-    }
-
     /// Returns the tree with other trees in the place of those for which `other` returns one. The
     /// parts of such a tree are not asked for.
     pub(super) fn mapped(&self, other: &dyn Fn(&Self) -> Option<Self>) -> Self {
@@ -266,11 +257,6 @@ impl BoundName {
         }
     }
 
-    /// Returns true if the pattern is the name alone.
-    pub(super) fn is_whole(&self) -> bool {
-        self.before.is_empty() && self.after.is_empty()
-    }
-
     /// Writes the pattern as code.
     fn text(&self) -> String {
         [&*self.before, &self.name, &self.after].concat()
@@ -279,26 +265,3 @@ impl BoundName {
 
 /// The level of a tree that needs no brackets anywhere.
 pub(super) const ATOM: u8 = 9;
-
-/// Writes code on one line, without comments, and with blanks where rustfmt has them.
-pub(crate) fn squeezed(text: &str) -> String {
-    let code = text
-        .lines()
-        .map(|line| line.split("//").next().unwrap_or(line));
-    let words: Vec<&str> = code.flat_map(str::split_whitespace).collect();
-    let mut text = words.join(" ");
-    for (loose, tight) in [
-        ("( ", "("),
-        (", )", ")"),
-        (",)", ")"),
-        (" )", ")"),
-        (", }", " }"),
-        (" .", "."),
-        (",..", ", .."),
-        (" ,", ","),
-        (",\0", ", \0"),
-    ] {
-        text = text.replace(loose, tight);
-    }
-    text
-}

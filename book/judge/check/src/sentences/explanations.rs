@@ -11,7 +11,7 @@ use crate::answer::{Row, RowKind};
 use crate::candidate::Conversion;
 use crate::context::Context;
 use crate::names;
-use crate::search::{Correction, DrawingMutants, LineChange, Mutant, Repair};
+use crate::search::{DrawingMutants, Mutant, Repair};
 use crate::sources::CorrectedLine;
 use crate::verdict::{Finding, Mistakes};
 
@@ -28,9 +28,7 @@ impl Finding {
     /// what is to be seen. Empty if the picture is right but for a few pixels.
     pub fn rows(&self, context: &Context) -> Vec<Row> {
         if let Some(repair) = &self.repair {
-            let slip = self.only_mistake().first();
-            let why = slip.map_or("", |slip| slip.why);
-            return repair.rows().chain(row(RowKind::Why, why)).collect();
+            return repair.rows();
         }
         if self.almost_right.is_some() {
             return Vec::new();
@@ -203,40 +201,26 @@ impl DrawingMutants {
 }
 
 impl Repair {
-    /// Lists the reader's wrong lines, each with what should be there, and how they were tried.
-    fn rows(&self) -> impl Iterator<Item = Row> {
-        let with = match self.changes.len() {
-            1 => "with this change",
-            _ => "with these changes",
-        };
-        let tried = match self.is_hidden {
-            true => format!("{with} your functions answer as the chapter's do"),
-            false => format!("{with} your program draws the picture"),
-        };
-        let changes = self.changes.iter().flat_map(LineChange::rows);
-        changes.chain(row(RowKind::Tried, &tried))
-    }
-}
-
-impl LineChange {
-    /// Lists the reader's line and the right one; or only the right one, where a line is missing.
+    /// Lists the reader's wrong line with what should be there, and how that was tried.
     fn rows(&self) -> Vec<Row> {
-        let right = match &self.correction {
-            Correction::Above(line) => {
-                let above = format!("above {}:{}  {line}", self.line.file, self.line.number);
-                return vec![Row::new(RowKind::Missing, above)];
-            }
-            Correction::Instead(line) => line,
-            Correction::LeaveOut => "left out",
+        let tried = match self.is_hidden {
+            true => "with this change your functions answer as the chapter's do",
+            false => "with this change your program draws the picture",
         };
-        line_and_right(RowKind::Yours, &self.line.to_string(), right)
+        let mut rows = self.line.rows();
+        rows.push(Row::new(RowKind::Tried, tried));
+        rows
     }
 }
 
 impl CorrectedLine {
     /// Lists the reader's line and the right one.
     fn rows(&self) -> Vec<Row> {
-        line_and_right(RowKind::Yours, &self.line.to_string(), &self.right)
+        let right = match &*self.right {
+            "" => "left out",
+            right => right,
+        };
+        line_and_right(RowKind::Yours, &self.line.to_string(), right)
     }
 }
 
