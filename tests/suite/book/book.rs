@@ -10,7 +10,7 @@ use mdbook_driver::MDBook;
 use scraper::{ElementRef, Html, Node, Selector};
 use slips::Chapter;
 
-use suite::command::{files, names_in};
+use fixtures::command::{files, names_in};
 
 /// The workspace, and in it the sources of the book.
 pub(crate) const WORKSPACE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");

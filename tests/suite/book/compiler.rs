@@ -8,11 +8,11 @@ use std::process::Command;
 use insta::assert_snapshot;
 use slips::{Chapter, ChapterCode};
 
-use suite::command::{cargo, run, text};
-use suite::drawn::shown_in;
-use suite::left_out::left_out;
-use suite::reader::TestReader;
-use suite::typing::{Typing, typings};
+use fixtures::command::{cargo, run, text};
+use fixtures::drawn::shown_in;
+use fixtures::left_out::left_out;
+use fixtures::reader::TestReader;
+use fixtures::typing::{Typing, typings};
 
 #[test]
 #[ignore = "builds chapters with mistakes in them"]

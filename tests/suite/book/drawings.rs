@@ -7,10 +7,10 @@ use std::path::Path;
 use figures::records::{Accuracy, Timing, WrongPixels};
 use figures::table::{Record, Table};
 use figures::{ADVICE, CHARTS, DrawnChart, Spot, figures, least, panel_with_key, standalone};
+use fixtures::drawn::shown_in;
 use insta::assert_binary_snapshot;
 use scraper::{ElementRef, Html, Selector};
 use speed_vs_accuracy::{METHODS, Precision, REGIMES};
-use suite::drawn::shown_in;
 
 use crate::book::NOTES;
 

@@ -7,7 +7,7 @@ use laws::Case;
 use laws::strategies::{self, samples};
 use slips::{Chapter, ChapterProgram};
 
-use suite::slip;
+use fixtures::slip;
 
 /// Finds the nearer root with half of b as version 3 of the book does.
 fn hit_sphere_of_version_3(center: Point3, radius: f64, ray: &Ray) -> Option<f64> {

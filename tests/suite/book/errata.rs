@@ -7,7 +7,7 @@ use difference::differing_pixels;
 use hittable_list::{Hittable, Sphere};
 use slips::{Chapter, ChapterCode};
 
-use suite::slip;
+use fixtures::slip;
 
 #[test]
 fn two_real_roots_may_both_lie_behind_the_ray() {

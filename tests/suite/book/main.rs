@@ -1,12 +1,14 @@
 //! The book: is it whole, and is what it shows what there is?
 
 mod book;
+mod chapter_program;
 mod compiler;
 mod drawings;
 mod editions;
 mod errata;
 mod live;
 mod programs;
+mod spellings;
 mod typed;
 mod typing;
 

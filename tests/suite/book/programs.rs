@@ -4,11 +4,11 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use fixtures::command::run;
+use fixtures::drawn::p3;
+use fixtures::left_out::left_out;
 use measure::rival;
 use slips::{self, Chapter, ChapterCode, ChapterProgram};
-use suite::command::run;
-use suite::drawn::p3;
-use suite::left_out::left_out;
 
 /// The program in C++, in a folder of its own, if there is a compiler.
 fn compiled(source: &str) -> Option<PathBuf> {

@@ -10,8 +10,8 @@ use scraper::ElementRef;
 use slips::{Chapter, ChapterCode};
 
 use crate::book::{self, WORKSPACE, folder_of, page_of, text_of};
-use suite::command::{cargo, files, run, text};
-use suite::drawn::p3;
+use fixtures::command::{cargo, files, run, text};
+use fixtures::drawn::p3;
 
 #[test]
 #[ignore = "builds what the pages list"]

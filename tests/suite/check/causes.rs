@@ -6,7 +6,7 @@ use laws::{ChapterScene, Report, Trial};
 use slips::{Chapter, Languages, Slip};
 
 use crate::caught::{OUTCOMES, first_report};
-use suite::slip;
+use fixtures::slip;
 
 /// Of all slips that break a law and can be made in Rust, 95 in 100 are named: alone, or
 /// among four that give the same answer to every question.

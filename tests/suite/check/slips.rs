@@ -8,7 +8,7 @@ use difference::Comparison;
 use hittable_list::{HittableList, Sphere};
 use slips::{Chapter, ChapterCode, ChapterProgram, Edit, Languages, PROBES};
 
-use suite::drawn::p3;
+use fixtures::drawn::p3;
 
 #[test]
 fn a_program_without_a_slip_is_the_chapter_to_the_last_bit() {

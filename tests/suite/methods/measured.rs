@@ -8,11 +8,11 @@ use std::fs;
 
 use figures::records::{Accuracy, Level};
 use figures::table::{Record, Table};
+use fixtures::drawn::shown_in;
 use insta::assert_binary_snapshot;
 use measure::spread::Spread;
 use measure::{accuracy, wrong_pixels};
 use speed_vs_accuracy::METHODS;
-use suite::drawn::shown_in;
 
 use crate::rejected::REJECTED;
 

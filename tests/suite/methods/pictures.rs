@@ -1,9 +1,9 @@
 //! Golden images of chapter 6: its own picture, and scenes in which a method fails, each
 //! beside what it should look like.
 
+use fixtures::drawn::assert_picture;
 use measure::scene_file::find_scene;
 use speed_vs_accuracy::{Arithmetic, Method};
-use suite::drawn::assert_picture;
 
 const WIDTH: u32 = 200;
 

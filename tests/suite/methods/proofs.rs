@@ -7,9 +7,9 @@
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
+use fixtures::left_out::left_out;
 use laws::nearer_root;
 use speed_vs_accuracy::bounds::{BOUNDS, Bound, C, D, T, U};
-use suite::left_out::left_out;
 
 /// The scripts of the proofs, each with a bound in it, and with one that is too narrow.
 const SCRIPTS: [(&str, &str, &str); 5] = [

@@ -4,15 +4,13 @@
 use std::fs;
 use std::process::Command;
 
+use fixtures::command::text;
+use fixtures::desk::Desk;
+use fixtures::drawn::shown_in;
+use fixtures::left_out::left_out;
+use fixtures::typing::{Typing, typings};
+use fixtures::workspace;
 use insta::assert_snapshot;
-use page::typed::Draft;
-use slips::Chapter;
-use suite::command::text;
-use suite::desk::Desk;
-use suite::drawn::shown_in;
-use suite::left_out::left_out;
-use suite::typing::{Change, Typing, typings};
-use suite::workspace;
 
 /// A language in which a reader has a program.
 struct Language {
@@ -140,25 +138,6 @@ fn assert_right(desk: &Desk, spelling: &Typing, command: &str) {
     let (_, more) = said.split_once("bit.\n").expect("the verdict");
     let is_more_to_draw = more.starts_with("probe      to test more, draw ");
     assert!(more.is_empty() || is_more_to_draw, "{spelling:?}: {said}");
-}
-
-#[test]
-fn right_programs_in_rust_get_no_remark() {
-    for spelling in typings(include_str!("programs/spellings.rs.txt")) {
-        let chapter = Chapter::find(&spelling.title).expect("a chapter");
-        let mut typed = Draft::complete(chapter);
-        for Change { old, new } in &spelling.changes {
-            let mut files = typed.files.iter_mut();
-            let found = files.find(|it| it.text.contains(old));
-            let file = &mut found.unwrap_or_else(|| panic!("{old} is in no file")).text;
-            *file = file.replace(old, new);
-        }
-        let program = typed.read().expect("it is Rust");
-        let picture = typed.draw(&program, 64).expect("it draws");
-        let answer = typed.answer(&program, &picture);
-        assert!(answer.is_right(), "{spelling:?}: {}", answer.headline);
-        assert!(answer.rows.is_empty(), "{spelling:?} has a remark");
-    }
 }
 
 #[test]

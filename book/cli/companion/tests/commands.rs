@@ -4,19 +4,19 @@
 use std::fs;
 use std::path::Path;
 
+use fixtures::command::{files, run, text};
+use fixtures::desk::Desk;
+use fixtures::workspace;
 use slips::{Chapter, ChapterCode};
-use suite::command::{files, run, text};
-use suite::desk::Desk;
-use suite::workspace;
 
 /// Runs the commands of a block in a folder with the files that they name. None may be misused.
 #[test]
 fn every_command_that_a_page_names_works() {
     for (page, text) in pages() {
         let desk = Desk::default();
-        desk.write_picture("mine.ppm", &normals::picture(32));
+        desk.write_picture("mine.ppm", &Chapter::Normals.picture(32));
         desk.write_picture("build_test.ppm", &Chapter::BuildTest.picture(32));
-        desk.write_picture("mine.png", &normals::picture(32));
+        desk.write_picture("mine.png", &Chapter::Normals.picture(32));
         for line in named(&text) {
             let output = run(&mut desk.command(&with_help(&line)));
             assert!(output.status.success(), "{page}: {line}");

@@ -1,7 +1,7 @@
 //! Transcripts of `cargo rtrace hit`.
 
+use fixtures::desk::Desk;
 use insta::assert_snapshot;
-use suite::desk::Desk;
 
 #[test]
 fn one_ray_shows_which_methods_lose_digits_or_overflow() {

@@ -7,12 +7,14 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::sync::LazyLock;
 use std::thread;
 use std::time::{Duration, Instant};
 
-use suite::command::{run, text};
-use suite::desk::Desk;
-use suite::left_out::left_out;
+use fixtures::command::{cargo, path_of, run, text};
+use fixtures::desk::Desk;
+use fixtures::left_out::left_out;
+use fixtures::workspace;
 
 /// All that is in a folder by its path: files with their bytes, and `None` for folders and links.
 type There = BTreeMap<PathBuf, Option<Vec<u8>>>;
@@ -67,6 +69,15 @@ enum Break {
     Killed(Duration),
 }
 
+/// The weaver, a program of another package.
+static WEAVE: LazyLock<PathBuf> = LazyLock::new(|| {
+    let mut build = cargo();
+    build.args(["build", "--quiet", "--package", "weave"]);
+    let built = run(build.current_dir(workspace()));
+    assert!(built.status.success(), "{}", text(&built.stderr));
+    path_of("rtrace").with_file_name("weave")
+});
+
 #[test]
 #[ignore = "runs three commands some three thousand times"]
 fn what_is_broken_off_leaves_old_or_new_and_nothing_half() {
@@ -109,6 +120,17 @@ impl Writer {
         }
     }
 
+    fn command(self, desk: &Desk) -> Command {
+        match self.line.strip_prefix("weave ") {
+            None => desk.command(self.line),
+            Some(words) => {
+                let mut weave = Command::new(&*WEAVE);
+                weave.args(words.split(' ')).current_dir(desk.path(""));
+                weave
+            }
+        }
+    }
+
     /// Counts how often each system call is made in a whole run.
     fn calls(self, desk: &Desk) -> BTreeMap<String, usize> {
         run(&mut self.traced(desk, &[]));
@@ -126,7 +148,7 @@ impl Writer {
     }
 
     fn traced(self, desk: &Desk, more: &[&str]) -> Command {
-        let command = desk.command(self.line);
+        let command = self.command(desk);
         let mut strace = Command::new("strace");
         strace
             .args(["-f", "-qq", "-o"])
@@ -184,7 +206,7 @@ impl Writer {
         match how {
             Break::Injected(injected) => drop(run(&mut self.traced(desk, &["-e", injected]))),
             Break::Killed(after) => {
-                let mut command = desk.command(self.line);
+                let mut command = self.command(desk);
                 command.stdout(Stdio::null()).stderr(Stdio::null());
                 let mut child = command.spawn().expect("it starts");
                 thread::sleep(*after);
@@ -193,7 +215,7 @@ impl Writer {
             }
         }
         let [now, outside_now] = self.there(desk);
-        let whole = desk.run(self.line);
+        let whole = run(&mut self.command(desk));
         let [after, outside_after] = self.there(desk);
         let said = text(&whole.stderr);
         let is_there = said.contains("is there already");

@@ -3,19 +3,19 @@
 use figures::least;
 use figures::records::WrongPixels;
 use figures::table::Table;
+use fixtures::command::text;
+use fixtures::desk::Desk;
 use insta::assert_snapshot;
 use measure::needs::{Place, PrecisionNeeds, RECORDED};
 use measure::scene_file::{self, SCENES};
 use measure::wrong_pixels;
 use speed_vs_accuracy::{METHODS, Precision, REGIMES, Scene};
-use suite::command::text;
-use suite::desk::Desk;
 
 /// A scene of chapter 6: in `f64` only methods that take several times as long as the others draw
 /// it right, and in `f32` no method does.
 const GRAZING: &str = concat!(
     "width = 128\n",
-    include_str!("../../../chapters/6_speed_vs_accuracy/scenes/grazing.toml")
+    include_str!("../../../../chapters/6_speed_vs_accuracy/scenes/grazing.toml")
 );
 
 /// A ball so far away that `half_b` sees it where it is not.
@@ -66,7 +66,7 @@ fn found(scene: &Scene, precision: Precision) -> PrecisionNeeds {
 /// frames. The map says the same at the scene's place; it has `half_b_q` where `half_b` does.
 #[test]
 fn frame_map_and_needs_agree_about_every_scene() {
-    let cells = include_str!("../../../book/notes/measured/scenes.snap.csv");
+    let cells = include_str!("../../../../book/notes/measured/scenes.snap.csv");
     let cells = Table::<WrongPixels>::read(cells)
         .expect("the file is well-formed")
         .rows;

@@ -8,14 +8,14 @@ use std::time::{Duration, Instant};
 use insta::assert_binary_snapshot;
 use rustix::process::{Pid, Signal, kill_process};
 
-use crate::terminal::{self, Screen, hears_signals};
-use suite::command::{run, text};
-use suite::desk::Desk;
-use suite::drawn::shown_in;
-use suite::left_out::left_out;
-use suite::reader::TestReader;
-use suite::typing::typings;
-use suite::workspace;
+use fixtures::command::{run, text};
+use fixtures::desk::Desk;
+use fixtures::drawn::shown_in;
+use fixtures::left_out::left_out;
+use fixtures::reader::TestReader;
+use fixtures::terminal::{self, Screen, hears_signals};
+use fixtures::typing::typings;
+use fixtures::workspace;
 
 /// Chapter 3 in a terminal, as the introduction shows it.
 #[test]
@@ -246,11 +246,8 @@ fn keep(name: &str, screen: &str) {
         .lines()
         .map(|line| undated(&unwoven(line)) + "\n")
         .collect();
-    let svg = anstyle_svg::Term::new().render_svg(&screen);
-    // The blocks of a picture are to meet, whatever the font.
-    let wider = "<style>\n    [class^=bg-rgb] { stroke-width: 4px }";
-    let svg = svg.replacen("<style>", wider, 1);
-    shown_in("terminal").bind(|| assert_binary_snapshot!(&format!("{name}.svg"), svg.into_bytes()));
+    let svg = terminal::svg(&screen).into_bytes();
+    shown_in("terminal").bind(|| assert_binary_snapshot!(&format!("{name}.svg"), svg));
 }
 
 /// Names a page in words, as where the book is not woven: it depends on what was run before.

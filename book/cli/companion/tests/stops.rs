@@ -8,9 +8,10 @@ use std::time::{Duration, Instant};
 
 use rustix::process::{Pid, Signal, kill_process};
 
-use crate::terminal;
-use suite::desk::Desk;
-use suite::drawn::p3;
+use fixtures::desk::Desk;
+use fixtures::drawn::p3;
+use fixtures::terminal;
+use slips::{Chapter, ChapterCode};
 
 /// A script that starts all that a shell can start: children, orphans, programs that ignore
 /// signals, and one that leaves its group.
@@ -42,7 +43,7 @@ the terminal is closed   | terminal | watch normals -- sh waits.sh
 #[test]
 fn nothing_runs_on_and_nothing_is_left() {
     if !cfg!(target_os = "linux") {
-        return suite::left_out::left_out("only Linux shows what runs by its environment");
+        return fixtures::left_out::left_out("only Linux shows what runs by its environment");
     }
     let left: String = thread::scope(|scope| {
         let stop = |row| scope.spawn(move || left_behind(row));
@@ -63,7 +64,7 @@ fn left_behind(row: &str) -> String {
     };
     let desk = Desk::default();
     desk.write("tmp/", "");
-    desk.write("n.ppm", p3(&normals::picture(64)));
+    desk.write("n.ppm", p3(&Chapter::Normals.picture(64)));
     // That it has started is shown by a file.
     for (file, then) in [
         ("waits.sh", "sleep 600"),

@@ -3,13 +3,13 @@
 use std::fs;
 
 use common::rtweekend::Picture;
+use fixtures::command::{assert_success, cargo, names_in, run, text};
+use fixtures::desk::Desk;
+use fixtures::reader::TestReader;
+use fixtures::typing::typings;
+use fixtures::workspace;
 use insta::assert_snapshot;
 use slips::Chapter;
-use suite::command::{assert_success, cargo, names_in, run, text};
-use suite::desk::Desk;
-use suite::reader::TestReader;
-use suite::typing::typings;
-use suite::workspace;
 use tempfile::TempDir;
 
 /// The chapters that a reader types in crates.

@@ -2,17 +2,17 @@
 
 use std::fs::File;
 
+use fixtures::command::{run, text};
+use fixtures::desk::Desk;
+use fixtures::drawn::p3;
 use insta::assert_snapshot;
-use slips::{Chapter, Languages, PROBES};
-use suite::command::{run, text};
-use suite::desk::Desk;
-use suite::drawn::p3;
+use slips::{Chapter, ChapterCode, Languages, PROBES};
 
 #[test]
 fn a_right_picture_is_followed_by_what_it_can_not_show() {
     let desk = Desk::default();
-    desk.write_picture("right.ppm", &normals::picture(400));
-    let utf_16 = text(&p3(&normals::picture(100)));
+    desk.write_picture("right.ppm", &Chapter::Normals.picture(400));
+    let utf_16 = text(&p3(&Chapter::Normals.picture(100)));
     let utf_16: Vec<u8> = utf_16.encode_utf16().flat_map(u16::to_le_bytes).collect();
     desk.write("utf-16.ppm", utf_16);
     desk.write_slip("rounded.png", "rounded", Chapter::HittableList);
@@ -31,7 +31,7 @@ fn a_wrong_picture_is_shown_with_the_mistake() {
     let desk = Desk::default();
     desk.write_slip("sign.png", "minus-h", Chapter::HalfBSphere);
     desk.write_slip("half.ppm", "normal-only-shifted", Chapter::Normals);
-    desk.write_picture("list.ppm", &hittable_list::picture(200));
+    desk.write_picture("list.ppm", &Chapter::HittableList.picture(200));
     let mut noise = b"P6 64 36 255\n".to_vec();
     noise.extend((0..64 * 36 * 3_u32).map(|n| (n * n % 65_521) as u8));
     desk.write("noise.ppm", noise);
@@ -48,8 +48,8 @@ fn a_wrong_picture_is_shown_with_the_mistake() {
 #[test]
 fn a_probe_is_checked_with_its_own_scene() {
     let desk = Desk::default();
-    desk.write_picture("list.ppm", &hittable_list::picture(128));
-    desk.write_picture("ball.ppm", &normals::picture(200));
+    desk.write_picture("list.ppm", &Chapter::HittableList.picture(128));
+    desk.write_picture("ball.ppm", &Chapter::Normals.picture(200));
     assert_snapshot!(desk.transcript(
         "rtrace check hittable_list list.ppm --probe reversed
          rtrace check hittable_list list.ppm --probe odd-width
@@ -63,7 +63,7 @@ fn what_is_no_picture_is_refused_with_cause_and_fix() {
     let desk = Desk::default();
     desk.write("chatty.ppm", "P3\n400 225\n255\nScanlines remaining: 224\n");
     // As a stream of text changes them on Windows.
-    let swollen = [b"P6\n16 16\n255\n", build_test::picture(16).rgb()].concat();
+    let swollen = [b"P6\n16 16\n255\n", Chapter::BuildTest.picture(16).rgb()].concat();
     let swollen = swollen.split(|&byte| byte == b'\n').collect::<Vec<_>>();
     desk.write("swollen.ppm", swollen.join(&b"\r\n"[..]));
     assert_snapshot!(desk.transcript(
@@ -76,7 +76,7 @@ fn what_is_no_picture_is_refused_with_cause_and_fix() {
 #[test]
 fn a_picture_may_come_from_standard_input() {
     let desk = Desk::default();
-    desk.write_picture("right.ppm", &red_sphere::picture(64));
+    desk.write_picture("right.ppm", &Chapter::RedSphere.picture(64));
     let mut check = desk.command("rtrace check red_sphere -");
     let output = run(check.stdin(File::open(desk.path("right.ppm")).expect("it")));
     assert!(text(&output.stdout).starts_with("standard input is right"));
@@ -88,7 +88,7 @@ fn a_picture_may_come_from_standard_input() {
 #[test]
 fn a_picture_may_come_from_a_program_which_ends_within_its_time() {
     let desk = Desk::default();
-    desk.write_picture("right.ppm", &normals::picture(100));
+    desk.write_picture("right.ppm", &Chapter::Normals.picture(100));
     desk.write("loop.sh", "exec sleep 60");
     desk.write("starts-another.sh", "cat right.ppm; sleep 9 2>&- &");
     desk.write("closes-it.sh", "exec >&-; exec sleep 60");

@@ -6,7 +6,6 @@ mod broken_off;
 mod check_command;
 mod command_line;
 mod commands;
-mod files;
 mod hit_command;
 #[cfg(unix)]
 mod hostile;

@@ -6,12 +6,12 @@ use std::path::Path;
 use std::process::Command;
 
 use check::answer::{Row, RowKind};
+use fixtures::command::files;
+use fixtures::left_out::left_out;
+use fixtures::reader::TestReader;
 use page::home::archive;
 use page::typed::Draft;
 use slips::Chapter;
-use suite::command::files;
-use suite::left_out::left_out;
-use suite::reader::TestReader;
 
 #[test]
 #[ignore = "builds a reader's crate a dozen times"]

@@ -5,15 +5,15 @@ use std::path::PathBuf;
 use std::process::Command;
 use std::{env, fs};
 
-use slips::Chapter;
-use suite::command::{assert_success, path_of, run, text};
-use suite::desk::Desk;
+use fixtures::command::{assert_success, path_of, run, text};
+use fixtures::desk::Desk;
+use slips::{Chapter, ChapterCode};
 
 #[test]
 fn messages_use_the_name_that_it_was_called_by() {
     let desk = with_a_copy();
     desk.write_slip("mine.ppm", "minus-h", Chapter::HalfBSphere);
-    desk.write_picture("right.ppm", &half_b_sphere::picture(100));
+    desk.write_picture("right.ppm", &Chapter::HalfBSphere.picture(100));
     for line in [
         "check half_b_sphere mine.ppm",
         "check half_b_sphere right.ppm",

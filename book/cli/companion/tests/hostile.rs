@@ -8,9 +8,10 @@ use std::thread;
 use std::time::Duration;
 
 use common::rtweekend::Picture;
-use suite::command::text;
-use suite::desk::Desk;
-use suite::left_out::left_out;
+use fixtures::command::text;
+use fixtures::desk::Desk;
+use fixtures::left_out::left_out;
+use slips::{Chapter, ChapterCode};
 
 /// Inputs that are accepted, and the command that takes each.
 const INPUTS: &str = "\
@@ -31,7 +32,7 @@ a scene of many spheres       | needs scene.toml --width 8
 
 /// Saves an input beside a wrong picture.
 fn save(input: &str, desk: &Desk) {
-    desk.write_picture("wrong.ppm", &gradient::picture(64));
+    desk.write_picture("wrong.ppm", &Chapter::Gradient.picture(64));
     match input {
         "the longest text of a picture" => desk.write("wrong.ppm", large("P3", "255 255 255\r\n")),
         "the largest binary picture" => desk.write("wrong.ppm", large("P6", "\0\x01\x02")),
@@ -87,7 +88,7 @@ fn source(desk: &Desk, body: &str) {
         "mine.rs",
         format!("{head} {{\n    {body}\n    sky(ray)\n}}\n\n{tail}"),
     );
-    desk.write_picture("wrong.ppm", &gradient::picture(64));
+    desk.write_picture("wrong.ppm", &Chapter::Gradient.picture(64));
 }
 
 /// Returns a scene with as many spheres as a scene's file has room for.
