@@ -14,8 +14,6 @@
 #[cfg(not(plain))]
 use multiversion::multiversion;
 
-use crate::color::{Color, write_color};
-
 /// The number of pixels in a block: a multiple of 8, the most lanes that a processor has here, and
 /// a divisor of most widths: 400, 1280, 1920, 3840.
 pub(super) const BLOCK: usize = 80;
@@ -35,12 +33,12 @@ impl Block {
         blue: [0; BLOCK],
     };
 
-    /// Paints `count` pixels, at most [`BLOCK`], in the colors `color_at(0)`, `color_at(1)` and so
-    /// on; the rest stay black.
+    /// Paints `count` pixels, at most [`BLOCK`], in the levels `levels_at(0)`, `levels_at(1)` and so
+    /// on: red, green and blue; the rest stay black.
     #[inline]
-    pub(super) fn paint(count: usize, color_at: impl Fn(usize) -> Color) -> Self {
+    pub(super) fn paint(count: usize, levels_at: impl Fn(usize) -> [u8; 3]) -> Self {
         let mut block = Self::BLACK;
-        paint(&mut block, count, color_at);
+        paint(&mut block, count, levels_at);
         block
     }
 
@@ -64,10 +62,8 @@ impl Block {
     not(plain),
     multiversion(targets("x86_64+avx512f+avx512dq+avx512bw+avx512vl", "x86_64+avx2"))
 )]
-fn paint<F: Fn(usize) -> Color>(block: &mut Block, count: usize, color_at: F) {
+fn paint<F: Fn(usize) -> [u8; 3]>(block: &mut Block, count: usize, levels_at: F) {
     for k in 0..count.min(BLOCK) {
-        let mut pixel = [0; 3];
-        write_color(&mut pixel, color_at(k));
-        [block.red[k], block.green[k], block.blue[k]] = pixel;
+        [block.red[k], block.green[k], block.blue[k]] = levels_at(k);
     }
 }

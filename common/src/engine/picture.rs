@@ -9,7 +9,7 @@ use std::thread;
 use super::block::{BLOCK, Block};
 use super::p3::push_pixels;
 use super::ring::in_order;
-use crate::color::Color;
+use crate::color::{Color, write_color};
 
 /// A picture: rows of pixels from the top, each pixel three bytes (red, green, blue) from left to
 /// right.
@@ -48,6 +48,25 @@ impl Picture {
         height: u32,
         color_at: impl Fn(u32, u32) -> Color + Send + Sync + 'static,
     ) -> Self {
+        Self::from_levels(
+            width,
+            height,
+            #[inline(always)]
+            move |i, j| {
+                let mut pixel = [0; 3];
+                write_color(&mut pixel, color_at(i, j));
+                pixel
+            },
+        )
+    }
+
+    /// Makes a picture like [`Picture::paint`], from levels in place of colors: `levels_at(i, j)`
+    /// returns red, green and blue as the picture stores them, 0 to 255.
+    pub fn from_levels(
+        width: u32,
+        height: u32,
+        levels_at: impl Fn(u32, u32) -> [u8; 3] + Send + Sync + 'static,
+    ) -> Self {
         debug_assert!(width > 0 && height > 0, "nothing to paint");
         Self {
             width,
@@ -57,7 +76,7 @@ impl Picture {
                     Block::paint(
                         columns,
                         #[inline(always)]
-                        |k| color_at(i + k as u32, j),
+                        |k| levels_at(i + k as u32, j),
                     )
                 }),
                 painted: OnceLock::new(),

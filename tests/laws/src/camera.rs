@@ -2,7 +2,7 @@
 
 use common::rtweekend::*;
 
-use crate::case::{numbers_of_ray, vector};
+use crate::case::{numbers_of_ray, point_at, vector};
 use crate::question::nearly_equal;
 use crate::verdict::{BrokenLaw, LawResult};
 
@@ -18,6 +18,11 @@ pub struct CameraPixel {
     pub j: u32,
 }
 
+/// Returns the height, in pixels, of a picture with the aspect ratio 16:9, at least 1.
+pub(crate) fn height(width: u32) -> u32 {
+    ((f64::from(width) / (16.0 / 9.0)) as u32).max(1)
+}
+
 /// Tests that a camera's `ray` for `pixel` starts at the origin, and is in the pixel's center on
 /// the viewport at `t` = 1.
 pub fn the_ray_of_a_pixel_goes_through_its_center(ray: &Ray, pixel: &CameraPixel) -> LawResult {
@@ -26,7 +31,7 @@ pub fn the_ray_of_a_pixel_goes_through_its_center(ray: &Ray, pixel: &CameraPixel
         nearly_equal(&numbers_of_ray(*ray), &numbers_of_ray(right)),
         || BrokenLaw {
             law: "the ray of a pixel goes from the eye through the pixel's center".into(),
-            found: format!("from {} to {} at t = 1", ray.origin, ray.at(1.0)),
+            found: format!("from {} to {} at t = 1", ray.origin, point_at(ray, 1.0)),
             allowed: format!("from the origin to {}, for {pixel:?}", right.direction),
             read: "chapter 1: the viewport and its grid of pixels".into(),
         },
@@ -39,7 +44,7 @@ impl CameraPixel {
     /// picture. Also for a pixel outside of the picture.
     pub fn expected_ray(&self) -> Ray {
         let [width, i, j] = [self.width, self.i, self.j].map(f64::from);
-        let height = f64::from(((width / (16.0 / 9.0)) as u32).max(1));
+        let height = f64::from(height(self.width));
         let (u, v) = ((i + 0.5) / width, (j + 0.5) / height);
         let center = Point3::new(2.0 * width / height * (u - 0.5), 2.0 * (0.5 - v), -1.0);
         Ray::new(Point3::ZERO, center)

@@ -153,6 +153,11 @@ pub fn numbers_of_ray(ray: Ray) -> Vec<f64> {
     [ray.origin.to_array(), ray.direction.to_array()].concat()
 }
 
+/// Computes the point of a ray at the parameter `t`. Laws use no function that they may judge.
+pub(crate) fn point_at(ray: &Ray, t: f64) -> Point3 {
+    ray.origin + t * ray.direction
+}
+
 /// Writes one number, the three of a vector or the six of a ray as an expression of Rust.
 pub(crate) fn code(numbers: &[f64]) -> String {
     match *numbers {

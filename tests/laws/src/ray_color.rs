@@ -5,7 +5,8 @@ use common::rtweekend::*;
 use proptest::prelude::*;
 use proptest::sample::select;
 
-use crate::case::{Case, code, numbers_of_ray};
+use crate::camera::{CameraPixel, height};
+use crate::case::{Case, code, numbers_of_ray, point_at};
 use crate::nearer_root::{BAND, U};
 use crate::oracle::ExactCase;
 use crate::record::normal_bound;
@@ -70,14 +71,11 @@ impl ChapterScene {
     /// green and blue, or the right colors. Where they have not, the picture shows it, and a step on
     /// the way to the chapter may mean it.
     pub(crate) fn looks_right(self, ray_color: &dyn Fn(&Ray) -> Color) -> bool {
-        let levels = |color| {
-            let mut levels = [0; 3];
-            write_color(&mut levels, color);
-            levels
-        };
-        let camera = Camera::new(32);
-        let pixels = (0..camera.image_height).flat_map(|j| (0..32).map(move |i| (i, j)));
-        pixels.map(|(i, j)| camera.ray(i, j)).all(|ray| {
+        let levels = |color: Color| color.to_array().map(|part| (255.999 * part) as u8);
+        let (width, height) = (32, height(32));
+        let pixels = (0..height).flat_map(|j| (0..width).map(move |i| (i, j)));
+        let rays = pixels.map(|(i, j)| CameraPixel { width, i, j }.expected_ray());
+        rays.into_iter().all(|ray| {
             let color = ray_color(&ray);
             let right = self.expected(&ray);
             right.is_none_or(|(right, _)| levels(color) == levels(right))
@@ -133,7 +131,7 @@ impl ChapterScene {
             None => (sky(ray), 16.0 * U),
             Some(_) if self == Self::Disc => (Vec3::X, 0.0),
             Some((t, case)) => {
-                let outward = (ray.at(t) - case.center) / case.radius;
+                let outward = (point_at(ray, t) - case.center) / case.radius;
                 let is_turned = self == Self::List && ray.direction.dot(outward) >= 0.0;
                 let normal = if is_turned { -outward } else { outward };
                 (0.5 * (normal + Vec3::ONE), normal_bound(&case))

@@ -3,7 +3,7 @@
 use common::rtweekend::*;
 use proptest::strategy::Strategy;
 
-use crate::case::{Case, IntervalCase};
+use crate::case::{Case, IntervalCase, point_at};
 use crate::intervals::{
     no_t_outside_the_interval_is_returned, the_nearest_root_in_the_interval_is_returned,
 };
@@ -155,7 +155,7 @@ fn the_normal_is_the_radius_to_the_point_by_its_length(
     hit: &RecordedHit,
 ) -> LawResult {
     let (r, bound) = (case.radius, normal_bound(case));
-    let outward = (case.ray.at(hit.t) - case.center) / r;
+    let outward = (point_at(&case.ray, hit.t) - case.center) / r;
     let is_near = |normal: Vec3| (normal - outward).length() <= bound;
     let is_silent = r == 0.0 || !case.is_well_scaled();
     let holds = is_near(hit.normal) || is_near(-hit.normal) || is_silent;
@@ -230,7 +230,7 @@ pub(crate) mod tests {
             exact.farther_root()?.rounded(),
         );
         let t = roots.into_iter().find(|&t| t_min < t && t < t_max)?;
-        let point = case.ray.at(t);
+        let point = point_at(&case.ray, t);
         let outward = (point - case.center) / case.radius;
         let front_face = case.ray.direction.dot(outward) < 0.0;
         Some(RecordedHit {

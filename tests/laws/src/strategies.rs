@@ -15,7 +15,7 @@ use proptest::sample::select;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, RngSeed, TestRunner};
 
-use crate::camera::CameraPixel;
+use crate::camera::{CameraPixel, height};
 use crate::case::{Case, IntervalCase};
 use crate::list::World;
 use crate::oracle::ExactCase;
@@ -99,18 +99,16 @@ pub fn pixels() -> impl Strategy<Value = CameraPixel> {
     (1..=400_u32, any::<[u32; 2]>()).prop_map(|(width, [i, j])| CameraPixel {
         width,
         i: i % width,
-        j: j % Camera::new(width).image_height,
+        j: j % height(width),
     })
 }
 
-/// Makes rays of the book's camera, each with one of the two spheres of chapter 5.
+/// Makes rays of the book's camera, but for rounding, each with one of the two spheres of chapter 5.
 pub fn book_rays() -> impl Strategy<Value = Case> {
     let ball = (Point3::new(0.0, 0.0, -1.0), 0.5);
     let ground = (Point3::new(0.0, -100.5, -1.0), 100.0);
-    (pixels(), select(vec![ball, ground])).prop_map(|(pixel, (center, radius))| {
-        let ray = Camera::new(pixel.width).ray(pixel.i, pixel.j);
-        Case::new(center, radius, ray)
-    })
+    (pixels(), select(vec![ball, ground]))
+        .prop_map(|(pixel, (center, radius))| Case::new(center, radius, pixel.expected_ray()))
 }
 
 /// Makes rays towards spheres, from outside, as a camera sees them: a function's author believes

@@ -1,60 +1,58 @@
 //! Templates: the files of a crate of the reader's own, which `start` and a page begin with.
 //!
-//! Those of a chapter are made from the chapter itself, those of a prelude are written by hand.
+//! All are written by hand, so that they hang on no chapter: a reader may have changed those.
 
 pub mod source;
 mod stairs;
 
+use course::chapter::Chapter;
 use interpreter::SourceFile;
-use slips::{Chapter, ChapterCode};
 
 pub use stairs::on_the_first_stair;
 
 /// Lists the files that a reader types in a chapter, in the order in which they are typed. Each has
-/// the chapter's own text with `todo!()` in place of the body of each function to be typed; those
-/// of chapter 5 are as [`on_the_first_stair`]. They use the reader's own prelude (vectors, rays and the rendering: see [`own_prelude()`]) if
-/// `own_prelude` is true, or else that of the package `common`. Empty for
+/// `todo!()` in place of the body of each function to be typed; those of chapter 5 are as
+/// [`on_the_first_stair`]. They use the reader's own prelude (vectors, rays and the rendering: see
+/// [`own_prelude()`]) if `own_prelude` is true, or else that of the package `common`. Empty for
 /// [`Chapter::SpeedVsAccuracy`].
 pub fn files(chapter: Chapter, own_prelude: bool) -> Vec<SourceFile> {
-    let (of_lib, of_others) = if own_prelude {
-        let modules = include_str!("../files/own/head.rs");
-        (modules, "use crate::rtweekend::*;\n")
-    } else {
-        (PRELUDE, PRELUDE)
+    let import = |name| match (own_prelude, name) {
+        (false, _) => PRELUDE,
+        (true, "src/lib.rs") => include_str!("../files/own/head.rs"),
+        (true, _) => "use crate::rtweekend::*;\n",
     };
-    let skeletons = chapter.files().iter().map(|file| {
-        let text = on_the_first_stair(&source::to_type(file.text, given(chapter)));
-        let text = text.replace(GROUND, "").replace(PIXEL, TODO);
-        if file.name != "src/lib.rs" {
-            return SourceFile::new(file.name, text.replace(PRELUDE, of_others));
-        }
-        let is_head = |line: &&str| line.starts_with("//!") || line.is_empty();
-        let lines = text.lines().skip_while(is_head);
-        let text: String = lines.map(|line| format!("{line}\n")).collect();
-        SourceFile::new(file.name, text.replace(PRELUDE, of_lib))
-    });
-    let mut files: Vec<_> = skeletons.collect();
-    files.sort_by_key(|file| ORDER.iter().position(|name| *name == file.name));
+    let files = typed(chapter).iter();
+    let files = files.map(|&(name, text)| (name, text.replace(PRELUDE, import(name))));
     files
+        .map(|(name, text)| SourceFile::new(name, text))
+        .collect()
 }
 
-/// The line by which a chapter uses the prelude.
+/// The line by which a file uses the prelude.
 const PRELUDE: &str = "use common::rtweekend::*;\n";
 
-/// The line of chapter 5 that adds the ground: the reader's last step.
-const GROUND: &str = "    world.add(Sphere::new(Point3::new(0.0, -100.5, -1.0), 100.0));\n";
-
-/// The line of the build test that the reader types, and what stands there before.
-const PIXEL: &str = "Color::new(f64::from(i) / last, f64::from(j) / last, 0.0)";
-const TODO: &str = "todo!()";
-
-/// The names of a chapter's files, in the order in which they are typed.
-const ORDER: [&str; 4] = [
-    "src/hittable.rs",
-    "src/sphere.rs",
-    "src/hittable_list.rs",
-    "src/lib.rs",
-];
+/// Lists names and texts of the files that a reader types in a chapter.
+fn typed(chapter: Chapter) -> &'static [(&'static str, &'static str)] {
+    macro_rules! files {
+        ($folder:literal: $($name:literal),*) => {
+            &[$((
+                concat!("src/", $name),
+                include_str!(concat!("../files/", $folder, "/", $name)),
+            )),*]
+        };
+    }
+    match chapter {
+        Chapter::BuildTest => files!("build_test": "lib.rs"),
+        Chapter::Gradient => files!("gradient": "lib.rs"),
+        Chapter::RedSphere => files!("red_sphere": "lib.rs"),
+        Chapter::Normals => files!("normals": "lib.rs"),
+        Chapter::HalfBSphere => files!("half_b_sphere": "lib.rs"),
+        Chapter::HittableList => {
+            files!("hittable_list": "hittable.rs", "sphere.rs", "hittable_list.rs", "lib.rs")
+        }
+        Chapter::SpeedVsAccuracy => &[],
+    }
+}
 
 /// Lists the functions of a chapter that the reader need not type. (Of that of the build test, one
 /// line is typed.)

@@ -1,9 +1,9 @@
-//! Source-to-source: a Rust source by its items, and without the bodies of its functions.
+//! Source-to-source: a Rust source by its items, and with short comments.
 
 use std::ops::Range;
 
+use syn::Item;
 use syn::spanned::Spanned;
-use syn::{Block, Ident, ImplItem, Item};
 
 /// A top-level item of a Rust source that has a name, such as a function, a type, an `impl` or an
 /// import.
@@ -58,37 +58,6 @@ fn name(item: &Item, source: &str) -> Option<String> {
         Item::Impl(block) => written(&block.self_ty),
         _ => return None,
     })
-}
-
-/// Returns the source with `todo!()` as the body of each function that is not `given`, with the
-/// first sentence only of each doc comment, and without `#[inline]`.
-pub(crate) fn to_type(source: &str, given: &[&str]) -> String {
-    let file = syn::parse_file(source).expect("a chapter is Rust");
-    let mut functions: Vec<(&Ident, &Block)> = Vec::new();
-    for item in &file.items {
-        match item {
-            Item::Fn(function) => functions.push((&function.sig.ident, &function.block)),
-            Item::Impl(block) => functions.extend(block.items.iter().filter_map(method)),
-            _ => {}
-        }
-    }
-    functions.retain(|(name, _)| !given.iter().any(|given| name == given));
-    let mut text = source.to_owned();
-    // From the last one on: the places of those before stay as they are.
-    for (_, body) in functions.into_iter().rev() {
-        let [open, close] = [body.brace_token.span.open(), body.brace_token.span.close()];
-        let place = open.byte_range().start..close.byte_range().end;
-        let indent = " ".repeat(close.start().column);
-        text.replace_range(place, &format!("{{\n{indent}    todo!()\n{indent}}}"));
-    }
-    first_sentences(&text)
-}
-
-fn method(item: &ImplItem) -> Option<(&Ident, &Block)> {
-    match item {
-        ImplItem::Fn(method) => Some((&method.sig.ident, &method.block)),
-        _ => None,
-    }
 }
 
 /// Returns the source with the first sentence only of each doc comment, and without `#[inline]`.

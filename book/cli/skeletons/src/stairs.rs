@@ -7,7 +7,10 @@ pub fn on_the_first_stair(text: &str) -> String {
     if let Some(start) = text.find(TRAIT)
         && let Some(length) = text[start..].find("\n}\n\n")
     {
-        text.replace_range(start..start + length + "\n}\n\n".len(), "");
+        let end = start + length + "\n}\n\n".len();
+        // Its comment goes, too.
+        let start = text[..start].rfind("\n\n").map_or(start, |at| at + 2);
+        text.replace_range(start..end, "");
     }
     for (second, first) in CHANGES {
         text = text.replace(second, first);
@@ -16,10 +19,10 @@ pub fn on_the_first_stair(text: &str) -> String {
 }
 
 /// The beginning of the trait, which the second stair adds.
-const TRAIT: &str = "/// Anything that a ray can hit: ";
+const TRAIT: &str = "pub trait Hittable {";
 
 /// What the second stair changes: the text of the chapter, and that of the first stair.
-const CHANGES: [(&str, &str); 10] = [
+const CHANGES: [(&str, &str); 11] = [
     (
         "//! The trait of anything that a ray can hit, and the record of a hit.",
         "//! The record of a hit.",
@@ -31,6 +34,11 @@ const CHANGES: [(&str, &str); 10] = [
     (
         "use crate::hittable::{HitRecord, Hittable};\n\n/// A list of hittable things, other lists among them.",
         "use crate::hittable::HitRecord;\nuse crate::sphere::Sphere;\n\n/// A list of spheres.",
+    ),
+    // A text without comments.
+    (
+        "use crate::hittable::{HitRecord, Hittable};\n\n#[derive(Default)]",
+        "use crate::hittable::HitRecord;\nuse crate::sphere::Sphere;\n\n#[derive(Default)]",
     ),
     ("{HitRecord, Hittable}", "HitRecord"),
     ("Vec<Box<dyn Hittable + Send + Sync>>", "Vec<Sphere>"),

@@ -226,7 +226,7 @@ fn sphere(program: &ChapterProgram, center: Point3, radius: f64) -> Option<Value
 fn pixel_ray(program: &ChapterProgram, pixel: &CameraPixel) -> Ray {
     // The text that a reader typed has no camera.
     let own = program.ray(pixel.width, pixel.i, pixel.j);
-    own.unwrap_or_else(|| Camera::new(pixel.width).ray(pixel.i, pixel.j))
+    own.unwrap_or_else(|| pixel.expected_ray())
 }
 
 /// Calls `act` with the vector functions of a program. Where its text has no such function, glam's

@@ -17,10 +17,3 @@ pub fn page(slip: &Slip) -> Option<String> {
         .is_file()
         .then(|| names::name_from_here(&path))
 }
-
-/// Returns the path of the source that has the line of a slip (known mistake) right, as seen from
-/// the current folder; `None` if there is no such file.
-pub fn source(slip: &Slip) -> Option<String> {
-    let path = workspace()?.join(slip.source_path()?);
-    path.is_file().then(|| names::name_from_here(&path))
-}

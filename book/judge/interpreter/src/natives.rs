@@ -157,14 +157,17 @@ static VECTOR_DOUBLES: &[Native] = same! {
 };
 
 static DOUBLES: &[Native] = natives! {
-    RAY.new(origin: Vec3, direction: Vec3) => Ray::new(origin, direction);
-    RAY.at(ray: Ray, t: f64) => ray.at(t);
+    RAY.new(origin: Vec3, direction: Vec3) => Ray { origin, direction };
+    RAY.at(ray: Ray, t: f64) => ray.origin + t * ray.direction;
     FLOAT.mul(number: f64, vector: Vec3) => number * vector;
     CAMERA.ray(camera: Value, i: Value, j: Value) => match (camera.parts(), i, j) {
         (
             [_, _, Value::Vec3(center), Value::Vec3(pixel00), Value::Vec3(u), Value::Vec3(v)],
             Value::Int(i, _), Value::Int(j, _),
-        ) => Ray::new(*center, *pixel00 + i as f64 * *u + j as f64 * *v - *center),
+        ) => Ray {
+            origin: *center,
+            direction: *pixel00 + i as f64 * *u + j as f64 * *v - *center,
+        },
         _ => return Err(Wrong::Type("Camera", camera.kind())),
     };
     ANY.sky(ray: Ray) => {

@@ -223,9 +223,10 @@ impl Value {
     /// Returns the ray, if it is one of the prelude's type.
     pub fn ray(&self) -> Option<Ray> {
         match self.parts() {
-            [Self::Vec3(origin), Self::Vec3(direction)] if self.kind() == kind::RAY => {
-                Some(Ray::new(*origin, *direction))
-            }
+            [Self::Vec3(origin), Self::Vec3(direction)] if self.kind() == kind::RAY => Some(Ray {
+                origin: *origin,
+                direction: *direction,
+            }),
             _ => None,
         }
     }

@@ -1,5 +1,5 @@
-//! The chapters' own code: their sources, embedded in this program, and the pictures that their
-//! compiled functions draw.
+//! The right code of the chapters: the judge's own texts, embedded in this program, and the pictures
+//! that they draw, compiled.
 
 use common::rtweekend::Picture;
 
@@ -10,58 +10,69 @@ use crate::chapter::Chapter;
 pub struct ChapterFile {
     /// The path in a crate of the reader's own, with `/`, such as `src/lib.rs`.
     pub name: &'static str,
-    /// The whole text of the file, as the chapter has it.
+    /// The whole text of the file, without comments.
     pub text: &'static str,
 }
 
-/// The code of a chapter, as text and compiled.
+/// The right code of a chapter, as text and compiled. Neither is the chapter's package, which a
+/// reader may change.
 pub trait ChapterCode {
     /// Lists the sources that a reader types in this chapter, by their names from `a` to `z`. Empty
     /// for [`Chapter::SpeedVsAccuracy`].
     fn files(self) -> &'static [ChapterFile];
 
-    /// Makes the chapter's picture, `width` pixels wide (not 0) and as high as its aspect ratio
-    /// asks. Its pixels are traced when they are first read.
+    /// Makes the chapter's right picture, `width` pixels wide (not 0) and as high as its aspect
+    /// ratio asks. Its pixels are traced when they are first read.
     ///
     /// # Panics
     /// For [`Chapter::SpeedVsAccuracy`], of which no reader makes mistakes.
     fn picture(self, width: u32) -> Picture;
 }
 
+/// Embeds files: the name that each has for a reader, and its path from the folder of the texts.
+macro_rules! files {
+    ($($name:literal: $path:literal),*) => {
+        &[$(ChapterFile {
+            name: $name,
+            text: include_str!(concat!("../texts/src/", $path)),
+        }),*]
+    };
+}
+
 impl ChapterCode for Chapter {
     fn files(self) -> &'static [ChapterFile] {
-        macro_rules! files {
-            ($folder:literal: $($name:literal),*) => {
-                &[$(ChapterFile {
-                    name: $name,
-                    text: include_str!(concat!("../../../../chapters/", $folder, "/", $name)),
-                }),*]
-            };
-        }
         match self {
-            Self::BuildTest => files!("0_build_test": "src/lib.rs"),
-            Self::Gradient => files!("1_gradient": "src/lib.rs"),
-            Self::RedSphere => files!("2_red_sphere": "src/lib.rs"),
-            Self::Normals => files!("3_normals": "src/lib.rs"),
-            Self::HalfBSphere => files!("4_half_b_sphere": "src/lib.rs"),
+            Self::BuildTest => files!("src/lib.rs": "build_test.rs"),
+            Self::Gradient => files!("src/lib.rs": "gradient.rs"),
+            Self::RedSphere => files!("src/lib.rs": "red_sphere.rs"),
+            Self::Normals => files!("src/lib.rs": "normals.rs"),
+            Self::HalfBSphere => files!("src/lib.rs": "half_b_sphere.rs"),
             Self::HittableList => files!(
-                "5_hittable_list": "src/hittable.rs", "src/hittable_list.rs", "src/lib.rs",
-                "src/sphere.rs"
+                "src/hittable.rs": "hittable_list/hittable.rs",
+                "src/hittable_list.rs": "hittable_list/hittable_list.rs",
+                "src/lib.rs": "hittable_list.rs",
+                "src/sphere.rs": "hittable_list/sphere.rs"
             ),
             Self::SpeedVsAccuracy => &[],
         }
     }
 
     fn picture(self, width: u32) -> Picture {
-        let draw = match self {
-            Self::BuildTest => build_test::picture,
-            Self::Gradient => gradient::picture,
-            Self::RedSphere => red_sphere::picture,
-            Self::Normals => normals::picture,
-            Self::HalfBSphere => half_b_sphere::picture,
-            Self::HittableList => hittable_list::picture,
+        let picture = match self {
+            Self::BuildTest => texts::build_test::picture(width),
+            Self::Gradient => texts::gradient::picture(width),
+            Self::RedSphere => texts::red_sphere::picture(width),
+            Self::Normals => texts::normals::picture(width),
+            Self::HalfBSphere => texts::half_b_sphere::picture(width),
+            Self::HittableList => texts::hittable_list::picture(width),
             Self::SpeedVsAccuracy => unimplemented!("no mistake of a reader is in chapter 6"),
         };
-        draw(width)
+        let (width, height) = (picture.width, picture.height);
+        Picture::from_levels(width, height, move |i, j| picture.levels(i, j).map(stored))
     }
+}
+
+/// Returns a printed level as a picture stores it, from 0 to 255.
+pub(crate) fn stored(level: i32) -> u8 {
+    level.clamp(0, 255) as u8
 }

@@ -4,8 +4,10 @@ use std::fmt;
 
 use common::rtweekend::*;
 use interpreter::{Canvas, TracedValue};
+use texts::prelude::file;
 
 use crate::asked::integers;
+use crate::code::stored;
 use crate::files::FILE;
 use crate::program::ChapterProgram;
 
@@ -24,7 +26,7 @@ pub struct Output {
     has_right_loop: bool,
 }
 
-/// The functions around a chapter, in `text/file.rs`, by which a color becomes a pixel of the file.
+/// The functions around a chapter, in `prelude/file.rs`, by which a color becomes a pixel of the file.
 const AROUND: [&str; 3] = ["place", "print", "level"];
 
 impl ChapterProgram {
@@ -39,7 +41,7 @@ impl ChapterProgram {
             Some([columns, rows]) => (*columns as u32, *rows as u32),
             _ => (0, 0),
         };
-        let is_right = |(name, text)| !AROUND.contains(&name) || FILE.contains(text);
+        let is_right = |(name, text)| !AROUND.contains(&name) || FILE.1.contains(text);
         Output {
             program: self.clone(),
             canvas,
@@ -71,11 +73,7 @@ impl Output {
     pub fn printed(&self, n: u32) -> Option<[i32; 3]> {
         let color = self.color(n)?;
         if self.has_right_loop {
-            return Some(
-                color
-                    .to_array()
-                    .map(|component| (255.999 * component) as i32),
-            );
+            return Some(color.to_array().map(file::level));
         }
         let program = &self.program;
         let levels = integers(program.code(), "print", &mut [color.into()])?;
@@ -99,7 +97,8 @@ impl Output {
     fn place(&self, n: u32) -> Option<(u32, u32)> {
         let (columns, rows) = self.canvas.as_ref()?.size();
         if self.has_right_loop {
-            return Some((n.checked_rem(columns)?, n / columns));
+            let [i, j] = (columns > 0).then(|| file::place(n, columns, rows))?;
+            return Some((i, j));
         }
         let mut given = [n.into(), columns.into(), rows.into()];
         let place = integers(self.program.code(), "place", &mut given)?;
@@ -130,7 +129,6 @@ impl Output {
     /// Returns all pixels as bytes of red, green and blue, row by row from the top left. Levels are
     /// clamped to 0 to 255.
     pub fn rgb(&self) -> impl Iterator<Item = [u8; 3]> + '_ {
-        let stored = |level: i32| level.clamp(0, 255) as u8;
         self.pixels().map(move |pixel| pixel.map(stored))
     }
 

@@ -7,7 +7,6 @@ use std::sync::{LazyLock, Mutex, PoisonError};
 use crate::chapter::Chapter;
 use crate::code::ChapterCode;
 use crate::edit::Edit;
-use crate::files::{path_in_workspace, program_files};
 use crate::probes::PROBES;
 use crate::program::ChapterProgram;
 use crate::wrong_picture::kept;
@@ -162,15 +161,6 @@ impl Slip {
     pub fn chapters(&self) -> impl Iterator<Item = Chapter> {
         let chapters = Chapter::OF_THE_BOOK.into_iter();
         chapters.filter(|&chapter| self.is_possible_in(chapter))
-    }
-
-    /// Returns the path of the file that has the right code of one of the edits, in the first of
-    /// [`chapters`](Self::chapters), from the top folder of the workspace; `None` if none has it.
-    pub fn source_path(&self) -> Option<String> {
-        let chapter = self.chapters().next()?;
-        let mut files = program_files(chapter).into_iter();
-        let file = files.find(|it| self.stands_in(&it.text))?;
-        Some(path_in_workspace(chapter, &file.name))
     }
 
     /// Returns true if the right code of one of the edits occurs in a text.

@@ -33,7 +33,10 @@ impl Output {
     pub fn trace(&self, n: u32) -> Vec<TraceRow> {
         let mut rows = Vec::new();
         if let Some(ray) = self.ray(n) {
-            rows.push(TraceRow::new("point on the viewport", vector(ray.at(1.0))));
+            rows.push(TraceRow::new(
+                "point on the viewport",
+                vector(ray.origin + ray.direction),
+            ));
             rows.push(TraceRow::new("origin", vector(ray.origin)));
             rows.push(TraceRow::new("direction", vector(ray.direction)));
         }

@@ -122,7 +122,7 @@ impl Manner {
 
 /// Makes the right record of a hit at the ray parameter `t`, as chapter 5 does.
 pub(super) fn right_record(case: &Case, t: f64) -> RecordedHit {
-    let point = case.ray.at(t);
+    let point = case.ray.origin + t * case.ray.direction;
     let outward = (point - case.center) * (1.0 / case.radius);
     let front_face = case.ray.direction.dot(outward) < 0.0;
     let normal = if front_face { outward } else { -outward };
