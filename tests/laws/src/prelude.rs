@@ -4,7 +4,7 @@
 use common::rtweekend::*;
 use proptest::prelude::*;
 
-use crate::case::{code, numbers_of_ray, vector};
+use crate::case::{code, numbers_of_ray, point_at, vector};
 use crate::nearer_root::U;
 use crate::strategies::{ahead_if_zero, samples, whole_vector};
 use crate::verdict::{BrokenLaw, LawResult};
@@ -112,7 +112,12 @@ impl PreludeQuestion {
     }
 
     fn right(&self) -> Vec<f64> {
-        self.put_to(&Prelude::of_common())
+        // The rays of `common` are under this law, too.
+        self.put_to(&Prelude {
+            ray: &|origin, direction| Ray { origin, direction },
+            at: &|ray, t| point_at(&ray, t),
+            ..Prelude::of_common()
+        })
     }
 
     /// Writes the arguments in parentheses, as Rust has them.
@@ -145,7 +150,7 @@ impl PreludeQuestion {
 }
 
 impl Prelude<'_> {
-    /// Returns the operators and functions of the package `common`, whose answers are right.
+    /// Returns the operators and functions of the package `common`, whose vectors are glam's.
     pub fn of_common() -> Self {
         Self {
             mul: &|t, v| t * v,

@@ -3,3 +3,4 @@
 mod caught;
 mod causes;
 mod slips;
+mod truth;

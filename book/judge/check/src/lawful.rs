@@ -229,8 +229,8 @@ fn pixel_ray(program: &ChapterProgram, pixel: &CameraPixel) -> Ray {
     own.unwrap_or_else(|| pixel.expected_ray())
 }
 
-/// Calls `act` with the vector functions of a program. Where its text has no such function, glam's
-/// is meant; operators and rays are those of `common`.
+/// Calls `act` with the functions of a program's vectors and rays. Where its text has no such
+/// function, and for operators, glam's is meant.
 fn with_prelude<T>(program: &ChapterProgram, act: impl FnOnce(&Prelude) -> T) -> T {
     let own = |name: &str, of: &[Vec3]| {
         let mut given: Vec<Value> = of.iter().copied().map(Value::from).collect();
@@ -246,6 +246,11 @@ fn with_prelude<T>(program: &ChapterProgram, act: impl FnOnce(&Prelude) -> T) ->
         normalize: &|v| {
             let own = own("normalize", &[v]).and_then(|it| it.vec3());
             own.unwrap_or_else(|| v.normalize())
+        },
+        ray: &|origin, direction| Ray { origin, direction },
+        at: &|ray, t| {
+            let own = program.call("Ray::at", &mut [ray.into(), t.into()]);
+            own.and_then(|it| it.vec3()).unwrap_or(Point3::NAN)
         },
         ..Prelude::of_common()
     })

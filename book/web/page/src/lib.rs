@@ -1,8 +1,8 @@
 //! The functions that the pages call, compiled to WebAssembly: bytes and numbers in; words and
 //! pixels out.
 //!
-//! All that they answer is computed elsewhere: the live figures by [`figures`], the verdict on a
-//! picture ([`checked`]) by the package `check`, and the picture of a text that is [`typed`] by
+//! All that they answer is computed elsewhere: the live figures by the package `figures`, the
+//! verdict on a picture ([`checked`]) by `check`, and the picture of a text that is [`typed`] by
 //! `interpreter`. `.ci/live` builds the modules that the scripts in `book/notes/live` load.
 
 pub mod breaking;

@@ -1,0 +1,139 @@
+//! The texts by which the judge goes, beside the chapters, `common` and what the book's program
+//! prints.
+//!
+//! The judge hangs on none of them, so a reader may change each. Here, and nowhere else, all have to
+//! do the same; how they are written is free.
+
+use check::lawful;
+use common::rtweekend::*;
+use difference::Comparison;
+use hittable_list::{HitRecord, Hittable, HittableList, Sphere};
+use laws::Case;
+use laws::prelude::Prelude;
+use laws::question::{Question, decided, numbers_of_hit, numbers_of_ray};
+use laws::record::RecordedHit;
+use laws::strategies::{pixels, samples};
+use sha2::{Digest, Sha256};
+use slips::{Chapter, ChapterCode, ChapterProgram};
+
+use suite::drawn::{p3, pictures};
+
+/// The widest picture whose sum is compared here.
+const WIDEST: u32 = 400;
+
+#[test]
+fn the_texts_draw_what_the_books_program_prints() {
+    let table = include_str!("../../chapters/reference_sums.txt").lines();
+    for line in table.filter(|line| !line.starts_with('#')) {
+        let [sum, name, width] = line.split(' ').collect::<Vec<_>>()[..] else {
+            panic!("{line} is not `sum chapter width`");
+        };
+        let (chapter, width) = (Chapter::find(name), width.parse().expect("a number"));
+        if width > WIDEST {
+            continue;
+        }
+        let text = p3(&chapter.expect("a chapter").picture(width));
+        let bytes = Sha256::digest(&text);
+        let drawn = bytes.iter().map(|byte| format!("{byte:02x}"));
+        assert_eq!(drawn.collect::<String>(), sum, "{name} at {width} wide");
+    }
+}
+
+#[test]
+fn the_texts_draw_what_the_chapters_draw() {
+    for (chapter, draw) in pictures() {
+        if chapter == Chapter::SpeedVsAccuracy {
+            continue;
+        }
+        for width in [1, 97, chapter.book_width()] {
+            assert_eq!(
+                Comparison::of(&chapter.picture(width), &draw(width)),
+                Comparison::Equal,
+                "{chapter:?} at {width} wide: {WHICH}"
+            );
+        }
+    }
+}
+
+#[test]
+fn the_texts_answer_as_the_chapters_do() {
+    for chapter in Chapter::TYPED {
+        let places = samples(&pixels(), 300).into_iter().map(Question::PixelRay);
+        let questions = lawful::questions(chapter).into_iter().chain(places);
+        let answers = lawful::answers_of(&ChapterProgram::right(chapter), questions);
+        for answered in answers.given {
+            let theirs = answer_of(chapter, &answered.question);
+            let bits = |numbers: &[f64]| -> Vec<u64> {
+                // One NaN is as good as another.
+                let one = |number: &f64| if number.is_nan() { f64::NAN } else { *number };
+                numbers.iter().map(|number| one(number).to_bits()).collect()
+            };
+            assert_eq!(
+                bits(&answered.answer),
+                bits(&theirs),
+                "{chapter:?} answers {theirs:?} to {:?}, and the text {:?}: {WHICH}",
+                answered.question,
+                answered.answer
+            );
+        }
+    }
+}
+
+/// Says which of the two is wrong.
+const WHICH: &str =
+    "if `cargo test -p chapters` passes, the text in book/judge/slips/texts is wrong";
+
+/// Asks the function of a chapter, or of `common`, that the question is about.
+fn answer_of(chapter: Chapter, question: &Question) -> Vec<f64> {
+    match question {
+        Question::Prelude(asked) => asked.put_to(&Prelude::of_common()),
+        Question::PixelRay(at) => numbers_of_ray(Camera::new(at.width).ray(at.i, at.j)),
+        Question::RayColor(ray) => ray_color(chapter, ray).to_array().to_vec(),
+        Question::Decision(case) => {
+            decided(red_sphere::hit_sphere(case.center, case.radius, &case.ray))
+        }
+        Question::Root(case) => {
+            let solve = match chapter {
+                Chapter::Normals => normals::hit_sphere,
+                _ => half_b_sphere::hit_sphere,
+            };
+            case.solve(&solve).into_iter().collect()
+        }
+        Question::Record(asked) => {
+            let Case {
+                center,
+                radius,
+                ray,
+            } = asked.case;
+            let hit = Sphere::new(center, radius).hit(&ray, asked.t_min, asked.t_max);
+            numbers_of_hit(asked, hit.map(recorded))
+        }
+        Question::Nearest(world) => {
+            let mut list = HittableList::default();
+            for (center, radius) in &world.spheres {
+                list.add(Sphere::new(*center, *radius));
+            }
+            let hit = list.hit(&world.ray, world.t_min, world.t_max);
+            hit.map(|record| record.t).into_iter().collect()
+        }
+    }
+}
+
+fn ray_color(chapter: Chapter, ray: &Ray) -> Color {
+    match chapter {
+        Chapter::Gradient => gradient::ray_color(ray),
+        Chapter::RedSphere => red_sphere::ray_color(ray),
+        Chapter::Normals => normals::ray_color(ray),
+        Chapter::HalfBSphere => half_b_sphere::ray_color(ray),
+        _ => hittable_list::ray_color(ray, &hittable_list::world()),
+    }
+}
+
+fn recorded(record: HitRecord) -> RecordedHit {
+    RecordedHit {
+        t: record.t,
+        point: record.point,
+        normal: record.normal,
+        front_face: record.front_face,
+    }
+}
