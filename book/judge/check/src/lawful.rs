@@ -229,30 +229,34 @@ fn pixel_ray(program: &ChapterProgram, pixel: &CameraPixel) -> Ray {
     own.unwrap_or_else(|| pixel.expected_ray())
 }
 
-/// Calls `act` with the functions of a program's vectors and rays. Where its text has no such
-/// function, and for operators, glam's is meant.
+/// Calls `act` with the functions and operators of a program's vectors and rays.
 fn with_prelude<T>(program: &ChapterProgram, act: impl FnOnce(&Prelude) -> T) -> T {
-    let own = |name: &str, of: &[Vec3]| {
-        let mut given: Vec<Value> = of.iter().copied().map(Value::from).collect();
-        program.call(name, &mut given)
+    let number = |name: &str, given: &mut [Value]| {
+        let number = program.call(name, given).and_then(|it| it.float());
+        number.unwrap_or(f64::NAN)
     };
-    let number = |name: &str, of: &[Vec3]| own(name, of)?.float();
-    let length_squared =
-        |v: Vec3| number("length_squared", &[v]).unwrap_or_else(|| v.length_squared());
+    let vector = |name: &str, given: &mut [Value]| {
+        let vector = program.call(name, given).and_then(|it| it.vec3());
+        vector.unwrap_or(Vec3::NAN)
+    };
     act(&Prelude {
-        dot: &|u, v| number("dot", &[u, v]).unwrap_or_else(|| u.dot(v)),
-        length_squared: &length_squared,
-        length: &|v| length_squared(v).sqrt(),
-        normalize: &|v| {
-            let own = own("normalize", &[v]).and_then(|it| it.vec3());
-            own.unwrap_or_else(|| v.normalize())
+        mul: &|t, v| vector("f64::mul", &mut [t.into(), v.into()]),
+        add: &|u, v| vector("DVec3::add", &mut [u.into(), v.into()]),
+        neg: &|v| vector("DVec3::neg", &mut [v.into()]),
+        sub: &|u, v| vector("DVec3::sub", &mut [u.into(), v.into()]),
+        dot: &|u, v| number("DVec3::dot", &mut [u.into(), v.into()]),
+        length_squared: &|v| number("DVec3::length_squared", &mut [v.into()]),
+        length: &|v| number("DVec3::length", &mut [v.into()]),
+        normalize: &|v| vector("DVec3::normalize", &mut [v.into()]),
+        ray: &|origin, direction| {
+            let ray = program.call("Ray::new", &mut [origin.into(), direction.into()]);
+            let nowhere = Ray {
+                origin: Point3::NAN,
+                direction: Vec3::NAN,
+            };
+            ray.and_then(|it| it.ray()).unwrap_or(nowhere)
         },
-        ray: &|origin, direction| Ray { origin, direction },
-        at: &|ray, t| {
-            let own = program.call("Ray::at", &mut [ray.into(), t.into()]);
-            own.and_then(|it| it.vec3()).unwrap_or(Point3::NAN)
-        },
-        ..Prelude::of_common()
+        at: &|ray, t| vector("Ray::at", &mut [ray.into(), t.into()]),
     })
 }
 

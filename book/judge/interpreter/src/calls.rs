@@ -126,7 +126,9 @@ impl Machine<'_> {
         }
         match callee {
             Value::Function(Target::Own(n)) => match code.functions[*n].double {
-                Some(native) if code.has_doubles => self.run_native(native, base, at),
+                Some(native) if code.has_doubles && self.trace.is_none() => {
+                    self.run_native(native, base, at)
+                }
                 _ => self.enter_own(*n, base, at),
             },
             Value::Function(Target::Native(native)) => self.run_native(native, base, at),

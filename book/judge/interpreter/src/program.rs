@@ -147,10 +147,11 @@ impl Program {
         }
         let source = Source::Function(&item.sig, &item.block);
         let lowered = Arc::new(lower(&self.code.names, n, source)?);
-        let is_of_reader = self.code.names.signatures[n].scope.file < PRELUDE;
+        let is_of_prelude = self.code.names.signatures[n].scope.file >= PRELUDE;
+        let is_in_doubles = is_of_prelude && natives::is_in_doubles(function);
         Ok(self.with(|code| {
             code.functions[n] = lowered;
-            code.has_doubles &= is_of_reader;
+            code.has_doubles &= !is_in_doubles;
         }))
     }
 

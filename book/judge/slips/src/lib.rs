@@ -47,7 +47,7 @@ pub use catalogue::{all, find, unnamed, version_3};
 pub use code::{ChapterCode, ChapterFile};
 pub use course::chapter::{Chapter, SphereCount};
 pub use edit::Edit;
-pub use files::{program_files, typed_files};
+pub use files::typed_files;
 pub use output::Output;
 pub use probes::{PROBES, Probe, find as find_probe, width_line};
 pub use program::ChapterProgram;

@@ -4,7 +4,7 @@ use std::fmt;
 
 use common::rtweekend::*;
 use interpreter::{Canvas, TracedValue};
-use texts::prelude::file;
+use texts::file;
 
 use crate::asked::integers;
 use crate::code::stored;
@@ -26,7 +26,7 @@ pub struct Output {
     has_right_loop: bool,
 }
 
-/// The functions around a chapter, in `prelude/file.rs`, by which a color becomes a pixel of the file.
+/// The functions around a chapter, in `file.rs`, by which a color becomes a pixel of the file.
 const AROUND: [&str; 3] = ["place", "print", "level"];
 
 impl ChapterProgram {
@@ -41,7 +41,7 @@ impl ChapterProgram {
             Some([columns, rows]) => (*columns as u32, *rows as u32),
             _ => (0, 0),
         };
-        let is_right = |(name, text)| !AROUND.contains(&name) || FILE.1.contains(text);
+        let is_right = |(name, text)| !AROUND.contains(&name) || FILE.contains(text);
         Output {
             program: self.clone(),
             canvas,

@@ -13,11 +13,9 @@ pub struct ChapterProgram {
     /// The chapter that the program is meant to be.
     pub chapter: Chapter,
     code: interpreter::Program,
+    /// True if a reader typed the code. The prelude is then given, and right.
+    is_typed: bool,
 }
-
-/// The functions of vectors and rays that a program may have in its text. Changed there, they are
-/// changed in the interpreter's prelude, too, whose methods are called.
-const VECTOR_FUNCTIONS: [&str; 5] = ["dot", "length_squared", "length", "normalize", "at"];
 
 impl ChapterProgram {
     /// Returns the right program of a chapter. Its text is read at the first call.
@@ -34,14 +32,22 @@ impl ChapterProgram {
     /// Makes the program of a chapter from the code that a reader typed for it, and that the
     /// interpreter has read. Nothing is run or checked.
     pub fn from_reader(chapter: Chapter, code: interpreter::Program) -> Self {
-        Self { chapter, code }
+        Self {
+            chapter,
+            code,
+            is_typed: true,
+        }
     }
 
     /// Reads the program of a chapter from its own text.
     fn read(chapter: Chapter) -> Self {
         let code = interpreter::read(&program_files(chapter))
             .unwrap_or_else(|fault| panic!("the text of {chapter:?} is read: {fault}"));
-        Self::from_reader(chapter, code)
+        Self {
+            chapter,
+            code,
+            is_typed: false,
+        }
     }
 
     /// Returns the program with all of these edits made, one after the other, each in every place
@@ -118,11 +124,7 @@ impl ChapterProgram {
     ///
     /// Returns `None` if there is no such function or the interpreter can't read the text.
     pub fn with_function(&self, function: &str, text: &str) -> Option<Self> {
-        let mut code = self.code.patched(function, text).ok()?;
-        if VECTOR_FUNCTIONS.contains(&function) {
-            let owner = if function == "at" { "Ray" } else { "DVec3" };
-            code = code.patched(&format!("{owner}::{function}"), text).ok()?;
-        }
+        let code = self.code.patched(function, text).ok()?;
         Some(Self { code, ..*self })
     }
 
@@ -145,13 +147,28 @@ impl ChapterProgram {
     }
 
     /// Lists the functions of the program as pairs of name and text, which goes from `fn` to the
-    /// last brace. A method has the name of its type before its own: `Sphere::hit`.
+    /// last brace. A method has the name of its type before its own: `Sphere::hit`. Unless a reader
+    /// typed the program, the functions of the prelude follow that its chapter uses.
     pub fn functions(&self) -> impl Iterator<Item = (&str, &str)> {
-        self.code.functions()
+        let is_used = |it: &(&str, &str)| !self.is_typed && uses(self.chapter, it.0);
+        let of_prelude = self.code.prelude_functions().filter(is_used);
+        self.code.functions().chain(of_prelude)
     }
 
     /// Returns the code of the program, as the interpreter runs it.
     pub fn code(&self) -> &interpreter::Program {
         &self.code
+    }
+}
+
+/// Returns true if a chapter uses a function of the prelude.
+fn uses(chapter: Chapter, function: &str) -> bool {
+    match function {
+        // Beside a vector stand a number, a sum, a difference.
+        "DVec3::mul" | "DVec3::div" | "DVec3::rem" => false,
+        "DVec3::neg" => chapter == Chapter::HittableList,
+        // The first chapter with rays has no function for its sky.
+        "sky" | "DVec3::dot" => chapter > Chapter::Gradient,
+        _ => chapter > Chapter::BuildTest,
     }
 }

@@ -1,20 +1,20 @@
 //! The right texts of the chapters, of which mistakes and probes are edits. One source serves twice:
 //! the interpreter reads these files, and the compiler makes the right picture of them.
 //!
-//! A text of a chapter is that of the chapter's own package when both draw the book's picture, but
-//! it is a copy: a reader may change chapters and `common`, and is judged by these. That is why this
-//! package depends on nothing. `rtweekend` has what the interpreter has built in; the texts in
-//! `prelude` are the rest of `common`, and the plain loop around a picture.
+//! Each does what the chapter's own package does, but is a copy: a reader may change chapters and
+//! `common`, and is judged by these. That is why this package depends on nothing. The prelude is the
+//! interpreter's, and `file` is the loop around a picture.
 
 // The texts import `common::rtweekend`, as chapters do.
 extern crate self as common;
 
 pub mod build_test;
+#[allow(unused_variables, reason = "mistakes use them")]
+pub mod file;
 pub mod gradient;
 pub mod half_b_sphere;
 pub mod hittable_list;
 pub mod normals;
-pub mod prelude;
 pub mod red_sphere;
 pub mod rtweekend;
 
