@@ -130,6 +130,9 @@ impl Machine<'_> {
                 _ => self.enter_own(*n, base, at),
             },
             Value::Function(Target::Native(native)) => self.run_native(native, base, at),
+            Value::Function(Target::Default(kind)) => {
+                Ok(code.names.default_of(*kind).unwrap_or_default())
+            }
             Value::Function(Target::Variant(shape)) => self.enter_variant(*shape, base, count, at),
             Value::Closure(closure) => self.enter_closure(closure, base, at),
             _ => Ok(Value::Unit),

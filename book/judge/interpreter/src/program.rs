@@ -210,10 +210,12 @@ impl Program {
     /// # Errors
     /// If there is no such function, or the program stops.
     pub fn call(&self, function: &str, given: &mut [Value]) -> Result<Value, Fault> {
-        let callee = match self.number_of(function) {
-            Ok(n) => Value::Function(Target::Own(n)),
-            Err(fault) => return self.default_by(function).ok_or(fault),
+        let path: Vec<String> = function.split("::").map(str::to_owned).collect();
+        let target = match self.code.names.find(&path, &Scope::default()) {
+            Some(Item::Default(kind)) => Target::Default(kind),
+            _ => Target::Own(self.number_of(function)?),
         };
+        let callee = Value::Function(target);
         let result = Machine::new(&self.code, Vec::new()).ask(&callee, given);
         if let Err(fault) = &result
             && fault.kind == FaultKind::Refused
@@ -221,15 +223,6 @@ impl Program {
             let _ = self.refused.set(fault.clone());
         }
         result
-    }
-
-    /// Returns the value that `Type::default` has of a type whose text has no such function.
-    fn default_by(&self, function: &str) -> Option<Value> {
-        let (owner, names) = (function.strip_suffix("::default")?, &self.code.names);
-        match names.find(&[owner.to_owned()], &Scope::default())? {
-            Item::Type(kind) => names.default_of(kind),
-            _ => None,
-        }
     }
 
     /// Returns how many parameters a function has, `f` or `Type::f`, with `self`; `None` if there is
