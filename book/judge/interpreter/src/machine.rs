@@ -53,8 +53,8 @@ pub(crate) struct Compiled {
     pub(crate) mutant: u32,
     /// True if every number is rounded to 24 bits, as an `f32`.
     pub(crate) is_single: bool,
-    /// True if natives stand in for functions of the prelude, since no edit touches these.
-    pub(crate) has_doubles: bool,
+    /// True if an edit touches the prelude, so that no native stands in for a function of its text.
+    pub(crate) is_edited: bool,
 }
 
 /// A function that was lowered.

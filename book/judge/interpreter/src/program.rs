@@ -76,7 +76,7 @@ fn prelude() -> Compiled {
         functions: Vec::new(),
         mutant: 0,
         is_single: false,
-        has_doubles: true,
+        is_edited: false,
     };
     added(&empty, PRELUDE, &TEXTS).unwrap_or_else(|fault| panic!("{fault:?}"))
 }
@@ -147,10 +147,10 @@ impl Program {
         }
         let source = Source::Function(&item.sig, &item.block);
         let lowered = Arc::new(lower(&self.code.names, n, source)?);
-        let is_of_reader = self.code.names.signatures[n].scope.file < PRELUDE;
+        let is_of_prelude = self.code.names.signatures[n].scope.file >= PRELUDE;
         Ok(self.with(|code| {
             code.functions[n] = lowered;
-            code.has_doubles &= is_of_reader;
+            code.is_edited |= is_of_prelude;
         }))
     }
 
@@ -166,7 +166,7 @@ impl Program {
     /// Returns the program with every number in its text and every result of `+ - * / %`, and every
     /// number that the library returns, rounded to an `f32`.
     pub fn in_single_precision(&self) -> Self {
-        self.with(|code| (code.is_single, code.has_doubles) = (true, false))
+        self.with(|code| code.is_single = true)
     }
 
     /// Returns the program with the patches of both `self` and `other`, which were patched from the
@@ -187,7 +187,7 @@ impl Program {
         Some(self.with(|code| {
             code.functions = functions;
             code.is_single |= other.is_single;
-            code.has_doubles &= other.has_doubles;
+            code.is_edited |= other.is_edited;
         }))
     }
 
