@@ -173,8 +173,14 @@ impl Method {
             return m.call(&callee, Some(receiver), &self.arguments, lent, self.at);
         }
         let ty = m.code.names.shown(receiver.kind());
-        let message = format!("there is no method `{}` of `{ty}`", self.name);
-        m.refuse(self.at, message)
+        match receiver.kind() > kind::PICTURE {
+            true => m.refuse(
+                self.at,
+                format!("there is no method `{}` of `{ty}`", self.name),
+            ),
+            // It may be one of the library's that is not there.
+            false => m.unread(self.at, &format!("`{}` of `{ty}`", self.name)),
+        }
     }
 
     #[inline]
