@@ -8,7 +8,7 @@ use std::rc::Rc;
 use crate::fault::{Fault, Span};
 use crate::machine::{ClosureCode, Code, Compiled, Exit, MAX_PARTS, MAX_TURNS, Machine, Run};
 use crate::place::Place;
-use crate::value::{Closure, Native, Shape, Target, Value, Variables, Wrong};
+use crate::value::{Closure, Kind, Native, Shape, Target, Value, Variables, Wrong};
 
 /// An argument of a call.
 pub(crate) struct Argument {
@@ -126,12 +126,15 @@ impl Machine<'_> {
         }
         match callee {
             Value::Function(Target::Own(n)) => match code.functions[*n].double {
-                Some(native) if code.has_doubles && self.trace.is_none() => {
+                Some(native) if !code.is_edited && !code.is_single && self.trace.is_none() => {
                     self.run_native(native, base, at)
                 }
                 _ => self.enter_own(*n, base, at),
             },
             Value::Function(Target::Native(native)) => self.run_native(native, base, at),
+            Value::Function(Target::Default(kind)) => {
+                Ok(code.names.default_of(*kind).unwrap_or_default())
+            }
             Value::Function(Target::Variant(shape)) => self.enter_variant(*shape, base, count, at),
             Value::Closure(closure) => self.enter_closure(closure, base, at),
             _ => Ok(Value::Unit),
@@ -140,14 +143,8 @@ impl Machine<'_> {
 
     fn enter_own(&mut self, n: usize, base: usize, at: Span) -> Run {
         let code = self.code;
-        let parameters = &code.names.signatures[n].parameters;
-        for (k, parameter) in parameters.iter().enumerate() {
-            if parameter.kind != self.stack[base + k].kind() {
-                let mut value = mem::take(&mut self.stack[base + k]);
-                self.admit(parameter.kind, &mut value, at)?;
-                self.stack[base + k] = value;
-            }
-        }
+        let parameters = code.names.signatures[n].parameters.iter();
+        self.admit_all(parameters.map(|it| it.kind), base, at)?;
         self.within(base, &code.functions[n].body, at)
     }
 
@@ -164,13 +161,22 @@ impl Machine<'_> {
 
     /// Makes a struct or a variant of the values of its fields.
     fn enter_variant(&mut self, shape: Shape, base: usize, count: usize, at: Span) -> Run {
-        let names = &self.code.names;
-        for (k, (_, kind)) in names.variant(shape).fields.iter().enumerate() {
-            let mut value = mem::take(&mut self.stack[base + k]);
-            self.admit(*kind, &mut value, at)?;
-            self.stack[base + k] = value;
-        }
+        let fields = self.code.names.variant(shape).fields.iter();
+        self.admit_all(fields.map(|it| it.1), base, at)?;
         self.taken(shape, base, count, at)
+    }
+
+    /// Checks that the values in the first slots of a frame are of their declared types.
+    #[inline]
+    fn admit_all(&mut self, kinds: impl Iterator<Item = Kind>, base: usize, at: Span) -> Run<()> {
+        for (slot, kind) in (base..).zip(kinds) {
+            if kind != self.stack[slot].kind() {
+                let mut value = mem::take(&mut self.stack[slot]);
+                self.admit(kind, &mut value, at)?;
+                self.stack[slot] = value;
+            }
+        }
+        Ok(())
     }
 }
 

@@ -53,8 +53,8 @@ pub(crate) struct Compiled {
     pub(crate) mutant: u32,
     /// True if every number is rounded to 24 bits, as an `f32`.
     pub(crate) is_single: bool,
-    /// True if natives stand in for functions of the prelude, since no edit touches these.
-    pub(crate) has_doubles: bool,
+    /// True if an edit touches a function of the prelude that natives stand in for: none does then.
+    pub(crate) is_edited: bool,
 }
 
 /// A function that was lowered.

@@ -23,6 +23,8 @@ pub(crate) enum Item {
     Variant(Shape),
     /// A function or a constant, by its number.
     Function(usize),
+    /// `default` of a type whose text has no such function.
+    Default(Kind),
     Native(&'static Native),
 }
 
@@ -144,6 +146,9 @@ impl Names {
         if let Some(variant) = variant.filter(|_| def.is_enum) {
             return Some(Item::Variant(Shape::new(kind, variant as u8)));
         }
+        if name == "default" && self.default_of(kind).is_some() {
+            return Some(Item::Default(kind));
+        }
         let native = natives::named(name).find(|it| it.of == kind);
         if native.is_none() && integers::is_integer(kind) && kind != kind::INT {
             return self.associated(kind::INT, name);
@@ -188,7 +193,7 @@ impl Names {
                 parameter.is_some_and(|parameter| parameter.is_lent)
             }
             Target::Native(native) => n < native.changes,
-            Target::Variant(_) => false,
+            Target::Variant(_) | Target::Default(_) => false,
         }
     }
 
@@ -198,6 +203,7 @@ impl Names {
             Target::Own(n) => self.signatures[n].parameters.len(),
             Target::Native(native) => native.takes,
             Target::Variant(shape) => self.variant(shape).fields.len(),
+            Target::Default(_) => 0,
         }
     }
 

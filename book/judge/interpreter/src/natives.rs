@@ -215,6 +215,7 @@ static OTHERS: &[Native] = natives! {
 
     FLOAT.from(this: Value) => match this {
         Value::Float(number) => number,
+        Value::Bool(truth) => truth.into(),
         Value::Int(number, of) if integers::is_in_a_float(of) => number as f64,
         other => return Err(Wrong::Type("number of at most 32 bits", other.kind())),
     };

@@ -104,8 +104,8 @@ impl Machine<'_> {
             (Value::Int(..), Value::Int(..)) => return self.integer(op, a, b, at),
             _ => return self.no_operator(op, [a.kind(), b.kind()], at),
         };
-        if self.code.has_doubles {
-            return Ok(Value::Vec3(op.of_vectors(one, other)));
+        if !self.code.is_edited {
+            return Ok(Value::Vec3(self.all_rounded(op.of_vectors(one, other))));
         }
         let (of, given) = match (op, a, b) {
             (Op::Mul, &Value::Float(number), _) => {
@@ -119,7 +119,7 @@ impl Machine<'_> {
         self.by_text(of, op.function(), given, at)
     }
 
-    /// Computes by a function of the prelude's text: an edit has changed it, or what it calls.
+    /// Computes by a function of the prelude's text, which an edit may have changed.
     #[cold]
     fn by_text<const N: usize>(&mut self, of: Kind, name: &str, given: [Code; N], at: Span) -> Run {
         let argument = |code| Argument {
@@ -172,7 +172,7 @@ impl Machine<'_> {
     pub(crate) fn negated(&mut self, value: &Value, at: Span) -> Run {
         match value {
             Value::Float(number) => Ok(Value::Float(-number)),
-            Value::Vec3(vector) if self.code.has_doubles => Ok(Value::Vec3(-vector)),
+            Value::Vec3(vector) if !self.code.is_edited => Ok(Value::Vec3(-vector)),
             Value::Vec3(vector) => self.by_text(kind::VEC3, "neg", [Code::Vector(*vector)], at),
             Value::Int(number, of) => match number.checked_neg() {
                 Some(negated) if integers::has(*of, negated) => Ok(Value::Int(negated, *of)),

@@ -84,18 +84,19 @@ impl Part {
 }
 
 impl Machine<'_> {
-    /// Returns the number of a list's element.
+    /// Returns the number of an element of a list, or of a component of a vector.
     pub(crate) fn index_in(&mut self, list: &Value, index: &Value, at: Span) -> Run<usize> {
-        if list.kind() != kind::LIST {
-            return self.mismatch(at, "Vec", list.kind());
-        }
+        let count = match list.kind() {
+            kind::LIST => list.parts().len(),
+            kind::VEC3 => 3,
+            other => return self.mismatch(at, "Vec", other),
+        };
         if index.kind() == kind::RANGE {
             return self.unread(at, "a part of a list");
         }
         let Value::Int(n, kind::USIZE | kind::INT) = *index else {
             return self.mismatch(at, "usize", index.kind());
         };
-        let count = list.parts().len();
         match usize::try_from(n) {
             Ok(n) if n < count => Ok(n),
             _ => self.panic(at, format!("index {n} is not below the length {count}")),

@@ -76,7 +76,7 @@ fn prelude() -> Compiled {
         functions: Vec::new(),
         mutant: 0,
         is_single: false,
-        has_doubles: true,
+        is_edited: false,
     };
     added(&empty, PRELUDE, &TEXTS).unwrap_or_else(|fault| panic!("{fault:?}"))
 }
@@ -151,7 +151,7 @@ impl Program {
         let is_in_doubles = is_of_prelude && natives::is_in_doubles(function);
         Ok(self.with(|code| {
             code.functions[n] = lowered;
-            code.has_doubles &= !is_in_doubles;
+            code.is_edited |= is_in_doubles;
         }))
     }
 
@@ -167,7 +167,7 @@ impl Program {
     /// Returns the program with every number in its text and every result of `+ - * / %`, and every
     /// number that the library returns, rounded to an `f32`.
     pub fn in_single_precision(&self) -> Self {
-        self.with(|code| (code.is_single, code.has_doubles) = (true, false))
+        self.with(|code| code.is_single = true)
     }
 
     /// Returns the program with the patches of both `self` and `other`, which were patched from the
@@ -188,7 +188,7 @@ impl Program {
         Some(self.with(|code| {
             code.functions = functions;
             code.is_single |= other.is_single;
-            code.has_doubles &= other.has_doubles;
+            code.is_edited |= other.is_edited;
         }))
     }
 
@@ -211,10 +211,12 @@ impl Program {
     /// # Errors
     /// If there is no such function, or the program stops.
     pub fn call(&self, function: &str, given: &mut [Value]) -> Result<Value, Fault> {
-        let callee = match self.number_of(function) {
-            Ok(n) => Value::Function(Target::Own(n)),
-            Err(fault) => return self.default_by(function).ok_or(fault),
+        let path: Vec<String> = function.split("::").map(str::to_owned).collect();
+        let target = match self.code.names.find(&path, &Scope::default()) {
+            Some(Item::Default(kind)) => Target::Default(kind),
+            _ => Target::Own(self.number_of(function)?),
         };
+        let callee = Value::Function(target);
         let result = Machine::new(&self.code, Vec::new()).ask(&callee, given);
         if let Err(fault) = &result
             && fault.kind == FaultKind::Refused
@@ -222,15 +224,6 @@ impl Program {
             let _ = self.refused.set(fault.clone());
         }
         result
-    }
-
-    /// Returns the value that `Type::default` has of a type whose text has no such function.
-    fn default_by(&self, function: &str) -> Option<Value> {
-        let (owner, names) = (function.strip_suffix("::default")?, &self.code.names);
-        match names.find(&[owner.to_owned()], &Scope::default())? {
-            Item::Type(kind) => names.default_of(kind),
-            _ => None,
-        }
     }
 
     /// Returns how many parameters a function has, `f` or `Type::f`, with `self`; `None` if there is

@@ -83,6 +83,8 @@ pub enum Target {
     Native(&'static Native),
     /// A variant or a struct whose fields have no names.
     Variant(Shape),
+    /// `default` of a type whose text has no such function.
+    Default(Kind),
 }
 
 /// A function that no text defines, or a constant. It needs nothing but its arguments.

@@ -1,7 +1,5 @@
 //! Calls of functions and methods.
 
-use std::slice;
-
 use common::rtweekend::Vec3;
 
 use super::lowerer::{Lowered, Lowerer};
@@ -9,7 +7,7 @@ use crate::calls::Argument;
 use crate::fault::{Fault, Span};
 use crate::integers;
 use crate::machine::{Code, Machine, Run};
-use crate::names::{Item, path_names};
+use crate::names::Item;
 use crate::natives;
 use crate::value::{Kind, Shape, Target, Value, kind};
 
@@ -19,9 +17,6 @@ impl Lowerer<'_> {
             syn::Expr::Path(it) if self.variable(&it.path).is_none() => Some(&it.path),
             _ => None,
         };
-        if let Some(code) = path.map_or(Ok(None), |path| self.default_call(path))? {
-            return Ok(code);
-        }
         let arguments = call.args.iter().map(|argument| self.argument(argument));
         let arguments = arguments.collect::<Lowered<Vec<_>>>()?;
         let at = self.at(&call.func);
@@ -38,7 +33,7 @@ impl Lowerer<'_> {
     }
 
     /// Lowers the call of a function that is known.
-    fn call_of(&self, target: Target, arguments: Vec<Argument>, at: Span) -> Lowered {
+    pub(super) fn call_of(&self, target: Target, arguments: Vec<Argument>, at: Span) -> Lowered {
         let wanted = self.names.takes(target);
         if wanted != arguments.len() {
             return Err(Fault::miscounted(at, wanted, arguments.len()));
@@ -66,6 +61,7 @@ impl Lowerer<'_> {
             Item::Native(native) if native.is_constant => return Ok(None),
             Item::Native(native) => Target::Native(native),
             Item::Variant(shape) => Target::Variant(self.without_names(path, shape)?),
+            Item::Default(kind) => Target::Default(kind),
             Item::Type(kind) if self.names.kind(kind).variants.len() == 1 => {
                 Target::Variant(self.without_names(path, Shape::new(kind, 0))?)
             }
@@ -79,21 +75,6 @@ impl Lowerer<'_> {
         match variant.field("0").is_some() || variant.fields.is_empty() {
             true => Ok(shape),
             false => self.refused(path, "this is no function: write `new`, or fields in `{ }`"),
-        }
-    }
-
-    /// Lowers `T::default()` of a type whose text has no such function.
-    fn default_call(&self, path: &syn::Path) -> Lowered<Option<Code>> {
-        let names = path_names(path);
-        let [.., owner, name] = &*names else {
-            return Ok(None);
-        };
-        if name != "default" || self.names.find(&names, self.scope).is_some() {
-            return Ok(None);
-        }
-        match self.names.find(slice::from_ref(owner), self.scope) {
-            Some(Item::Type(kind)) => self.default_of(kind, self.at(path)).map(Some),
-            _ => Ok(None),
         }
     }
 
@@ -192,8 +173,14 @@ impl Method {
             return m.call(&callee, Some(receiver), &self.arguments, lent, self.at);
         }
         let ty = m.code.names.shown(receiver.kind());
-        let message = format!("there is no method `{}` of `{ty}`", self.name);
-        m.refuse(self.at, message)
+        match receiver.kind() > kind::PICTURE {
+            true => m.refuse(
+                self.at,
+                format!("there is no method `{}` of `{ty}`", self.name),
+            ),
+            // It may be one of the library's that is not there.
+            false => m.unread(self.at, &format!("`{}` of `{ty}`", self.name)),
+        }
     }
 
     #[inline]

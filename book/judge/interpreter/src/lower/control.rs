@@ -54,10 +54,7 @@ impl Lowerer<'_> {
         let Some(init) = &local.init else {
             return self.without_value(pattern);
         };
-        let (value, place) = match self.lent(&init.expr)? {
-            Some((place, value)) => (value, Some(place)),
-            None => (self.given(&init.expr, ty)?, None),
-        };
+        let (value, place) = self.tested(&init.expr, ty)?;
         let other = init.diverge.as_ref().map(|(_, other)| self.expr(other));
         let (other, at) = (other.transpose()?, self.at(pattern));
         match (pattern, &place) {
@@ -125,17 +122,17 @@ impl Lowerer<'_> {
         }))
     }
 
-    /// Lowers the value that patterns test, which may be a `&mut` of a place.
-    fn tested(&mut self, expr: &syn::Expr) -> Lowered<(Code, Option<Place>)> {
+    /// Lowers the value of patterns, which may be a `&mut` of a place.
+    fn tested(&mut self, expr: &syn::Expr, ty: Kind) -> Lowered<(Code, Option<Place>)> {
         match self.lent(expr)? {
             Some((place, value)) => Ok((value, Some(place))),
-            None => Ok((self.expr(expr)?, None)),
+            None => Ok((self.given(expr, ty)?, None)),
         }
     }
 
     /// Lowers `let … = …` as a condition.
     pub(super) fn test(&mut self, test: &syn::ExprLet) -> Lowered {
-        let (value, place) = self.tested(&test.expr)?;
+        let (value, place) = self.tested(&test.expr, kind::ANY)?;
         let at = self.at(&test.expr);
         let pattern = self.pattern(&test.pat, place.as_ref())?;
         Ok(Code::act(move |m| {
@@ -145,7 +142,7 @@ impl Lowerer<'_> {
     }
 
     pub(super) fn matching(&mut self, test: &syn::ExprMatch) -> Lowered {
-        let (value, place) = self.tested(&test.expr)?;
+        let (value, place) = self.tested(&test.expr, kind::ANY)?;
         let at = self.at(&test.expr);
         let arms = test.arms.iter();
         let arms = arms.map(|arm| self.scoped(|own| own.arm(arm, place.as_ref())));

@@ -10,7 +10,7 @@ use crate::machine::{Code, Exit};
 use crate::names::{Item, UNREAD, path_names};
 use crate::operators::Op;
 use crate::place::Part;
-use crate::value::{Kind, Shape, Target, Value, kind};
+use crate::value::{Shape, Target, Value, kind};
 
 impl Lowerer<'_> {
     pub(super) fn expr(&mut self, expr: &syn::Expr) -> Lowered {
@@ -288,22 +288,12 @@ impl Lowerer<'_> {
     fn rest(&mut self, structure: &syn::ExprStruct, shape: Shape) -> Lowered<Option<Code>> {
         Ok(match structure.rest.as_deref() {
             Some(syn::Expr::Call(call)) if is_default(&call.func) => {
-                Some(self.default_of(shape.kind, self.at(call))?)
+                let (target, at) = (Target::Default(shape.kind), self.at(call));
+                Some(self.call_of(target, Vec::new(), at)?)
             }
             Some(rest) => Some(self.given(rest, shape.kind)?),
             None => None,
         })
-    }
-
-    /// Returns the code of the default value of a type.
-    pub(super) fn default_of(&self, kind: Kind, at: Span) -> Lowered {
-        if self.names.default_of(kind).is_none() {
-            let message = format!("`{}` has no default value", self.names.shown(kind));
-            return Err(Fault::refused(at, message));
-        }
-        Ok(Code::act(move |m| {
-            Ok(m.code.names.default_of(kind).unwrap_or_default())
-        }))
     }
 
     /// Returns the struct or the variant that a path names.
