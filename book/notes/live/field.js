@@ -28,8 +28,6 @@ class TypedFile {
         this.panel.innerHTML = PANEL;
         [this.colors, this.faults] = this.panel.querySelectorAll("pre");
         this.area = this.panel.querySelector("textarea");
-        this.area.hidden = editor.isBroken;
-        this.colors.ariaHidden = String(!editor.isBroken);
         this.area.ariaLabel = name;
         this.area.setAttribute("aria-describedby", `said-${editor.name}`);
         this.area.addEventListener("input", () => this.changed());
@@ -121,7 +119,6 @@ class TypedFile {
             code.textContent = value;
         } else {
             code.innerHTML = hljs.highlight("rust", value, true).value;
-            this.editor.breaker?.words && this.editor.breaker.wrap(this);
         }
     }
 
