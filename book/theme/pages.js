@@ -112,6 +112,16 @@ function load(...files) {
     })));
 }
 
+// Returns the functions of a WebAssembly module. The module is a text, base64 of gzip, because a page
+// that is opened from a file may load nothing but scripts.
+async function instantiate(base64) {
+    const compressed = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+    const module = new Blob([compressed]).stream().pipeThrough(new DecompressionStream("gzip"));
+    const headers = { "Content-Type": "application/wasm" };
+    const { instance } = await WebAssembly.instantiateStreaming(new Response(module, { headers }));
+    return instance.exports;
+}
+
 // The scripts of live figures are loaded when the first figure comes near the screen, and those of the
 // judge on the page Check your picture.
 const figures = [...document.querySelectorAll("figure.live")];
