@@ -24,11 +24,12 @@ const JUDGED_BY_ONE = 100;
 function editorMethods(rust, { bytes, text, give }) {
     const asked = (fields) => give(fields.join("\0"));
 
-    // Splits the last answer into places, headline and rest.
+    // Splits the last answer into grade, whether the line at the caret waits, places, headline and rest.
     function feedback(length) {
-        const [places, headline, ...rest] = text(length).split("\n");
+        const [facts, headline, ...rest] = text(length).split("\n");
+        const [grade, waits, ...places] = facts.split("\t");
         const numbers = (place) => place.split(" ").map(Number);
-        return { places: places ? places.split("\t").map(numbers) : [], headline, rest: rest.join("\n") };
+        return { grade, isWaiting: waits !== "", places: places.map(numbers), headline, rest: rest.join("\n") };
     }
 
     return {
@@ -45,9 +46,9 @@ function editorMethods(rust, { bytes, text, give }) {
         },
         // Judges the text that was drawn last.
         judge: () => feedback(rust.judge()),
-        next({ fields, first }) {
+        next({ fields, caret: [file, line] }) {
             asked(fields);
-            return text(rust.next_line(first)).split("\t");
+            return text(rust.next_line(file, line)).split("\t");
         },
         home({ fields, number }) {
             asked(fields);
@@ -166,12 +167,12 @@ class Editor {
     caret() {
         const { area } = this.chosen;
         const isTyping = document.activeElement === area;
-        return [this.files.indexOf(this.chosen), isTyping ? this.chosen.lineOfEnd() : 0];
+        return [this.files.indexOf(this.chosen), isTyping && this.chosen.isAtEnd() ? this.chosen.lineOfCaret() : 0];
     }
 
     // Judges an unfinished line when the caret leaves it.
     moved() {
-        if (this.isCalm && String(this.caret()) !== this.typedAt) {
+        if (this.isWaiting && String(this.caret()) !== this.typedAt) {
             this.changed();
         }
     }
@@ -275,10 +276,10 @@ class Editor {
     }
 
     // Shows feedback; the picture beside it is from before if `isOld`.
-    say({ places, headline, rest }, isOld = false) {
-        this.isCalm = headline.includes("is-calm");
-        this.isRight = headline.includes("is-right");
-        this.desk.classList.toggle("old", isOld && !this.isCalm);
+    say({ grade, isWaiting, places, headline, rest }, isOld = false) {
+        this.isWaiting = isWaiting;
+        this.isRight = grade === "right";
+        this.desk.classList.toggle("old", isOld && grade !== "calm");
         if (this.verdict.innerHTML !== headline) {
             this.verdict.innerHTML = headline;
         }
@@ -289,13 +290,13 @@ class Editor {
         }
         this.files.forEach((file, n) => file.mark(places.filter(([of]) => of === n)));
         this.desk.ariaBusy = "false";
-        this.isCalm && !this.rests && this.judgeAtRest(this.turn);
+        isWaiting && !this.rests && this.judgeAtRest(this.turn);
     }
 
     // Judges the line at the caret when the reader has typed nothing for a while.
     async judgeAtRest(turn) {
         await until(this.typed + REST);
-        turn === this.turn && this.caret()[1] && this.changed(true);
+        turn === this.turn && this.changed(true);
     }
 
     lead(told) {
@@ -347,7 +348,7 @@ class Editor {
             this.verdict.textContent = "Right: nothing is missing.";
             return;
         }
-        const question = { fields: this.fields(), first: this.files.indexOf(this.chosen) };
+        const question = { fields: this.fields(), caret: [this.files.indexOf(this.chosen), this.chosen.lineOfCaret()] };
         const [n, above, isInstead, line] = await Editor.drawing.within(PATIENCE, "next", question);
         const file = this.files[n];
         if (!file) {
@@ -384,7 +385,7 @@ const until = (time) => new Promise((done) => setTimeout(done, time - performanc
 const refusal = (words) => {
     const said = document.createElement("p");
     said.textContent = words;
-    return { places: [], headline: said.innerHTML, rest: "" };
+    return { grade: "wrong", isWaiting: false, places: [], headline: said.innerHTML, rest: "" };
 };
 
 function gaveUp({ message }) {
