@@ -112,6 +112,16 @@ function load(...files) {
     })));
 }
 
+// Returns the functions of a WebAssembly module. The module is a text, base64 of gzip, because a page
+// that is opened from a file may load nothing but scripts.
+async function instantiate(base64) {
+    const compressed = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+    const module = new Blob([compressed]).stream().pipeThrough(new DecompressionStream("gzip"));
+    const headers = { "Content-Type": "application/wasm" };
+    const { instance } = await WebAssembly.instantiateStreaming(new Response(module, { headers }));
+    return instance.exports;
+}
+
 // The scripts of live figures are loaded when the first figure comes near the screen, and those of the
 // judge on the page Check your picture.
 const figures = [...document.querySelectorAll("figure.live")];
@@ -155,18 +165,18 @@ if (window.elasticlunr) {
     }
 }
 
-// A reader can type a chapter beside its listing, and break it there. The editor is loaded when it is
-// first opened, which takes seconds on a slow line.
+// A reader can type a chapter beside its listing. The editor is loaded when it is first opened, which
+// takes seconds on a slow line.
 let editor = null;
-async function type(tools, isBroken = false, asked = tools) {
+async function type(tools, asked = tools) {
     const sign = document.createElement("p");
     sign.className = "loading";
     sign.role = "status";
     sign.textContent = "The editor is loading …";
     editor || asked.after(sign);
-    editor ??= load("judge", "worker", "breaking", "field", "editor");
+    editor ??= load("judge", "worker", "field", "editor");
     await editor;
-    await openEditor(tools.parentElement, tools.dataset.chapter, isBroken);
+    await openEditor(tools.parentElement, tools.dataset.chapter);
     sign.remove();
 }
 const allTools = [...document.querySelectorAll(".listing > .tools")];
@@ -175,19 +185,17 @@ for (const tools of allTools) {
     if (location.hash === `#${tools.parentElement.querySelector(".source").id}`) {
         document.fonts.ready.then(() => type(tools));
     }
-    tools.querySelectorAll("button").forEach((button) => {
-        button.addEventListener("click", () => type(tools, button.className === "break"));
-    });
+    tools.querySelector("button").addEventListener("click", () => type(tools));
 }
 
 // The page of a chapter begins with a button that opens the editor, to which the page of the chapter
 // before links.
-const first = allTools.find((tools) => tools.querySelector(".type"));
+const [first] = allTools;
 if (first && location.pathname.endsWith(`/${first.dataset.chapter}.html`)) {
-    const door = first.querySelector(".type").cloneNode(true);
+    const door = first.querySelector("button").cloneNode(true);
     door.className = "door";
     door.id = "type";
-    door.addEventListener("click", () => type(first, false, door));
+    door.addEventListener("click", () => type(first, door));
     document.querySelector("main > ul")?.after(door);
     if (location.hash === "#type") {
         document.fonts.ready.then(() => door.click());

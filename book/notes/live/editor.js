@@ -24,11 +24,12 @@ const JUDGED_BY_ONE = 100;
 function editorMethods(rust, { bytes, text, give }) {
     const asked = (fields) => give(fields.join("\0"));
 
-    // Splits the last answer into places, headline and rest.
+    // Splits the last answer into grade, whether the line at the caret waits, places, headline and rest.
     function feedback(length) {
-        const [places, headline, ...rest] = text(length).split("\n");
+        const [facts, headline, ...rest] = text(length).split("\n");
+        const [grade, waits, ...places] = facts.split("\t");
         const numbers = (place) => place.split(" ").map(Number);
-        return { places: places ? places.split("\t").map(numbers) : [], headline, rest: rest.join("\n") };
+        return { grade, isWaiting: waits !== "", places: places.map(numbers), headline, rest: rest.join("\n") };
     }
 
     return {
@@ -43,20 +44,11 @@ function editorMethods(rust, { bytes, text, give }) {
             const length = rust.length();
             return height ? { width, height, rgba: bytes(length).slice() } : { said: feedback(length) };
         },
-        words({ chapter }) {
-            asked([chapter]);
-            return text(rust.breakable_words()).split("\n").map((word) => word.split(" ").map(Number));
-        },
-        alternatives({ word }) {
-            const parts = text(rust.alternatives(word)).split("\0");
-            const all = Array.from({ length: Math.floor(parts.length / 3) }, (_, n) => parts.slice(3 * n, 3 * n + 3));
-            return all.map(([label, place, added]) => [label, place.split(" ").map(Number), added]);
-        },
         // Judges the text that was drawn last.
         judge: () => feedback(rust.judge()),
-        next({ fields, first }) {
+        next({ fields, caret: [file, line] }) {
             asked(fields);
-            return text(rust.next_line(first)).split("\t");
+            return text(rust.next_line(file, line)).split("\t");
         },
         home({ fields, number }) {
             asked(fields);
@@ -71,11 +63,8 @@ class Editor {
     static drawing = null;
     static judging = null;
 
-    // If `isBroken`, the reader breaks the chapter's own text, which is not kept: the text that the
-    // reader typed stays.
-    constructor(name, isBroken) {
+    constructor(name) {
         this.name = name;
-        this.isBroken = isBroken;
         this.width = name === "build_test" ? 256 : 400;
         this.turn = 0;
         this.judged = 0;
@@ -83,8 +72,7 @@ class Editor {
         Editor.judging ??= new RustWorker(editorMethods, judgeModule);
         this.desk = document.createElement("section");
         this.desk.className = "check typing alive";
-        this.desk.classList.toggle("broken", isBroken);
-        this.desk.setAttribute("aria-label", `${name}, ${isBroken ? "with a mistake" : "typed by you"}`);
+        this.desk.setAttribute("aria-label", `${name}, typed by you`);
         this.desk.innerHTML = DESK.replaceAll("NAME", name);
         this.desk.addEventListener("click", (event) => this.click(event));
         this.dialog = this.desk.querySelector("dialog");
@@ -110,11 +98,7 @@ class Editor {
         this.desk.querySelector(".names").hidden = this.files.length === 1;
         this.desk.querySelector(".steps").append(...steps.split("\n").map(withCode));
         const kept = this.kept();
-        this.files.forEach((file) => file.put(this.isBroken ? file.full : kept[file.name] ?? file.skeleton));
-        if (this.isBroken) {
-            this.breaker = new Breaker(this);
-            await this.breaker.open();
-        }
+        this.files.forEach((file) => file.put(kept[file.name] ?? file.skeleton));
     }
 
     // Shows the editor beside a listing, in the listing's file. Selects the `todo!()` of the
@@ -127,22 +111,16 @@ class Editor {
         const file = this.files.find((it) => it.name === name);
         this.choose(file);
         const code = listing.querySelector("pre code").textContent;
-        const [at, length] = file.toType(code);
-        this.breaker ? this.breaker.begin(file, at) : file.select(at, length);
-        this.scroll(file);
-        this.changed();
-    }
-
-    // Scrolls so that the editor begins below the header, or higher if the selected line needs it.
-    scroll(file) {
+        file.select(...file.toType(code));
+        // The editor begins below the header, or higher if the selected line needs it.
         scrollBy(0, this.desk.getBoundingClientRect().top - HEADER);
-        this.isBroken || file.reveal();
+        file.reveal();
+        this.changed();
     }
 
     close() {
         this.keep();
         this.desk.replaceWith(this.listing);
-        this.breaker?.mend();
         this.listing.querySelector(".tools button").focus({ preventScroll: true });
     }
 
@@ -162,9 +140,6 @@ class Editor {
     }
 
     keep() {
-        if (this.isBroken) {
-            return;
-        }
         const texts = Object.fromEntries(this.files.map((file) => [file.name, file.area.value]));
         let isKept = true;
         try {
@@ -191,13 +166,13 @@ class Editor {
     // none.
     caret() {
         const { area } = this.chosen;
-        const isTyping = document.activeElement === area && !this.isBroken;
-        return [this.files.indexOf(this.chosen), isTyping ? this.chosen.lineOfEnd() : 0];
+        const isTyping = document.activeElement === area;
+        return [this.files.indexOf(this.chosen), isTyping && this.chosen.isAtEnd() ? this.chosen.lineOfCaret() : 0];
     }
 
     // Judges an unfinished line when the caret leaves it.
     moved() {
-        if (this.isCalm && String(this.caret()) !== this.typedAt) {
+        if (this.isWaiting && String(this.caret()) !== this.typedAt) {
             this.changed();
         }
     }
@@ -272,7 +247,7 @@ class Editor {
             .catch((error) => refusal(gaveUp(error)));
         if (turn === this.turn) {
             this.say(said);
-            if (this.isRight && !this.isBroken) {
+            if (this.isRight) {
                 this.remember();
                 this.leadOn();
             }
@@ -301,10 +276,10 @@ class Editor {
     }
 
     // Shows feedback; the picture beside it is from before if `isOld`.
-    say({ places, headline, rest }, isOld = false) {
-        this.isCalm = headline.includes("is-calm");
-        this.isRight = headline.includes("is-right");
-        this.desk.classList.toggle("old", isOld && !this.isCalm);
+    say({ grade, isWaiting, places, headline, rest }, isOld = false) {
+        this.isWaiting = isWaiting;
+        this.isRight = grade === "right";
+        this.desk.classList.toggle("old", isOld && grade !== "calm");
         if (this.verdict.innerHTML !== headline) {
             this.verdict.innerHTML = headline;
         }
@@ -315,13 +290,13 @@ class Editor {
         }
         this.files.forEach((file, n) => file.mark(places.filter(([of]) => of === n)));
         this.desk.ariaBusy = "false";
-        this.isCalm && !this.rests && this.judgeAtRest(this.turn);
+        isWaiting && !this.rests && this.judgeAtRest(this.turn);
     }
 
     // Judges the line at the caret when the reader has typed nothing for a while.
     async judgeAtRest(turn) {
         await until(this.typed + REST);
-        turn === this.turn && this.caret()[1] && this.changed(true);
+        turn === this.turn && this.changed(true);
     }
 
     lead(told) {
@@ -373,7 +348,7 @@ class Editor {
             this.verdict.textContent = "Right: nothing is missing.";
             return;
         }
-        const question = { fields: this.fields(), first: this.files.indexOf(this.chosen) };
+        const question = { fields: this.fields(), caret: [this.files.indexOf(this.chosen), this.chosen.lineOfCaret()] };
         const [n, above, isInstead, line] = await Editor.drawing.within(PATIENCE, "next", question);
         const file = this.files[n];
         if (!file) {
@@ -410,7 +385,7 @@ const until = (time) => new Promise((done) => setTimeout(done, time - performanc
 const refusal = (words) => {
     const said = document.createElement("p");
     said.textContent = words;
-    return { places: [], headline: said.innerHTML, rest: "" };
+    return { grade: "wrong", isWaiting: false, places: [], headline: said.innerHTML, rest: "" };
 };
 
 function gaveUp({ message }) {
@@ -441,11 +416,7 @@ const DESK = `<fieldset class="names"><legend>File</legend></fieldset>
 <div class="rest"></div>
 </div>
 <div class="written">
-<p class="how">Choose a name, a number or a sign: click it, or move to it with the arrow keys and press Enter. A list
-then offers what people type in its place.</p>
 <div class="files"></div>
-<div class="instead" hidden><label><span></span><select></select></label>
-<button type="button" data-action="mend">Undo the mistake (Escape)</button></div>
 <p class="controls">
 <button type="button" data-action="hint">Hint</button>
 <button type="button" data-action="next">Show the next line</button>
@@ -468,13 +439,12 @@ cargo rtrace watch NAME</code></pre>
 <details class="listed"><summary>The chapter's own lines</summary></details>
 <p class="small">This browser keeps your text; it goes nowhere else.</p>`;
 
-// The editors that were opened on this page: up to two for a chapter, to type it and to break it.
+// The editors that were opened on this page, one for a chapter.
 const editors = {};
 
-// Opens the editor of a chapter beside a listing of it: with what was typed, or to break the
-// chapter.
-async function openEditor(listing, name, isBroken) {
-    const editor = editors[`${name} ${isBroken}`] ??= new Editor(name, isBroken);
+// Opens the editor of a chapter beside a listing of it, with what was typed.
+async function openEditor(listing, name) {
+    const editor = editors[name] ??= new Editor(name);
     await editor.opened;
     Object.values(editors).filter((it) => it.desk.isConnected).forEach((it) => it.close());
     editor.show(listing);

@@ -28,8 +28,6 @@ class TypedFile {
         this.panel.innerHTML = PANEL;
         [this.colors, this.faults] = this.panel.querySelectorAll("pre");
         this.area = this.panel.querySelector("textarea");
-        this.area.hidden = editor.isBroken;
-        this.colors.ariaHidden = String(!editor.isBroken);
         this.area.ariaLabel = name;
         this.area.setAttribute("aria-describedby", `said-${editor.name}`);
         this.area.addEventListener("input", () => this.changed());
@@ -98,9 +96,8 @@ class TypedFile {
     // Scrolls until the line with the caret is seen: below the verdict, which stays on the screen
     // of a phone, and above the buttons and the keyboard.
     reveal() {
-        const { value, selectionStart } = this.area;
         const height = parseFloat(getComputedStyle(this.area).lineHeight);
-        const line = value.slice(0, selectionStart).split("\n").length;
+        const line = this.lineOfCaret();
         const below = this.area.getBoundingClientRect().top + parseFloat(getComputedStyle(this.area).paddingTop) + line * height;
         const [said, controls] = [".said", ".controls"].map((it) => this.editor.desk.querySelector(it).getBoundingClientRect());
         const isBeside = said.right <= this.area.getBoundingClientRect().left;
@@ -121,15 +118,18 @@ class TypedFile {
             code.textContent = value;
         } else {
             code.innerHTML = hljs.highlight("rust", value, true).value;
-            this.editor.breaker?.words && this.editor.breaker.wrap(this);
         }
     }
 
-    // Returns the line, counted from 1, at whose end the caret stands; 0 if it is not at an end.
-    lineOfEnd() {
+    // Returns true if the caret stands at the end of its line.
+    isAtEnd() {
         const { value, selectionStart: at, selectionEnd } = this.area;
-        const isEnd = at === selectionEnd && /^ *(\n|$)/.test(value.slice(at));
-        return isEnd ? value.slice(0, at).split("\n").length : 0;
+        return at === selectionEnd && /^ *(\n|$)/.test(value.slice(at));
+    }
+
+    // Returns the line with the caret, counted from 1.
+    lineOfCaret() {
+        return this.area.value.slice(0, this.area.selectionStart).split("\n").length;
     }
 
     // Returns the text of a line, counted from 0, without blanks around it.

@@ -11,14 +11,6 @@ function serve(work) {
     let rust = null;
     let answers = null;
 
-    async function instantiate(base64) {
-        const compressed = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-        const module = new Blob([compressed]).stream().pipeThrough(new DecompressionStream("gzip"));
-        const headers = { "Content-Type": "application/wasm" };
-        const { instance } = await WebAssembly.instantiateStreaming(new Response(module, { headers }));
-        return instance.exports;
-    }
-
     // Return the last answer of Rust, which is `length` bytes long and stays until the next call:
     // as bytes, or as text.
     const bytes = (length) => new Uint8Array(rust.memory.buffer, rust.place(), length);
@@ -54,31 +46,20 @@ function judgeMethods(rust, { bytes, text, give }) {
     // Splits the last answer into facts, verdict and rest.
     function parsed(length) {
         const [facts, verdict, ...rest] = text(length).split("\n");
-        const [chapter, probe, cause, size, different] = facts.split("\t");
+        const [chapter, probe, size, different] = facts.split("\t");
         const [width, height, column, row] = size.split(" ").map(Number);
         return {
-            chapter, probe, cause, verdict, rest: rest.join("\n"),
+            chapter, probe, verdict, rest: rest.join("\n"),
             width, height, first: [column, row], different: Number(different),
         };
     }
 
-    async function judge({ file, most, asked }) {
+    async function judged({ file, most, asked }) {
         const question = [file.name, ...asked].join("\0");
         if (file.size > most) {
             return parsed(rust.too_large(give(question)));
         }
-        const bytes = new Uint8Array(await file.arrayBuffer());
-        const answer = parsed(rust.check(give(question, bytes)));
-        // A WebP begins with RIFF. It loses levels in ways that the judge does not know.
-        const isWebP = bytes[0] === 0x52 && bytes[1] === 0x49;
-        return { ...answer, isForeign: answer.cause === "other-format" && !isWebP };
-    }
-
-    // Judges a file of a format that Rust does not read, by the pixels that the browser shows.
-    async function judgePixels({ file, asked, pixels: { width, height, data } }) {
-        const question = [file.name, ...asked].join("\0");
-        const why = new Uint8Array(await file.slice(0, 64).arrayBuffer());
-        return parsed(rust.decoded(give(question, why, data), why.length, width, height));
+        return parsed(rust.check(give(question, new Uint8Array(await file.arrayBuffer()))));
     }
 
     // Returns the right picture, the reader's and the difference; null for one that is not there.
@@ -95,45 +76,18 @@ function judgeMethods(rust, { bytes, text, give }) {
     return {
         start: () => text(rust.choices()).split("\n").map((line) => line.split("\t")),
         async judge(question) {
-            const answer = await (question.pixels ? judgePixels : judge)(question);
+            const answer = await judged(question);
             return { ...answer, pictures: await pictures(answer) };
         },
         inspect: ({ column, row }) => text(rust.inspect(column, row)),
     };
 }
 
-// The main function of a worker that decodes one picture with the browser, without changing its
-// colors. Answers null if the browser cannot read the file. The worker serves for nothing else:
-// Firefox 140 computes slowly in a thread that has drawn.
-function decodePicture() {
-    onmessage = async ({ data: file }) => {
-        const options = { colorSpaceConversion: "none", premultiplyAlpha: "none" };
-        const bitmap = await createImageBitmap(file, options).catch(() => null);
-        // Rust refuses larger pictures, and a canvas may not hold them.
-        if (!bitmap || bitmap.width * bitmap.height > 2 ** 24) {
-            postMessage(null);
-            return;
-        }
-        const { width, height } = bitmap;
-        const canvas = new OffscreenCanvas(width, height).getContext("2d");
-        canvas.drawImage(bitmap, 0, 0);
-        postMessage({ width, height, data: canvas.getImageData(0, 0, width, height).data });
-    };
-}
-
-// Starts a worker with this script.
-function workerOf(code) {
-    const url = URL.createObjectURL(new Blob([code]));
-    const worker = new Worker(url);
-    URL.revokeObjectURL(url);
-    return worker;
-}
-
 // A worker that answers questions by methods of `work`. A worker that has crashed or takes too long
 // is replaced by a new one, so a hostile file spoils only its own answer.
 class RustWorker {
     constructor(work, base64) {
-        this.code = `(${serve})(${work})`;
+        this.code = `${instantiate}(${serve})(${work})`;
         this.base64 = base64;
         this.start();
     }
@@ -204,26 +158,10 @@ class Judge extends RustWorker {
         if (this.waiting.size > 0) {
             this.start();
         }
-        const answer = await this.within(Judge.PATIENCE, "judge", question);
-        const pixels = answer.isForeign && await pixelsOf(question.file);
-        return pixels ? this.within(Judge.PATIENCE, "judge", { ...question, pixels }) : answer;
+        return this.within(Judge.PATIENCE, "judge", question);
     }
 
     inspect(column, row) {
         return this.ask("inspect", { column, row });
-    }
-}
-
-// Returns the width, the height and the bytes of a picture as the browser reads it, or null.
-async function pixelsOf(file) {
-    const worker = workerOf(`(${decodePicture})()`);
-    try {
-        return await new Promise((resolve) => {
-            worker.onmessage = ({ data }) => resolve(data);
-            worker.onerror = () => resolve(null);
-            worker.postMessage(file);
-        });
-    } finally {
-        worker.terminate();
     }
 }

@@ -1,7 +1,6 @@
-//! Live figures answer whatever they are asked, and mistakes that a page offers are those that
-//! are known. What a reader does to them in a browser is in `tests/browser`.
+//! Live figures answer whatever they are asked. What a reader does to them in a browser is in
+//! `tests/browser`.
 
-use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use common::rtweekend::*;
@@ -9,8 +8,6 @@ use figures::number::{spoken, three_digits};
 use figures::{Movable, Parameter, figures};
 use hittable_list::{Hittable, HittableList, Sphere};
 use insta::assert_snapshot;
-use page::breaking::Breakable;
-use slips::Chapter;
 use speed_vs_accuracy::Random;
 
 /// The texts of each figure at the beginning, after each button, and for each choice.
@@ -102,30 +99,6 @@ fn the_nearest_hit_of_the_figure_is_that_of_the_list() {
         let held = &live.answer(&numbers).says["held"];
         assert_eq!(held.split(", ").last(), Some(&expected[..]), "{numbers:?}");
     }
-}
-
-/// The page makes the edit in the editor, and the interpreter draws it.
-#[test]
-fn a_known_slip_that_a_word_offers_draws_what_the_slip_draws() {
-    let (mut count, mut others) = (0, Vec::new());
-    for chapter in Chapter::OF_THE_BOOK {
-        let breakable = Breakable::new(chapter);
-        let words = breakable.words();
-        let offered = words.iter().flat_map(|it| breakable.edits(it));
-        let known: BTreeMap<_, _> = offered.filter_map(|it| Some((it.slip?, it))).collect();
-        for (name, edit) in known {
-            let text = breakable.broken(edit);
-            let drawn = text.read().and_then(|it| text.draw(&it, 97));
-            let slip = slips::find(name).expect("a slip");
-            let expected = slip.program(chapter).run(97).picture();
-            if drawn.is_err() || drawn.is_ok_and(|it| it.rgb() != expected.rgb()) {
-                others.push(format!("{name} of {chapter:?}"));
-            }
-            count += 1;
-        }
-    }
-    assert_eq!(others.join("\n"), "");
-    assert!(count > 50, "only {count} mistakes are offered");
 }
 
 fn figure(name: &str) -> &'static dyn Movable {

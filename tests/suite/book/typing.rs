@@ -1,6 +1,7 @@
 //! Help for a reader who types in a page. That the page judges as `watch` does is tested with the
 //! companion, and the page itself in `tests/browser`.
 
+use check::answer::Grade;
 use page::next::{Lack, NextLine, next};
 use page::typed::{Draft, Feedback};
 use page::typing::Caret;
@@ -13,7 +14,7 @@ use slips::Chapter;
 fn the_next_lines_lead_from_empty_functions_to_the_chapter() {
     for chapter in Chapter::OF_THE_BOOK {
         let mut draft = Draft::skeleton(chapter);
-        while let Lack::Line(next) = next(&draft, 0) {
+        while let Lack::Line(next) = next(&draft, (0, 1)) {
             let file = &mut draft.files[next.file];
             let mut lines: Vec<&str> = file.text.lines().collect();
             if next.replaces {
@@ -24,7 +25,7 @@ fn the_next_lines_lead_from_empty_functions_to_the_chapter() {
             assert!(lines.len() < 200, "{file:?} never ends");
             file.text = lines.join("\n");
         }
-        assert_eq!(next(&draft, 0), Lack::Nothing);
+        assert_eq!(next(&draft, (0, 1)), Lack::Nothing);
         for (typed, full) in draft.files.iter().zip(Draft::complete(chapter).files) {
             let (name, chapter) = (&typed.name, chapter.name());
             let full = on_the_first_stair(&full.text);
@@ -38,7 +39,7 @@ fn the_next_lines_lead_from_empty_functions_to_the_chapter() {
 fn a_right_text_is_called_unfinished_and_never_wrong_while_it_is_typed() {
     for chapter in Chapter::OF_THE_BOOK {
         let mut draft = Draft::skeleton(chapter);
-        while let Lack::Line(next) = next(&draft, 0) {
+        while let Lack::Line(next) = next(&draft, (0, 1)) {
             let file = &draft.files[next.file].text;
             let mut lines: Vec<String> = file.lines().map(str::to_owned).collect();
             let is_instead = lines
@@ -60,7 +61,7 @@ fn a_right_text_is_called_unfinished_and_never_wrong_while_it_is_typed() {
                 lines[next.above] = next.text[..end].to_owned();
                 draft.files[next.file].text = lines.join("\n") + "\n";
                 let Err(said) = drawn(&draft) else { continue };
-                let is_calm = said.headline.contains("is-calm") && said.places.is_empty();
+                let is_calm = said.grade == Grade::OnTheWay && said.places.is_empty();
                 assert!(is_calm, "{:?}\n{}", said, draft.files[next.file].text);
             }
         }
@@ -86,16 +87,13 @@ fn a_line_of_the_chapter_that_is_typed_in_part_is_unfinished_though_it_draws() {
         Some(Caret { file, line, rests })
     };
     let (typing, resting) = (at_end(false), at_end(true));
-    for (caret, expected) in [
-        (typing, "you are typing"),
-        (resting, "Wrong<"),
-        (None, "Wrong<"),
-    ] {
+    for (caret, is_waiting) in [(typing, true), (resting, false), (None, false)] {
         draft.caret = caret;
         let program = draft.read().expect("it is Rust");
         let picture = draft.draw(&program, 400).expect("it draws");
-        let said = draft.judged(program, &picture).headline;
-        assert!(said.contains(expected), "{said}");
+        let said = draft.judged(program, &picture);
+        assert_eq!(said.is_waiting, is_waiting, "{said:?}");
+        assert_eq!(said.grade == Grade::OnTheWay, is_waiting, "{said:?}");
     }
 }
 
@@ -104,11 +102,11 @@ fn a_line_of_the_chapter_that_is_typed_in_part_is_unfinished_though_it_draws() {
 fn what_cannot_be_read_yet_is_unfinished_though_the_reader_rests() {
     let line = "let a = 0.5 * (unit_direction.y + 1.0);";
     for (typed, expected) in [
-        ("let a = 0.5 * (unit_direction.y +", "you are typing"),
-        ("let a =", "you are typing"),
-        ("return (1, 1, 1);", "does not compile"),
-        ("let a = 1.0\n    let b", "does not compile"),
-        ("let a = 0.5 * (z + 1.0);", "does not compile"),
+        ("let a = 0.5 * (unit_direction.y +", Grade::OnTheWay),
+        ("let a =", Grade::OnTheWay),
+        ("return (1, 1, 1);", Grade::Wrong),
+        ("let a = 1.0\n    let b", Grade::Wrong),
+        ("let a = 0.5 * (z + 1.0);", Grade::Wrong),
     ] {
         let mut draft = Draft::complete(Chapter::Gradient);
         let text = &mut draft.files[0].text;
@@ -117,8 +115,8 @@ fn what_cannot_be_read_yet_is_unfinished_though_the_reader_rests() {
         let line = text.lines().count() - 1;
         let (file, rests) = (0, true);
         draft.caret = Some(Caret { file, line, rests });
-        let said = drawn(&draft).expect_err(typed).headline;
-        assert!(said.contains(expected), "{typed}: {said}");
+        let said = drawn(&draft).expect_err(typed);
+        assert_eq!(said.grade, expected, "{typed}: {said:?}");
     }
 }
 
@@ -164,11 +162,72 @@ fn the_next_line_is_told_in_the_readers_own_names_and_only_where_it_fits() {
         *text = text
             .replacen(old, new, 1)
             .replacen(other, instead, usize::from(!other.is_empty()));
-        let mut lack = next(&draft, 0);
+        let mut lack = next(&draft, (0, 1));
         if let Lack::Line(next) = &mut lack {
             next.above = 0;
         }
         assert_eq!(lack, expected, "{}", draft.files[0].text);
+    }
+}
+
+/// Two functions of chapter 3 lack a line: the hint is about the one with the caret.
+#[test]
+fn the_next_line_is_that_of_the_function_with_the_caret() {
+    let (first, second) = ("    sky(ray)", "    let oc = center - ray.origin;");
+    let mut draft = Draft::complete(Chapter::Normals);
+    let text = &mut draft.files[0].text;
+    *text = text
+        .replace(first, "    todo!()")
+        .replace(&format!("{second}\n"), "");
+    let line = |part: &str| {
+        1 + draft.files[0]
+            .text
+            .lines()
+            .take_while(|it| !it.contains(part))
+            .count()
+    };
+    for (part, expected) in [
+        ("fn ray_color", first),
+        ("let discriminant", second),
+        ("use common", first),
+    ] {
+        let Lack::Line(next) = next(&draft, (0, line(part))) else {
+            panic!("a line is missing");
+        };
+        assert_eq!(next.text, expected, "at {part}");
+    }
+}
+
+/// Each row has a mistake in chapter 3, and what is told of it before the reader's own line: what the
+/// picture shows, or the ray with which the function breaks a law.
+#[test]
+fn the_picture_or_the_ray_comes_first_then_the_line_and_folded_the_answer() {
+    let rows = [
+        ("b = -2.0", "b = 2.0", "There is only sky"),
+        (
+            "(normal + Vec3::ONE)",
+            "(normal - Vec3::ONE)",
+            "each component is 0 everywhere",
+        ),
+        (
+            "discriminant < 0.0",
+            "discriminant <= 0.0",
+            "let ray = Ray::new(",
+        ),
+    ];
+    for (right, wrong, first) in rows {
+        let mut draft = Draft::complete(Chapter::Normals);
+        let file = &mut draft.files[0].text;
+        *file = file.replacen(right, wrong, 1);
+        let program = draft.read().expect("it is Rust");
+        let picture = draft.draw(&program, 400).expect("it draws");
+        let rest = draft.judged(program, &picture).rest;
+        let place = |part: &str| {
+            rest.find(part)
+                .unwrap_or_else(|| panic!("no {part}: {rest}"))
+        };
+        let places = [first, "<dt>yours</dt>", "<details>", "<dt>should be</dt>"].map(place);
+        assert!(places.is_sorted(), "{rest}");
     }
 }
 
@@ -251,9 +310,14 @@ fn a_habit_from_another_language_is_answered_by_what_rust_writes() {
         ("discriminant.sqrt()", "np.sqrt(discriminant)", "`a.sqrt()`"),
         ("let b =", "# the slope\n    let b =", "`// …`"),
         (
-            "if discriminant < 0.0 {",
-            "if discriminant < 0.0:",
+            "if discriminant < 0.0 {\n        return None;\n    }",
+            "if discriminant < 0.0:\n        return None",
             "`if … { … }`",
+        ),
+        (
+            "return None;\n    }",
+            "return None;\n    } elif a < 0.0:",
+            "`else if … { … }`",
         ),
         (
             "return None;\n    }",
@@ -269,6 +333,8 @@ fn a_habit_from_another_language_is_answered_by_what_rust_writes() {
         ("Point3::new", "Point3.new", "`Point3::new(…)`"),
         ("4.0 * a", "4 * a", "`4.0`"),
         ("t > 0.0", "t > 0", "`0.0`"),
+        ("Vec3::ONE", "Color::new(1, 1, 1)", "`1.0`"),
+        ("4.0 * a", "radius.powi(2) * 4 * a", "`4.0`"),
         ("radius: f64", "double radius", "`radius: f64`"),
         ("-> Option<f64>", ": Option<f64>", "`-&gt; Option`"),
         ("Vec3::ONE", "vec3(1, 1, 1)", "`Vec3::new(…)`"),

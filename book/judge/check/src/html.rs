@@ -7,7 +7,8 @@ use crate::answer::{Answer, Grade, Headline, Row, RowKind};
 /// The page of the book in which an answer is shown, with links to other pages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HostPage {
-    /// Any page but the next one. A reader types there, so the right line is folded.
+    /// Any page but the next one. A reader types there, so the right line is folded, and how it was
+    /// tried.
     Book,
     /// The page *Check your picture*, with a button that judges the picture of a probe (a changed
     /// scene).
@@ -31,17 +32,20 @@ pub fn headline(headline: &Headline) -> String {
 /// Lays out all that follows the headline, but for the pictures, as HTML: lines that were printed,
 /// rows, what to do next, and links to pages. Empty if there is none of these.
 pub fn details(answer: &Answer, page: HostPage) -> String {
-    let is_printed = |it: &&Row| it.kind == RowKind::Printed;
-    let (printed, rows): (Vec<&Row>, Vec<&Row>) = answer.rows.iter().partition(is_printed);
-    let printed = printed
-        .iter()
-        .map(|it| format!("<p class=\"printed\">{}</p>", escaped(&it.text)));
-    let rows = rows.iter().map(|it| row(it, page));
-    let next = (!answer.next.is_empty()).then(|| item("next", &with_code(&answer.next)));
-    let rows: String = rows.chain(next).collect();
-    let list = match &*rows {
-        "" => String::new(),
-        rows => format!("<dl>{rows}</dl>"),
+    let printed = answer.rows.iter().filter(|it| it.kind == RowKind::Printed);
+    let printed = printed.map(|it| format!("<p class=\"printed\">{}</p>", escaped(&it.text)));
+    let rows = answer.rows.iter().filter(|it| it.kind != RowKind::Printed);
+    let tells = |it: &Row| matches!(it.kind, RowKind::ShouldBe | RowKind::Missing);
+    let is_folded = page == HostPage::Book && answer.rows.iter().any(tells);
+    let is_told = |it: &&Row| !is_folded || !tells(it) && it.kind != RowKind::Tried;
+    let (told, folded): (Vec<&Row>, Vec<&Row>) = rows.partition(is_told);
+    let item = |it: &Row| item(it.kind.label(), &said(it, page));
+    let next = (!answer.next.is_empty()).then(|| self::item("next", &with_code(&answer.next)));
+    let told = list(told.into_iter().map(item).chain(next).collect());
+    let folded = list(folded.into_iter().map(item).collect());
+    let folded = match &*folded {
+        "" => folded,
+        rows => format!("<details><summary>Show the answer</summary>{rows}</details>"),
     };
     let pages = answer.read.iter().map(|slip| {
         format!(
@@ -49,7 +53,7 @@ pub fn details(answer: &Answer, page: HostPage) -> String {
             escaped(slip.page_link())
         )
     });
-    printed.chain([list]).chain(pages).collect()
+    printed.chain([told, folded]).chain(pages).collect()
 }
 
 /// Escapes the characters `&`, `<`, `>` and `"` of a text for HTML, between tags and in attributes.
@@ -61,21 +65,24 @@ pub fn escaped(text: impl fmt::Display) -> String {
         .replace('"', "&quot;")
 }
 
-/// Lays out a row with its label.
-fn row(row: &Row, page: HostPage) -> String {
-    let said = match row.kind {
-        RowKind::ShouldBe | RowKind::Missing if page == HostPage::Book => format!(
-            "<details><summary>Show it</summary><code>{}</code></details>",
-            escaped(&row.text)
-        ),
+/// Lays out the text of a row.
+fn said(row: &Row, page: HostPage) -> String {
+    match row.kind {
         kind if kind.is_code() => format!("<code>{}</code>", escaped(&row.text)),
         RowKind::Probe(name) if page == HostPage::CheckPage => format!(
             "{} <button type=\"button\" data-probe=\"{name}\">Judge it here</button>",
             with_code(&row.text)
         ),
         _ => with_code(&row.text),
-    };
-    item(row.kind.label(), &said)
+    }
+}
+
+/// Makes a description list of its items, or nothing of none.
+fn list(items: String) -> String {
+    match &*items {
+        "" => items,
+        items => format!("<dl>{items}</dl>"),
+    }
 }
 
 /// Makes an item of a description list.

@@ -24,7 +24,7 @@ pub mod lawful;
 mod pixels;
 pub mod reading;
 mod search;
-mod seen;
+pub mod seen;
 pub mod sentences;
 pub mod sources;
 pub mod task;

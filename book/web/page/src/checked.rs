@@ -8,8 +8,8 @@ use std::iter;
 use check::answer::{Answer, Pictures};
 use check::attempt::Attempt;
 use check::context::Context;
-use check::html::{HostPage, details, escaped, headline};
-use check::reading::{self, Cause, MOST_PIXELS, Reading};
+use check::html::{HostPage, details, headline};
+use check::reading::{self, Cause, Reading};
 use check::sentences;
 use check::task::Task;
 use check::verdict::Verdict;
@@ -34,8 +34,8 @@ pub struct CheckRequest {
 /// The verdict on a picture file, with all that the page shows of it: words, and pixels to compare.
 pub struct CheckResponse {
     /// Three parts, each on a new line: facts for the script, separated by tabs (chapter, probe,
-    /// cause, `width height column row` with the first wrong pixel, and the number of wrong
-    /// pixels); the headline; all the rest. The last two are HTML.
+    /// `width height column row` with the first wrong pixel, and the number of wrong pixels); the
+    /// headline; all the rest. The last two are HTML.
     pub text: String,
     /// The right picture and the reader's of the same size, or `None` if the answer compares none.
     pictures: Option<Pictures>,
@@ -83,7 +83,7 @@ impl CheckRequest {
     /// gets a response that says why. A probe for which the chapter has no room is ignored.
     pub fn answer(self, bytes: &[u8]) -> CheckResponse {
         match reading::read(bytes) {
-            Ok(reading) => self.judged(reading, None),
+            Ok(reading) => self.judged(reading),
             Err(cause) => self.refused(cause),
         }
     }
@@ -94,34 +94,8 @@ impl CheckRequest {
         self.refused(Cause::too_large())
     }
 
-    /// Judges a file that only the browser can read, as the browser shows it: `rgba` has four bytes
-    /// a pixel, row by row from the top, and `why` the first bytes of the file.
-    ///
-    /// Where the format loses levels in ways of its own (JPEG, WebP), only a right picture is
-    /// judged: a difference may be the file's fault. If the number of bytes does not fit the size,
-    /// or there are more than [`MOST_PIXELS`], the file is refused.
-    pub fn decoded(self, why: &[u8], width: u32, height: u32, rgba: &[u8]) -> CheckResponse {
-        let Err(cause) = reading::read(why) else {
-            return self.too_large();
-        };
-        let count = u64::from(width) * u64::from(height);
-        if count > MOST_PIXELS || count * 4 != rgba.len() as u64 {
-            return self.refused(cause);
-        }
-        let (pixels, _) = rgba.as_chunks::<4>();
-        let levels = |&[r, g, b, _]: &[u8; 4]| [r, g, b].map(i16::from);
-        let reading = Reading {
-            width,
-            height,
-            pixels: pixels.iter().map(levels).collect(),
-            flaw: None,
-        };
-        self.judged(reading, Some(cause))
-    }
-
-    /// Judges a picture that has been read; `foreign` says why only the browser could read its
-    /// file, or is `None` if it was read here.
-    fn judged(self, reading: Reading, foreign: Option<Cause>) -> CheckResponse {
+    /// Judges a picture that has been read.
+    fn judged(self, reading: Reading) -> CheckResponse {
         let context = Context::default();
         let wanted = self.task(Some(&reading));
         let is_guessed = self.chapter.is_none();
@@ -130,12 +104,6 @@ impl CheckRequest {
         } else {
             (wanted, judge(&wanted, &reading, 0, &context))
         };
-        let is_lossy = |it: &&Cause| it.problem.contains("JPEG") || it.problem.contains("WebP");
-        if let Some(cause) = foreign.as_ref().filter(is_lossy)
-            && !matches!(verdict, Verdict::Right(_))
-        {
-            return self.refused(cause.clone());
-        }
         let facts = facts(&task, &verdict, &reading);
         let mistakes = verdict.finding().and_then(|it| it.mistakes.as_ref());
         let mistake = mistakes.map(|it| it.all[0].clone());
@@ -151,8 +119,7 @@ impl CheckRequest {
         };
         let answer = attempt.answer(verdict);
         CheckResponse {
-            text: laid_out(&facts, &answer)
-                + &foreign.map_or(String::new(), |it| read_by_browser(&it)),
+            text: laid_out(&facts, &answer),
             traced: Some(Traced {
                 task: judged_by.fitting(reading.width, reading.height),
                 reading,
@@ -166,7 +133,7 @@ impl CheckRequest {
     fn refused(self, cause: Cause) -> CheckResponse {
         let answer = sentences::refused(&self.name, "not a picture", &cause);
         CheckResponse {
-            text: laid_out(&["", "", cause.name, "", "0"].join("\t"), &answer),
+            text: laid_out(&["", "", "", "0"].join("\t"), &answer),
             traced: None,
             pictures: None,
         }
@@ -181,15 +148,14 @@ pub fn choices() -> String {
     [&chapters[..], &probes].concat().join("\n")
 }
 
-/// Writes the facts for the script: chapter, probe, cause, the size with the first pixel that
-/// differs, and the number of pixels that differ.
+/// Writes the facts for the script: chapter, probe, the size with the first pixel that differs, and
+/// the number of pixels that differ.
 fn facts(task: &Task, verdict: &Verdict, reading: &Reading) -> String {
     let difference = verdict.finding().and_then(|it| it.difference.as_ref());
     let [column, row] = difference.map_or([0, 0], |it| it.first);
     let facts = [
         task.chapter.name(),
         task.probe.map_or("", |probe| probe.name),
-        verdict.cause().map_or("", |cause| cause.name),
         &format!("{} {} {column} {row}", reading.width, reading.height),
         &difference.map_or(0, |it| it.count).to_string(),
     ];
@@ -204,14 +170,6 @@ fn laid_out(facts: &str, answer: &Answer) -> String {
         details(answer, HostPage::CheckPage),
     );
     format!("{facts}\n{headline}\n{details}")
-}
-
-/// Returns the HTML paragraph below the verdict on a file that only the browser could read.
-fn read_by_browser(cause: &Cause) -> String {
-    format!(
-        "<p>Your browser has read this file: {}. The verdict is on the picture that the browser shows.</p>",
-        escaped(&cause.problem)
-    )
 }
 
 impl CheckResponse {

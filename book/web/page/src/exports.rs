@@ -5,8 +5,6 @@
 //! [`place`] returns, before it makes the next call.
 
 #[cfg(feature = "judge")]
-mod breaking;
-#[cfg(feature = "judge")]
 mod checked;
 #[cfg(any(feature = "lesson", feature = "accuracy"))]
 mod figures;

@@ -5,7 +5,6 @@
 //! verdict on a picture ([`checked`]) by `check`, and the picture of a text that is [`typed`] by
 //! `interpreter`. `.ci/live` builds the modules that the scripts in `book/notes/live` load.
 
-pub mod breaking;
 pub mod checked;
 #[cfg(target_family = "wasm")]
 mod exports;

@@ -2,7 +2,6 @@
 
 use interpreter::SourceFile;
 use skeletons::on_the_first_stair;
-use slips::ChapterCode;
 
 use crate::typed::Draft;
 use crate::words::{replaced, words};
@@ -34,43 +33,56 @@ pub enum Lack {
     Unknown,
 }
 
-/// Finds the first line of the chapter that the draft lacks. The search begins in the file with the
-/// index `first`, from 0, and goes on through all files from the first one on.
+/// Finds the first line of the chapter that the draft lacks. The search begins in the function with
+/// the caret, which stands in a line, counted from 1, of the file with an index from 0. Where no
+/// function is, it begins in that file. It goes on through all functions, from the first one on.
 ///
 /// Functions are compared by their names, and line by line: comments and blanks do not count, nor
 /// does `return` in front of a result. A `let` is known by its name; if both the chapter and the
 /// reader have names that the other lacks, these belong together in their order. In chapter 5 a
 /// draft without a trait is compared with the chapter on its first stair.
-pub fn next(yours: &Draft, first: usize) -> Lack {
+pub fn next(yours: &Draft, (file, line): (usize, usize)) -> Lack {
     let has_trait = |file: &SourceFile| file.text.contains("trait Hittable");
-    let is_on_the_second = yours.files.iter().any(has_trait);
-    let files = yours.files.iter().enumerate();
-    let files = files.clone().skip(first).chain(files.take(first));
+    let mut theirs = Draft::complete(yours.chapter).files;
+    if !yours.files.iter().any(has_trait) {
+        for file in &mut theirs {
+            file.text = on_the_first_stair(&file.text);
+        }
+    }
+    let files = yours.files.iter().zip(&theirs).enumerate();
+    let mut functions: Vec<_> = files
+        .flat_map(|(n, (yours, theirs))| {
+            let yours = bodies(&yours.text);
+            bodies(&theirs.text).into_iter().map(move |theirs| {
+                let yours = yours.iter().find(|it| it.name == theirs.name);
+                (n, theirs, yours.cloned())
+            })
+        })
+        .collect();
+    let has_caret = |yours: &Body| (yours.head + 1..=yours.end + 1).contains(&line);
+    let here = functions
+        .iter()
+        .position(|(n, _, it)| *n == file && it.as_ref().is_some_and(has_caret));
+    let here = here.or_else(|| functions.iter().position(|(n, ..)| *n == file));
+    functions.rotate_left(here.unwrap_or(0));
     let mut lack = Lack::Nothing;
-    for (file, SourceFile { name, text }) in files {
-        let theirs = yours.chapter.files().iter().find(|it| it.name == name);
-        let theirs = theirs.map_or("", |it| it.text);
-        let theirs = match is_on_the_second {
-            true => theirs.to_owned(),
-            false => on_the_first_stair(theirs),
-        };
-        let yours = bodies(text);
-        for function in bodies(&theirs) {
-            let yours = yours.iter().find(|it| it.name == function.name);
-            match yours.map_or(Lack::Unknown, |yours| missing(file, &function, yours)) {
-                Lack::Nothing => {}
-                Lack::Unknown => lack = Lack::Unknown,
-                line => return line,
-            }
+    for (file, theirs, yours) in functions {
+        match yours.map_or(Lack::Unknown, |yours| missing(file, &theirs, &yours)) {
+            Lack::Nothing => {}
+            Lack::Unknown => lack = Lack::Unknown,
+            line => return line,
         }
     }
     lack
 }
 
 /// A function, as the lines of its body.
+#[derive(Clone)]
 struct Body<'a> {
     /// The line of the `fn`, up to the first bracket.
     name: &'a str,
+    /// The index of that line, from 0.
+    head: usize,
     /// The lines that are not empty and no comment, with their index in the file, from 0.
     lines: Vec<(usize, &'a str)>,
     /// The index of the line with the brace that ends the function.
@@ -89,6 +101,7 @@ fn bodies(text: &str) -> Vec<Body<'_>> {
         let is_code = |&n: &usize| !lines[n].is_empty() && !is_comment(lines[n]);
         lines[open].ends_with('{').then(|| Body {
             name: name.split('(').next().unwrap_or(name),
+            head,
             lines: (open + 1..end)
                 .filter(is_code)
                 .map(|n| (n, lines[n]))

@@ -4,23 +4,24 @@
 //! [`check`] judges it in the words that `watch` has for a crate on disk. This module turns the
 //! verdict into HTML.
 
-use check::answer::{Answer, Grade, Row, RowKind};
+use check::answer::{Answer, Grade, Pictures, Row, RowKind};
 use check::attempt::{Attempt, Commands, LawsStatus};
 use check::context::Context;
 use check::html::{self, HostPage};
 use check::lawful;
 use check::names::companion_command;
 use check::reading::Reading;
+use check::seen;
 use check::sentences;
 use check::sources::Sources;
 use check::task::Task;
 use check::{TypedText, judge};
 use common::rtweekend::*;
 use interpreter::{Fault, FaultKind, SourceFile, Span};
-use laws::{Complaint, Trial};
+use laws::{Complaint, Report, Trial};
 use slips::{Chapter, ChapterCode, ChapterProgram, Languages, Slip, steps};
 
-use crate::typing::{Caret, is_unread};
+use crate::typing::Caret;
 
 /// A chapter as a reader has typed it so far in a page.
 #[derive(Clone, Debug)]
@@ -37,6 +38,11 @@ pub struct Draft {
 /// The judgement on a draft, laid out as HTML.
 #[derive(Debug)]
 pub struct Feedback {
+    /// The grade of the verdict.
+    pub grade: Grade,
+    /// True if a line counts as unfinished only because the reader is typing at its end: it is to be
+    /// judged when the reader rests, or goes elsewhere.
+    pub is_waiting: bool,
     /// The places in the draft to be underlined, each with the index of its file in
     /// [`Draft::files`], from 0; empty if no place is at fault.
     pub places: Vec<Span>,
@@ -50,9 +56,21 @@ impl Feedback {
     /// Lays out an answer as HTML, with no place to be underlined.
     fn new(answer: &Answer) -> Self {
         Self {
+            grade: answer.headline.grade,
+            is_waiting: false,
             places: Vec::new(),
             headline: html::headline(&answer.headline),
             rest: html::details(answer, HostPage::Book),
+        }
+    }
+
+    /// Makes the feedback while the reader is typing the statement in this line, with what is wrong
+    /// with it so far.
+    fn being_typed(line: usize, so_far: Option<Row>) -> Self {
+        let said = format!("Not finished: you are typing line {line}.");
+        Self {
+            is_waiting: true,
+            ..Self::new(&Answer::sentence(Grade::OnTheWay, said).with(so_far))
         }
     }
 }
@@ -101,13 +119,6 @@ impl Draft {
         interpreter::read(&self.files).map_err(|fault| self.not_compiled(&fault))
     }
 
-    /// Returns the kind of the first fault that shows when the draft is read and drawn in a small
-    /// picture, or `None` if it draws.
-    pub(crate) fn first_fault(&self) -> Option<FaultKind> {
-        let drawn = interpreter::read(&self.files).and_then(|it| it.draw(TRIAL_WIDTH));
-        drawn.err().map(|fault| fault.kind)
-    }
-
     /// Draws the picture of `program`, as which [`Draft::read`] has read this draft, `width` pixels
     /// wide.
     ///
@@ -121,30 +132,61 @@ impl Draft {
     }
 
     /// Judges the draft, which was read as `program` and drew `picture`, and lays out the answer as
-    /// HTML. While the statement at the caret is the beginning of one of the chapter's, the
-    /// feedback on a wrong draft says only that this line is being typed.
+    /// HTML: first what is to be seen, or the ray with which a law is broken, then the line. While
+    /// the statement at the caret is the beginning of one of the chapter's, the feedback on a wrong
+    /// draft says only that this line is being typed.
     pub fn judged(&self, program: interpreter::Program, picture: &Picture) -> Feedback {
-        let mut answer = self.answer(&program, picture);
+        let asked = ChapterProgram::from_reader(self.chapter, program.clone());
+        let laws = laws_of(&asked);
+        let mut answer = self.answer_under(laws.as_ref(), &asked, &program, picture);
         // A line that the picture never runs is run by the laws.
         if let Some(fault) = program.first_refusal() {
             return self.not_compiled(fault);
         }
-        if !answer.is_right()
-            && let Some(line) = self.begun_line()
-        {
-            answer = being_typed(line);
+        if answer.headline.grade != Grade::Wrong {
+            return Feedback::new(&answer);
+        }
+        if let Some(line) = self.begun_line() {
+            return Feedback::being_typed(line, None);
+        }
+        let seen = self.seen(&answer, picture);
+        match &laws {
+            Some(LawsStatus::Broken(report)) if seen.is_empty() => show_ray(&mut answer, report),
+            _ => drop(answer.rows.splice(0..0, seen)),
         }
         Feedback::new(&answer)
+    }
+
+    /// Observes what `picture` shows beside the right one, unless the answer has told it.
+    fn seen(&self, answer: &Answer, picture: &Picture) -> Vec<Row> {
+        let is_told = answer.rows.iter().any(|it| it.kind == RowKind::Seen);
+        let Some(Pictures { right, .. }) = answer.pictures.as_ref().filter(|_| !is_told) else {
+            return Vec::new();
+        };
+        let (task, reading) = (Task::of(self.chapter), Reading::of(picture));
+        let (seen, _) = seen::observe(&task, &reading, right);
+        let seen = seen.into_iter().take(MOST_SEEN);
+        seen.map(|it| Row::new(RowKind::Seen, it)).collect()
     }
 
     /// Judges the draft, which was read as `program` and drew `picture`: compares the picture with
     /// the right one, tries the laws (properties that a right function has) on its functions, and
     /// compares its lines with the chapter's. The caret counts for nothing.
     pub fn answer(&self, program: &interpreter::Program, picture: &Picture) -> Answer {
-        let task = Task::of(self.chapter);
         let asked = ChapterProgram::from_reader(self.chapter, program.clone());
-        let laws = laws_of(&asked);
-        let answers = lawful::answers_of(&asked, lawful::questions(self.chapter));
+        self.answer_under(laws_of(&asked).as_ref(), &asked, program, picture)
+    }
+
+    /// Judges the draft with the outcome of the laws, which were tried on `asked`.
+    fn answer_under(
+        &self,
+        laws: Option<&LawsStatus>,
+        asked: &ChapterProgram,
+        program: &interpreter::Program,
+        picture: &Picture,
+    ) -> Answer {
+        let task = Task::of(self.chapter);
+        let answers = lawful::answers_of(asked, lawful::questions(self.chapter));
         let compare = |program: &ChapterProgram| {
             lawful::mismatch_with(&answers, self.chapter, program, MOST_UNLIKE)
         };
@@ -164,7 +206,7 @@ impl Draft {
         };
         let (name, companion) = (self.chapter.name(), companion_command());
         let attempt = Attempt {
-            laws: laws.as_ref(),
+            laws,
             commands: Commands {
                 judge: Box::new(|probe| {
                     let probe = probe.map_or("", |probe| probe.name);
@@ -183,8 +225,6 @@ impl Draft {
     /// Returns the feedback on a text that can't be run: calm, if the reader is still typing the
     /// line.
     fn not_compiled(&self, fault: &Fault) -> Feedback {
-        let block = self.block_of_python().filter(|_| is_unread(fault));
-        let fault = block.as_ref().unwrap_or(fault);
         let habit = self.habit(fault);
         let row = |words: String| Row::new(RowKind::Printed, words);
         let place = self.place(fault).map_or(String::new(), |it| it + "  ");
@@ -195,7 +235,7 @@ impl Draft {
         if let Some(line) = self.unfinished_line(fault) {
             let rests = self.caret.is_some_and(|it| it.rests);
             let so_far = rests.then(|| row(format!("So far: {words}")));
-            return Feedback::new(&being_typed(line).with(so_far));
+            return Feedback::being_typed(line, so_far);
         }
         match fault.kind {
             FaultKind::Unread => {
@@ -218,19 +258,16 @@ impl Draft {
 
     /// Returns the feedback on a program that stopped while it was drawn.
     fn stopped(&self, fault: &Fault) -> Feedback {
-        match self.place(fault) {
-            Some(place) if fault.message.starts_with(NOT_WRITTEN) => {
-                let place = self.first_unwritten().unwrap_or(place);
-                Feedback::new(&sentences::not_written(self.chapter, &place, &[]))
-            }
-            place => {
-                let place = place.map_or(String::new(), |place| format!(" at {place}"));
-                let said = format!("The program stopped{place}: {}.", fault.message);
-                Feedback {
-                    places: fault.place().into_iter().collect(),
-                    ..Feedback::new(&Answer::sentence(Grade::Wrong, said))
-                }
-            }
+        let is_unwritten = fault.message.starts_with(NOT_WRITTEN);
+        if let Some(place) = self.first_unwritten().filter(|_| is_unwritten) {
+            return Feedback::new(&sentences::not_written(self.chapter, &place, &[]));
+        }
+        let place = self.place(fault);
+        let place = place.map_or(String::new(), |place| format!(" at {place}"));
+        let said = format!("The program stopped{place}: {}.", fault.message);
+        Feedback {
+            places: fault.place().into_iter().collect(),
+            ..Feedback::new(&Answer::sentence(Grade::Wrong, said))
         }
     }
 
@@ -253,20 +290,34 @@ impl Draft {
     }
 }
 
-/// Returns the answer while the reader is typing the statement in this line.
-fn being_typed(line: usize) -> Answer {
-    let said = format!("Not finished: you are typing line {line}.");
-    Answer::sentence(Grade::OnTheWay, said)
-}
-
 /// The beginning of the message of a panic in `todo!()`.
 const NOT_WRITTEN: &str = "not yet implemented";
-/// The width, in pixels, of a picture that is drawn only to find faults.
-const TRIAL_WIDTH: u32 = 24;
+/// The number of observations that are told before a line is.
+const MOST_SEEN: usize = 2;
 /// The number of answers unlike a program's at which counting stops.
 const MOST_UNLIKE: usize = 60;
 /// The number of cases for each law: the interpreter is a hundred times slower than compiled code.
 const CASES: u32 = 100;
+
+/// Puts the law of the report before all rows of the answer, with the smallest case that breaks it.
+fn show_ray(answer: &mut Answer, report: &Report) {
+    let is_of_law = |it: &Row| [RowKind::Law, RowKind::Found, RowKind::Allowed].contains(&it.kind);
+    answer.rows.retain(|it| !is_of_law(it));
+    let mut rows: Vec<Row> = sentences::law_rows(report)
+        .into_iter()
+        .filter(is_of_law)
+        .collect();
+    let is_of_case = |it: &&str| it.starts_with("let ") && !it.contains("laws::");
+    let case = report.test.lines().filter(is_of_case);
+    let case: Vec<&str> = case.collect();
+    if !case.is_empty() {
+        rows.insert(
+            1,
+            Row::new(RowKind::More, format!("for `{}`", case.join(" "))),
+        );
+    }
+    answer.rows.splice(0..0, rows);
+}
 
 /// Tries the laws on the program's functions. Returns `None` for the chapters without a sphere.
 fn laws_of(program: &ChapterProgram) -> Option<LawsStatus> {

@@ -1,9 +1,7 @@
-//! Incremental reading: a statement at whose end the caret stands is still being typed, so that its
-//! faults may be missing words and not mistakes.
+//! Incremental reading: a line at whose end the caret stands is still being typed, so that a fault
+//! there, or below, may be a missing word and not a mistake.
 
-use std::ops::Range;
-
-use interpreter::{Fault, FaultKind, Span};
+use interpreter::{Fault, FaultKind};
 use slips::ChapterCode;
 
 use crate::typed::Draft;
@@ -21,112 +19,41 @@ pub struct Caret {
 }
 
 impl Draft {
-    /// Returns the caret's line if the fault may come only from missing words at its end: a bracket
-    /// is not yet closed, the fault lies in the caret's statement, or the text without it has none.
-    /// While the reader rests, none of this holds for a text that can be read up to the caret's
-    /// line.
+    /// Returns the caret's line if the fault may come only from missing words at its end: the line is
+    /// not finished, and the fault does not lie above. While the reader rests, this holds only for a
+    /// text that cannot be read.
     pub(crate) fn unfinished_line(&self, fault: &Fault) -> Option<usize> {
         let caret = self.caret?;
-        let before = self.text_before(caret)?;
-        let text = &self.files[caret.file].text;
-        if is_nested(before) && !is_nested(text) {
-            return Some(caret.line);
-        }
-        let line = |it: Span| (usize::from(it.file) == caret.file).then_some(it.line as usize);
-        let is_above = |it: Span| line(it).is_none_or(|line| line < caret.line);
-        let is_open = is_unread(fault) && !fault.place().is_some_and(is_above);
-        if caret.rests && !is_open {
-            return None;
-        }
-        let statement = statement(before);
-        // What a bracket ends may go on behind it.
-        let first = match &statement {
-            Some(it) => 1 + before[..it.start].matches('\n').count(),
-            None if before.ends_with('}') => caret.line,
-            None => return None,
-        };
-        let is_there = fault
-            .place()
-            .and_then(line)
-            .is_some_and(|line| (first..=caret.line).contains(&line));
-        let is_alone =
-            is_there || statement.is_some_and(|statement| self.is_read_without(statement));
-        is_alone.then_some(caret.line)
+        let line = self.text_at(caret)?;
+        let is_above = fault.place().is_some_and(|it| {
+            usize::from(it.file) != caret.file || (it.line as usize) < caret.line
+        });
+        let is_unread = matches!(fault.kind, FaultKind::Unparsed | FaultKind::Unfinished);
+        let is_finished = line.ends_with([';', '{']);
+        let may_go_on = is_unread || !line.is_empty() && !caret.rests;
+        (!is_finished && !is_above && may_go_on).then_some(caret.line)
     }
 
-    /// Returns the caret's line if its statement is the beginning of one of the chapter's, and the
-    /// reader does not rest.
+    /// Returns the caret's line if it is the beginning of one of the chapter's that lacks more than a
+    /// semicolon, and the reader does not rest.
     pub(crate) fn begun_line(&self) -> Option<usize> {
         let caret = self.caret.filter(|it| !it.rests)?;
-        let name = &self.files.get(caret.file)?.name;
-        let text = self.text_before(caret)?;
-        let typed = without_blanks(&text[statement(text)?]);
+        let typed = without_blanks(self.text_at(caret)?);
+        let name = &self.files[caret.file].name;
         let theirs = self.chapter.files().iter().find(|it| it.name == name)?;
-        let theirs = without_blanks(theirs.text);
-        let mut begun = theirs.match_indices(&typed);
-        let goes_on = |end: usize| !theirs[end..].starts_with([';', '}']);
-        begun
-            .any(|(at, it)| goes_on(at + it.len()))
-            .then_some(caret.line)
+        let mut theirs = theirs.text.lines().map(without_blanks);
+        let is_begun = theirs.any(|it| it.starts_with(&typed) && it.len() > typed.len() + 1);
+        (is_begun && !typed.is_empty()).then_some(caret.line)
     }
 
-    /// Returns the caret's file up to the end of its line, or `None` if there is no such file.
-    fn text_before(&self, caret: Caret) -> Option<&str> {
+    /// Returns the text of the caret's line without blanks at its end, or `None` if there is no such
+    /// line.
+    fn text_at(&self, caret: Caret) -> Option<&str> {
         let text = &self.files.get(caret.file)?.text;
-        let lines = text.split_inclusive('\n').take(caret.line);
-        Some(text[..lines.map(str::len).sum()].trim_end())
+        text.lines()
+            .nth(caret.line.checked_sub(1)?)
+            .map(str::trim_end)
     }
-
-    /// Returns true if a compiler would take the caret's file with nothing in place of `part`, or
-    /// with a `todo!()`.
-    fn is_read_without(&self, part: Range<usize>) -> bool {
-        ["", "todo!()"].iter().any(|instead| {
-            let mut rest = self.clone();
-            if let Some(caret) = rest.caret.take() {
-                let text = &mut rest.files[caret.file].text;
-                text.replace_range(part.clone(), instead);
-            }
-            let fault = rest.first_fault();
-            !matches!(fault, Some(FaultKind::Unparsed | FaultKind::Refused))
-        })
-    }
-}
-
-/// Returns true for a fault of the grammar: the text cannot be read at its place, or ends too early.
-pub(crate) fn is_unread(fault: &Fault) -> bool {
-    matches!(fault.kind, FaultKind::Unparsed | FaultKind::Unfinished)
-}
-
-/// Returns the range of bytes of the last statement, if no `;`, `{` or `}` ends it.
-fn statement(text: &str) -> Option<Range<usize>> {
-    let start = text.rfind([';', '{', '}']).map_or(0, |at| at + 1);
-    let start = text.len() - text[start..].trim_start().len();
-    (start < text.len()).then_some(start..text.len())
-}
-
-/// Returns true if each closing bracket belongs to the last one that was opened; some may stay
-/// open.
-fn is_nested(text: &str) -> bool {
-    let code = text
-        .lines()
-        .map(|line| line.split("//").next().unwrap_or(line));
-    let mut open = Vec::new();
-    for letter in code.flat_map(str::chars) {
-        let closed = match letter {
-            '(' | '[' | '{' => {
-                open.push(letter);
-                continue;
-            }
-            ')' => '(',
-            ']' => '[',
-            '}' => '{',
-            _ => continue,
-        };
-        if open.pop() != Some(closed) {
-            return false;
-        }
-    }
-    true
 }
 
 /// Returns the text without blanks and line breaks.

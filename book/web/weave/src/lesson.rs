@@ -12,8 +12,8 @@ pub(crate) struct LessonListing {
     pub(crate) file: String,
     /// Words behind the file, as HTML: who types the listing.
     pub(crate) whose: String,
-    /// The buttons that open the editor at the listing, as HTML; empty for a file that readers do
-    /// not type.
+    /// The button that opens the editor at the listing, as HTML; empty for one that readers do not
+    /// type.
     pub(crate) tools: String,
     /// The code.
     pub(crate) code: String,
@@ -38,11 +38,11 @@ pub(crate) fn listing(file: &str, code: String) -> LessonListing {
         None if is_lesson => ", to be read".to_owned(),
         None => String::new(),
     };
-    let is_typed = whose.contains("typed");
+    let typed = chapter_of(file).filter(|_| whose.contains("typed"));
     LessonListing {
         file: on_first.map_or(file.to_owned(), |name| format!("src/{name}")),
         whose,
-        tools: chapter_of(file).map_or(String::new(), |it| tools(it, is_typed)),
+        tools: typed.map_or(String::new(), tools),
         code,
     }
 }
@@ -76,15 +76,10 @@ fn whose(chapter: Chapter, code: &str) -> String {
     }
 }
 
-/// Returns the buttons that open the editor, to type the listing or only to break it.
-fn tools(chapter: Chapter, is_typed: bool) -> String {
-    let to_type = match is_typed {
-        true => "<button type=\"button\" class=\"type\">Type it here</button>",
-        false => "",
-    };
+/// Returns the button that opens the editor, to type the listing.
+fn tools(chapter: Chapter) -> String {
     format!(
-        "<div class=\"tools\" data-chapter=\"{}\">{to_type}\
-         <button type=\"button\" class=\"break\">Break it</button></div>",
+        "<div class=\"tools\" data-chapter=\"{}\"><button type=\"button\">Type it here</button></div>",
         chapter.name()
     )
 }

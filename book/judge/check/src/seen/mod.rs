@@ -26,7 +26,7 @@ const EDGE: u16 = 16;
 /// Observes a picture beside the right one of the task: returns sentences, the most telling first,
 /// and rows about the first pixel that differs. No sentences if no pixel of a sample is more than a
 /// level off, no rows if no pixel differs.
-pub(crate) fn observe(task: &Task, reading: &Reading, right: &Picture) -> (Vec<String>, Vec<Row>) {
+pub fn observe(task: &Task, reading: &Reading, right: &Picture) -> (Vec<String>, Vec<Row>) {
     let pictures = SideBySide::new(task, reading, right);
     if pictures.wrong.is_empty() {
         return (Vec::new(), pictures.first_pixel());

@@ -22,16 +22,6 @@ extern "C" fn too_large(asked: usize) -> usize {
     answer(asked, |request, _| request.too_large())
 }
 
-/// Judges a picture that the browser decoded. The bytes that were given are the request (`asked` of
-/// them), the beginning of the file (`why` of them), and the pixels, four bytes each.
-#[unsafe(no_mangle)]
-extern "C" fn decoded(asked: usize, why: usize, width: u32, height: u32) -> usize {
-    answer(asked, |request, rest| {
-        let (why, rgba) = rest.split_at(why);
-        request.decoded(why, width, height, rgba)
-    })
-}
-
 /// Returns the right picture (0), the reader's (1), or the difference (2), four bytes a pixel.
 #[unsafe(no_mangle)]
 extern "C" fn picture(which: usize) -> usize {

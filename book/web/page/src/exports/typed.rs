@@ -5,6 +5,7 @@
 
 use std::cell::RefCell;
 
+use check::answer::Grade;
 use common::rtweekend::Picture;
 use interpreter::{Program, SourceFile, Span};
 use slips::Chapter;
@@ -70,13 +71,13 @@ extern "C" fn judge() -> usize {
     keep(lines(&draft.judged(program, &picture)))
 }
 
-/// Returns the next line to type, searched from the file with the index `first` on: the index of
-/// its file, the line it goes above (from 0), 1 if it replaces that line, and its text, with tabs
+/// Returns the next line to type, searched from the function on that has this line, counted from 1,
+/// of the file with this index: the index of its file, the line it goes above (from 0), 1 if it replaces that line, and its text, with tabs
 /// between them. Returns nothing if no line is missing, and `?` if the draft goes another way than
 /// the chapter.
 #[unsafe(no_mangle)]
-extern "C" fn next_line(first: usize) -> usize {
-    keep(match next::next(&draft(), first) {
+extern "C" fn next_line(file: usize, line: usize) -> usize {
+    keep(match next::next(&draft(), (file, line)) {
         Lack::Line(it) => {
             let replaces = u8::from(it.replaces);
             format!("{}\t{}\t{replaces}\t{}", it.file, it.above, it.text)
@@ -107,11 +108,23 @@ pub(super) fn draft() -> Draft {
     }
 }
 
-/// Writes feedback for the script: the places on the first line, the headline on the second, and
-/// then the rest.
+/// Writes feedback for the script: on the first line the grade (`right`, `calm` or `wrong`), `waits`
+/// if the caret's line is yet to be judged, and the places, with tabs between; on the second the
+/// headline; and then the rest.
 fn lines(feedback: &Feedback) -> String {
+    let grade = match feedback.grade {
+        Grade::Right => "right",
+        Grade::OnTheWay => "calm",
+        Grade::Wrong | Grade::NoPicture => "wrong",
+    };
+    let waits = if feedback.is_waiting { "waits" } else { "" };
     let place = |it: &Span| format!("{} {} {} {}", it.file, it.line, it.start, it.end);
-    let places: Vec<String> = feedback.places.iter().map(place).collect();
-    let (places, headline, rest) = (places.join("\t"), &feedback.headline, &feedback.rest);
-    format!("{places}\n{headline}\n{rest}")
+    let places = feedback.places.iter().map(place);
+    let facts: Vec<String> = [grade, waits]
+        .map(str::to_owned)
+        .into_iter()
+        .chain(places)
+        .collect();
+    let (headline, rest) = (&feedback.headline, &feedback.rest);
+    format!("{}\n{headline}\n{rest}", facts.join("\t"))
 }
