@@ -1,6 +1,7 @@
 //! Diffs: what changed from one chapter to the next in the picture, and which files are new.
 
 use difference::{Comparison, difference_picture};
+use figures::number::as_printed;
 use slips::{Chapter, ChapterCode};
 
 use crate::slip::address;
@@ -30,7 +31,7 @@ fn pictures(before: Chapter, after: Chapter) -> Result<(String, String), String>
         return Err(format!("`{}` changes no pixels, or all", after.name()));
     };
     let changed = difference_picture(&old, &new).ok_or("the pictures differ in size")?;
-    let [count, total] = [it.count, it.total].map(in_groups);
+    let [count, total] = [it.count, it.total].map(|it| as_printed(&it.to_string()));
     let sentence = format!(
         "{count} of {total} pixels change, in columns {} to {} and rows {} to {}.",
         it.columns[0], it.columns[1], it.rows[0], it.rows[1]
@@ -43,14 +44,6 @@ fn pictures(before: Chapter, after: Chapter) -> Result<(String, String), String>
     ];
     let panels = format!("<div class=\"changes\">{}</div>\n\n", panels.concat());
     Ok((sentence, panels))
-}
-
-/// Writes a number below a million with a comma before its last three digits, if it has five.
-fn in_groups(number: usize) -> String {
-    match number {
-        ..10_000 => number.to_string(),
-        _ => format!("{},{:03}", number / 1000, number % 1000),
-    }
 }
 
 /// Returns a picture with a title below, as HTML.
