@@ -6,8 +6,10 @@ use std::path::Path;
 
 use figures::records::{Accuracy, Timing, WrongPixels};
 use figures::table::{Record, Table};
+use figures::{
+    ADVICE, CHARTS, DrawnChart, Spot, figures, least, panel_with_key, scenes_table, standalone,
+};
 use fixtures::drawn::shown_in;
-use figures::{ADVICE, CHARTS, DrawnChart, Spot, figures, least, panel_with_key, scenes_table, standalone};
 use insta::assert_binary_snapshot;
 use scraper::{ElementRef, Html, Selector};
 use speed_vs_accuracy::{METHODS, Precision, REGIMES};
