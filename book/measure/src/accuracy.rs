@@ -9,11 +9,11 @@
 //! situations there is no end, and a number of random cases stands for them.
 
 use common::rtweekend::*;
-use figures::records::{Accuracy, Level};
+use figures::records::Accuracy;
 use figures::table::Table;
 use laws::oracle::{ExactCase, ExactRoot};
 use rayon::prelude::*;
-use speed_vs_accuracy::{Case, METHODS, Method, Precision, REGIMES, Regime, SPHERES};
+use speed_vs_accuracy::{Case, Method, Precision, REGIMES, Regime, SPHERES};
 
 /// Measures the errors of `methods` against exact arithmetic, each in its own precision. Asks
 /// `cases` random questions, chosen by `seed`, in each [`Regime`], a situation such as a far
@@ -29,31 +29,6 @@ pub fn table(methods: &[Method], cases: usize, pixels: usize, seed: u64) -> Tabl
             let cases = regime.cases(precision, seed, cases);
             let found = errors_of(methods, precision, cases.len(), &|n| cases[n]);
             rows.extend(found.map(|(method, errors)| row(regime.name, method, errors)));
-        }
-    }
-    rows.into()
-}
-
-/// Measures how the errors of all methods grow with the distance of the sphere: asks `cases` random
-/// questions, chosen by `seed`, at each distance of 10ᵏ radii. Returns a row for each precision,
-/// distance and method, in this order, the nearest first.
-pub fn sweeps(cases: usize, seed: u64) -> Table<Level> {
-    let mut rows = Vec::new();
-    let regime = Regime::TELESCOPE;
-    for precision in Precision::ALL {
-        for level in regime.levels(precision) {
-            let cases = regime.cases_at(level, precision, seed, cases);
-            let row = |(method, found): (&Method, Errors)| Level {
-                regime: regime.name.to_owned(),
-                level,
-                precision,
-                method: method.name.to_owned(),
-                wrong_per_million: found.wrong_per_million(),
-                median_ulps: quantile(&found.ulps, 0.5),
-                p999_ulps: quantile(&found.ulps, 0.999),
-                answers: found.answers,
-            };
-            rows.extend(errors_of(METHODS, precision, cases.len(), &|n| cases[n]).map(row));
         }
     }
     rows.into()
@@ -111,8 +86,6 @@ fn row(name: &str, method: &Method, found: Errors) -> Accuracy {
         median_ulps: quantile(&found.ulps, 0.5),
         p999_ulps: quantile(&found.ulps, 0.999),
         largest_ulps: quantile(&found.ulps, 1.0),
-        surface_median_radii: quantile(&found.surface, 0.5),
-        surface_largest_radii: quantile(&found.surface, 1.0),
         answers: found.answers,
     }
 }
@@ -127,8 +100,6 @@ struct Errors {
     wrong: usize,
     /// Errors of t in ulps where both say hit, in order of size.
     ulps: Vec<f64>,
-    /// The distances of the points at t from the sphere, in radii, in order of size.
-    surface: Vec<f64>,
     /// A sum of the first answers, [`FEW`] of them.
     answers: u64,
 }
@@ -153,9 +124,7 @@ impl Errors {
         }
         match (answer, root) {
             (Some(t), Some(root)) => {
-                let precision = method.precision();
-                self.ulps.push(ulps_off(root, precision, t));
-                self.surface.push(off_the_surface(case, t, precision));
+                self.ulps.push(ulps_off(root, method.precision(), t));
             }
             (None, None) => {}
             _ => self.wrong += 1,
@@ -168,14 +137,12 @@ impl Errors {
         one.hits += other.hits;
         one.wrong += other.wrong;
         one.ulps.extend(other.ulps);
-        one.surface.extend(other.surface);
         one.answers = one.answers.wrapping_add(other.answers);
         one
     }
 
     fn sorted(mut self) -> Self {
         self.ulps.par_sort_unstable_by(f64::total_cmp);
-        self.surface.par_sort_unstable_by(f64::total_cmp);
         self
     }
 }
@@ -221,21 +188,6 @@ pub fn exact(case: &Case) -> Option<ExactCase> {
 /// exceeds what an `f64` can hold.
 pub fn ulps_off(root: ExactRoot, precision: Precision, t: f64) -> f64 {
     root.error_in_ulps(t) / (precision.epsilon() / f64::EPSILON)
-}
-
-/// Returns the distance of the point at `t`, rounded as a program would round it, from the sphere's
-/// surface, in radii.
-fn off_the_surface(case: &Case, t: f64, precision: Precision) -> f64 {
-    let point = case.point(t, precision);
-    // The direction does not matter here.
-    let ray = Ray::new(point, Vec3::NEG_Z);
-    let Some(exact) = exact(&Case { ray, ..*case }) else {
-        return f64::INFINITY;
-    };
-    // With x = |P − C|/r, the margin is (x² − 1) / (x² + 1).
-    let margin = exact.origin_margin();
-    let above_one = 2.0 * margin / (1.0 - margin);
-    (above_one / ((1.0 + above_one).sqrt() + 1.0)).abs()
 }
 
 /// Returns the number that the share `p` of the `sorted` numbers, from 0 to 1, does not exceed;

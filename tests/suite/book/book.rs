@@ -76,14 +76,13 @@ fn each_figure_is_shown() {
 }
 
 #[test]
-fn every_slip_is_found_by_its_name_and_every_look_by_its_picture() {
+fn every_slip_is_found_by_its_name() {
     let pages = pages();
     let page = pages.iter().find(|page| page.name == "slips.html");
     let page = page.expect("the page");
     for slip in slips::all() {
         assert!(page.has(slip.name), "{} is missing", slip.name);
     }
-    assert_eq!(page.all(".slip").len(), slips::wrong_pictures().len());
 }
 
 /// Code that is typed into a page is never compiled: `rust,ignore` says that it need not be. The

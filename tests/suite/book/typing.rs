@@ -2,10 +2,10 @@
 //! companion, and the page itself in `tests/browser`.
 
 use check::answer::Grade;
+use course::typed::on_the_first_stair;
 use page::next::{Lack, NextLine, next};
 use page::typed::{Draft, Feedback};
 use page::typing::Caret;
-use skeletons::on_the_first_stair;
 use slips::Chapter;
 
 /// Types the line that the page proposes next, again and again, until nothing is missing. Of chapter

@@ -3,4 +3,5 @@
 
 pub mod chapter;
 pub mod names;
+pub mod typed;
 pub mod workspace;

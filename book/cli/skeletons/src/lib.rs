@@ -3,16 +3,13 @@
 //! All are written by hand, so that they hang on no chapter: a reader may have changed those.
 
 pub mod source;
-mod stairs;
 
 use course::chapter::Chapter;
 use interpreter::SourceFile;
 
-pub use stairs::on_the_first_stair;
-
 /// Lists the files that a reader types in a chapter, in the order in which they are typed. Each has
 /// `todo!()` in place of the body of each function to be typed; those of chapter 5 are as
-/// [`on_the_first_stair`]. They use the reader's own prelude (vectors, rays and the rendering: see
+/// [`on_the_first_stair`](course::typed::on_the_first_stair). They use the reader's own prelude (vectors, rays and the rendering: see
 /// [`own_prelude()`]) if `own_prelude` is true, or else that of the package `common`. Empty for
 /// [`Chapter::SpeedVsAccuracy`].
 pub fn files(chapter: Chapter, own_prelude: bool) -> Vec<SourceFile> {
@@ -51,15 +48,6 @@ fn typed(chapter: Chapter) -> &'static [(&'static str, &'static str)] {
             files!("hittable_list": "hittable.rs", "sphere.rs", "hittable_list.rs", "lib.rs")
         }
         Chapter::SpeedVsAccuracy => &[],
-    }
-}
-
-/// Lists the functions of a chapter that the reader need not type. (Of that of the build test, one
-/// line is typed.)
-pub fn given(chapter: Chapter) -> &'static [&'static str] {
-    match chapter {
-        Chapter::RedSphere => &["picture", "ray_color"],
-        _ => &["picture", "world", "new", "add"],
     }
 }
 

@@ -59,22 +59,3 @@ fn name(item: &Item, source: &str) -> Option<String> {
         _ => return None,
     })
 }
-
-/// Returns the source with the first sentence only of each doc comment, and without `#[inline]`.
-pub fn first_sentences(source: &str) -> String {
-    let mut text = String::new();
-    let mut is_open = true;
-    let is_shown = |line: &&str| !line.trim_start().starts_with("#[inline]");
-    for line in source.lines().filter(is_shown) {
-        if !line.trim_start().starts_with("///") {
-            text += &format!("{line}\n");
-            is_open = true;
-        } else if is_open {
-            let ends = line.split_once(". ").map(|(first, _)| format!("{first}."));
-            let line = ends.unwrap_or(line.to_owned());
-            is_open = !line.ends_with('.');
-            text += &format!("{line}\n");
-        }
-    }
-    text
-}

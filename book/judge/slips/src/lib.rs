@@ -38,7 +38,6 @@ mod shape;
 mod slip;
 pub mod steps;
 mod trace;
-mod wrong_picture;
 
 use course::chapter;
 
@@ -53,4 +52,3 @@ pub use probes::{PROBES, Probe, find as find_probe, width_line};
 pub use program::ChapterProgram;
 pub use slip::{Languages, Slip, Unseen};
 pub use trace::{TraceRow, trace_table};
-pub use wrong_picture::{WRONG_PICTURE_WIDTH, WrongPicture, wrong_pictures};

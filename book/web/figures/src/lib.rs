@@ -34,7 +34,9 @@ mod traced;
 mod viewport_grid;
 mod walk;
 
-pub use charts::{ADVICE, CHARTS, Chart, DrawnChart, MAPPED, Map, Spot, least, panel_with_key};
+pub use charts::{
+    ADVICE, CHARTS, Chart, DrawnChart, MAPPED, Map, Spot, least, panel_with_key, scenes_table,
+};
 pub use figure::{Figure, Question};
 pub use live::{DrawnFigure, Movable};
 pub use parameters::Parameter;

@@ -19,14 +19,30 @@ pub fn three_digits(value: f64) -> String {
     }
 }
 
-/// Writes a number with three significant digits, for a page, as plain text: −0.41, 158, 1.3·10⁻¹⁶.
-/// A number that is not finite becomes `inf`, `−inf` or `NaN`.
+/// Writes a number with three significant digits, for a page, as plain text: −0.41, 158, 271,000,
+/// 1.3·10⁻¹⁶. A number that is not finite becomes `inf`, `−inf` or `NaN`.
 pub fn printed(value: f64) -> String {
-    let text = three_digits(value).replace('-', "−");
+    as_printed(&three_digits(value))
+}
+
+/// Writes a number of a file as pages print it: 2.5·10⁻¹⁶ for `2.5e-16`, and 271,000 for a whole
+/// number of five digits or more.
+pub fn as_printed(text: &str) -> String {
+    let text = text.replace('-', "−");
     match text.split_once('e') {
         Some((digits, exponent)) => format!("{digits}·10{}", raised(exponent)),
+        None if text.len() > 4 && text.bytes().all(|digit| digit.is_ascii_digit()) => {
+            in_thousands(&text)
+        }
         None => text,
     }
+}
+
+/// Writes decimal digits with a comma after each group of three, counted from the end.
+fn in_thousands(digits: &str) -> String {
+    let groups = digits.as_bytes().rchunks(3).rev();
+    let groups: Vec<_> = groups.map(String::from_utf8_lossy).collect();
+    groups.join(",")
 }
 
 /// Cuts the zeros off the end of decimals, and the point if none is left.

@@ -29,19 +29,13 @@ pub struct Accuracy {
     /// misses where there is one.
     pub wrong_per_million: f64,
     /// The error of t that half of the hits do not exceed, in ulps of the exact root in this
-    /// precision; `None`, like the four fields below, if no hit of the method was right.
+    /// precision; `None`, like the two fields below, if no hit of the method was right.
     pub median_ulps: Option<f64>,
     /// The error of t that 999 of 1000 hits do not exceed, in ulps; `None` if no hit
     /// was right.
     pub p999_ulps: Option<f64>,
     /// The largest error of t, in ulps; `None` if no hit was right.
     pub largest_ulps: Option<f64>,
-    /// The distance from the sphere's surface, in radii, of the point on the ray at the method's t,
-    /// which half of the hits do not exceed; `None` if no hit was right.
-    pub surface_median_radii: Option<f64>,
-    /// The largest distance from the sphere's surface, in radii, of the point on the ray at the
-    /// method's t; `None` if no hit was right.
-    pub surface_largest_radii: Option<f64>,
     /// A checksum of the method's first answers, by which a test knows that they have not changed.
     pub answers: u64,
 }
@@ -65,32 +59,6 @@ pub struct Tightness {
     pub t_min: f64,
     /// The upper end of the witness's range of t, excluded.
     pub t_max: f64,
-}
-
-/// The accuracy of one method at one level k of the regime `telescope`: small spheres, and rays that
-/// start 10ᵏ radii away.
-#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
-pub struct Level {
-    /// The name of the regime: always `telescope`.
-    pub regime: String,
-    /// The exponent k, from 1 on: the rays start 10ᵏ radii away from the sphere.
-    pub level: i32,
-    /// The number format of what the method takes and returns: `f64` or `f32`.
-    #[serde(with = "PrecisionName")]
-    pub precision: Precision,
-    /// The name of the method.
-    pub method: String,
-    /// The number of wrong decisions in a million questions: hits where there is no root, and
-    /// misses where there is one.
-    pub wrong_per_million: f64,
-    /// The error of t that half of the hits do not exceed, in ulps; `None` if no hit
-    /// was right.
-    pub median_ulps: Option<f64>,
-    /// The error of t that 999 of 1000 hits do not exceed, in ulps; `None` if no hit
-    /// was right.
-    pub p999_ulps: Option<f64>,
-    /// A checksum of the method's first answers, by which a test knows that they have not changed.
-    pub answers: u64,
 }
 
 /// The answers of one method to rays of one [`Spot`](crate::Spot) of the map, each against one
@@ -238,7 +206,6 @@ macro_rules! files {
 files! {
     Accuracy: "measured/accuracy.csv",
     Tightness: "measured/tightness.csv",
-    Level: "measured/sweeps.csv",
     MapCell: "measured/map.snap.csv",
     WrongPixels: "measured/scenes.snap.csv",
     Timing: "measured/timings.csv",

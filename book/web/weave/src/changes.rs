@@ -1,74 +1,71 @@
-//! Diffs: what changed from one chapter to the next in the picture, and which files are new.
+//! Diffs: what changed from one chapter to the next in the picture.
 
-use difference::{Comparison, difference_picture};
-use slips::{Chapter, ChapterCode};
+use base64::prelude::{BASE64_STANDARD, Engine as _};
+use common::rtweekend::Picture;
+use course::chapter::Chapter;
+use difference::{Comparison, difference_picture, png};
+use figures::number::as_printed;
 
-use crate::slip::address;
+/// A chapter and the function that draws its picture.
+type Drawn = (Chapter, fn(u32) -> Picture);
+
+/// The chapters whose pictures change, each behind the one before it.
+const CHANGES: [[Drawn; 2]; 3] = [
+    [
+        (Chapter::Gradient, gradient::picture),
+        (Chapter::RedSphere, red_sphere::picture),
+    ],
+    [
+        (Chapter::RedSphere, red_sphere::picture),
+        (Chapter::Normals, normals::picture),
+    ],
+    [
+        (Chapter::HalfBSphere, half_b_sphere::picture),
+        (Chapter::HittableList, hittable_list::picture),
+    ],
+];
 
 /// Returns the Markdown for `{{changes NAME}}`: the pictures of the chapter `name` and of the one
-/// before, the pixels that changed, and the names of new files.
+/// before, the pixels that changed, and a sentence about them.
 ///
 /// # Errors
-/// If there is no such chapter, or none before it, or if no pixel changes, or all.
+/// If there is no such chapter, or it changes no pixels, or all.
 pub(crate) fn changes(name: &str) -> Result<String, String> {
-    let [before, after] = Chapter::OF_THE_BOOK
-        .array_windows()
-        .find(|[_, after]| after.name() == name)
-        .ok_or_else(|| format!("no chapter `{name}` comes after another one"))?;
-    let (sentence, panels) = pictures(*before, *after)?;
-    let files = new_files(*before, *after);
-    Ok(format!("{panels}{sentence}{files}"))
-}
-
-/// Returns a sentence about what changed in the picture, and the HTML of the pictures.
-///
-/// # Errors
-/// If no pixel did, or all: then there is nothing to show.
-fn pictures(before: Chapter, after: Chapter) -> Result<(String, String), String> {
-    let [old, new] = [before, after].map(|chapter| chapter.picture(chapter.book_width()));
-    let Comparison::Pixels(it) = Comparison::of(&old, &new) else {
-        return Err(format!("`{}` changes no pixels, or all", after.name()));
+    let changes = CHANGES.into_iter();
+    let found = changes
+        .into_iter()
+        .find(|[_, (after, _)]| after.name() == name);
+    let chapters = found.ok_or_else(|| format!("no chapter `{name}` changes a picture"))?;
+    let [(old, before), (new, after)] =
+        chapters.map(|(chapter, draw)| (draw(chapter.book_width()), chapter));
+    let (Comparison::Pixels(it), Some(changed)) =
+        (Comparison::of(&old, &new), difference_picture(&old, &new))
+    else {
+        return Err(format!("`{name}` changes no pixels, or all"));
     };
-    let changed = difference_picture(&old, &new).ok_or("the pictures differ in size")?;
-    let [count, total] = [it.count, it.total].map(in_groups);
+    let [count, total] = [it.count, it.total].map(|it| as_printed(&it.to_string()));
     let sentence = format!(
         "{count} of {total} pixels change, in columns {} to {} and rows {} to {}.",
         it.columns[0], it.columns[1], it.rows[0], it.rows[1]
     );
     let file = |of: Chapter| format!("pictures/{}.snap.png", of.name());
+    let png = BASE64_STANDARD.encode(png::encode(&changed));
     let panels = [
         panel("Before", &file(before), before.shows()),
         panel("After", &file(after), after.shows()),
-        panel("Changed pixels", &address(&changed), &sentence),
+        panel(
+            "Changed pixels",
+            &format!("data:image/png;base64,{png}"),
+            &sentence,
+        ),
     ];
-    let panels = format!("<div class=\"changes\">{}</div>\n\n", panels.concat());
-    Ok((sentence, panels))
-}
-
-/// Writes a number below a million with a comma before its last three digits, if it has five.
-fn in_groups(number: usize) -> String {
-    match number {
-        ..10_000 => number.to_string(),
-        _ => format!("{},{:03}", number / 1000, number % 1000),
-    }
+    let panels = panels.concat();
+    Ok(format!(
+        "<div class=\"changes\">{panels}</div>\n\n{sentence}"
+    ))
 }
 
 /// Returns a picture with a title below, as HTML.
 fn panel(title: &str, file: &str, alt: &str) -> String {
     format!("<figure><img src=\"{file}\" alt=\"{alt}\"><figcaption>{title}</figcaption></figure>")
-}
-
-/// Returns a sentence that names the files which only the later chapter has: empty, if there are
-/// none.
-fn new_files(before: Chapter, after: Chapter) -> String {
-    let is_old = |name: &str| before.files().iter().any(|old| old.name == name);
-    let names = after.files().iter().map(|file| file.name);
-    let added: Vec<String> = names
-        .filter(|name| !is_old(name))
-        .map(|name| format!("`{}`", name.trim_start_matches("src/")))
-        .collect();
-    match &added[..] {
-        [] => String::new(),
-        _ => format!(" New files: {}.", added.join(", ")),
-    }
 }

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::code::{self, Listed};
 use crate::ground::{read, split};
-use crate::{changes, controls, figure, measured, slip, step};
+use crate::{changes, controls, figure, measured};
 
 /// The text that takes the place of a directive or a formula in a page.
 pub(crate) enum Woven {
@@ -27,11 +27,6 @@ pub(crate) enum Woven {
 /// | `{{live FIGURE NAME}}` | a number that this live figure says, also when it is moved |
 /// | `{{chart NAME}}` | the chart, and a table of its numbers |
 /// | `{{changes NAME}}` | the differences between a chapter's picture and the one before |
-/// | `{{slip NAME CHAPTER}}` | the wrong picture that this slip draws |
-/// | `{{slips LOOK}}` | all slips of a look; also `{{slips LOOK NAMES}}`, `{{slips LOOK not NAMES}}` |
-/// | `{{symptoms SLIPS}}` | the parts of the page of slips, each as the picture of its slip |
-/// | `{{names}}` | all slips by name |
-/// | `{{step CHAPTER NUMBER}}` | the picture after this step on the way to the chapter |
 /// | `{{snapshot PATH}}` | the Markdown in a snapshot |
 /// | `{{value FILE KEY}}` | a number that was measured |
 ///
@@ -51,15 +46,10 @@ pub(crate) fn resolve(text: &str, folder: &Path, listed: &mut Listed) -> Result<
         "figure" => figure::figure(first, second),
         "chart" => figure::chart(folder, rest),
         "changes" => changes::changes(rest),
-        "slip" => slip::slip(first, second),
-        "slips" => slip::gallery(rest),
-        "symptoms" => slip::symptoms(folder, rest),
-        "names" => Ok(slip::names()),
         "snapshot" => snapshot(&folder.join(rest)),
-        "step" => step::step(first, second),
         _ => Err(format!(
             "there is no directive `{name}`: choose code, traced, figure, live, chart, changes, \
-             names, slip, slips, step, snapshot, symptoms or value"
+             snapshot or value"
         )),
     };
     block.map(Woven::Block)

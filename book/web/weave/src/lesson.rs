@@ -1,7 +1,7 @@
 //! Listings of the lesson: who types them, and their comments in one sentence.
 
-use skeletons::{on_the_first_stair, source};
-use slips::Chapter;
+use course::chapter::Chapter;
+use course::typed::{first_sentences, given, on_the_first_stair};
 
 use crate::ground::escaped;
 
@@ -30,7 +30,7 @@ pub(crate) fn listing(file: &str, code: String) -> LessonListing {
     let is_lesson = file.starts_with("common/src/") || file.starts_with("chapters/");
     let is_lesson = is_lesson && !file.contains("/6_") || on_first.is_some();
     let code = match is_lesson {
-        true => on_one_line(&source::first_sentences(&code)),
+        true => on_one_line(&first_sentences(&code)),
         false => code,
     };
     let whose = match chapter_of(file) {
@@ -65,7 +65,7 @@ fn whose(chapter: Chapter, code: &str) -> String {
     }
     let words = code.lines().filter(|line| line.ends_with('{'));
     let functions = words.filter_map(|line| line.split_once("fn ")?.1.split(['(', '<']).next());
-    let given = skeletons::given(chapter);
+    let given = given(chapter);
     let typed: Vec<&str> = functions.filter(|name| !given.contains(name)).collect();
     if on_the_first_stair(code) != code {
         return ", to be typed, on the second stair".to_owned();

@@ -16,9 +16,7 @@ mod lesson;
 mod maths;
 mod measured;
 mod page;
-mod slip;
 mod source;
-mod step;
 mod symbols;
 mod warnings;
 

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use figures::number::as_printed;
 use figures::table;
 
 use crate::ground::read;
@@ -40,29 +41,11 @@ fn in_table(text: &str, cells: &str, column: &str) -> csv::Result<Vec<String>> {
     Ok(found)
 }
 
-/// Writes a power of ten as people do, 2.5·10⁻¹⁶ for 2.5e-16, a large whole number with commas,
-/// 271,000, and an empty field as `none`.
+/// Writes a number as all pages do, an empty field as `none`, and other words as they are.
 fn printed(value: &str) -> String {
-    match value.split_once('e') {
-        None if value.is_empty() => "none".to_owned(),
-        None if value.len() > 4 && value.bytes().all(|it| it.is_ascii_digit()) => {
-            in_thousands(value)
-        }
-        Some((digits, power)) if value.parse::<f64>().is_ok() => {
-            format!("{digits}·10<sup>{}</sup>", power.replace('-', "−"))
-        }
-        _ => value.to_owned(),
+    match value.parse::<f64>() {
+        _ if value.is_empty() => "none".to_owned(),
+        Ok(_) => as_printed(value),
+        Err(_) => value.to_owned(),
     }
-}
-
-/// Writes decimal digits with a comma after each group of three, counted from the end.
-fn in_thousands(digits: &str) -> String {
-    let mut grouped = String::new();
-    for (at, digit) in digits.char_indices() {
-        if at > 0 && (digits.len() - at).is_multiple_of(3) {
-            grouped.push(',');
-        }
-        grouped.push(digit);
-    }
-    grouped
 }

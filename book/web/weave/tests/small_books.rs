@@ -1,5 +1,5 @@
 //! What the directives and formulas of a page become, and what fails the build, in small
-//! books. The book itself shows the figures, charts, pictures and slips.
+//! books. The book itself shows the figures, charts and pictures.
 
 use std::fs;
 use std::path::MAIN_SEPARATOR;
@@ -23,9 +23,6 @@ fn what_cannot_be_woven_fails_the_build_with_file_line_and_cause() {
         "{{code twice.rs double}}",
         "{{code broken.rs a}}",
         "T is {{live ray unicorn}}.",
-        "{{slip unicorn gradient}}",
-        "{{slip minus-h gradient}}",
-        "{{step normals 4}}",
         "{{changes build_test}}",
         "{{value times.csv full_b.ms}}",
         "{{value uneven.csv 1.b}}",

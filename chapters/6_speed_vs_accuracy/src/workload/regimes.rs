@@ -6,8 +6,6 @@
 //! precisions, because the hard places of `f32` lie elsewhere than those of
 //! `f64`, and all its numbers are numbers of that precision.
 
-use std::ops::RangeInclusive;
-
 use common::rtweekend::*;
 
 use super::case::Case;
@@ -85,41 +83,14 @@ impl Regime {
         }
     }
 
-    /// Makes `count` random cases, each of a random one of the [`levels`](Self::levels()), in
-    /// numbers that `precision` can hold. The same `seed` gives the same cases.
+    /// Makes `count` random cases, each of a random level k of those that make sense in `precision`,
+    /// in numbers that `precision` can hold. The same `seed` gives the same cases.
     pub fn cases(&self, precision: Precision, seed: u64, count: usize) -> Vec<Case> {
-        let levels = self.levels(precision);
-        self.make(precision, seed, count, |random| {
-            let span = levels.end() - levels.start() + 1;
-            levels.start() + random.below(span.unsigned_abs()).cast_signed()
-        })
-    }
-
-    /// Makes `count` random cases of one level, in numbers that `precision` can hold. The same
-    /// `seed` gives the same cases.
-    pub fn cases_at(&self, level: i32, precision: Precision, seed: u64, count: usize) -> Vec<Case> {
-        self.make(precision, seed, count, |_| level)
-    }
-
-    /// Returns the levels k that make sense in `precision`, from the mildest to the hardest.
-    pub fn levels(&self, precision: Precision) -> RangeInclusive<i32> {
-        let [double, single] = self.levels;
-        match precision {
-            Precision::Double => double.0..=double.1,
-            Precision::Single => single.0..=single.1,
-        }
-    }
-
-    fn make(
-        &self,
-        precision: Precision,
-        seed: u64,
-        count: usize,
-        level: impl Fn(&mut Random) -> i32,
-    ) -> Vec<Case> {
+        let (mildest, hardest) = self.levels[precision as usize];
         let mut random = Random::new(seed);
         let mut case = || {
-            let level = level(&mut random);
+            let span = hardest - mildest + 1;
+            let level = mildest + random.below(span.unsigned_abs()).cast_signed();
             (self.case)(&mut random, level).rounded(precision)
         };
         (0..count).map(|_| case()).collect()

@@ -8,7 +8,7 @@ mod lib;
 mod sphere;
 
 use ::hittable_list::HitRecord;
-use skeletons::on_the_first_stair;
+use course::typed::on_the_first_stair;
 use slips::{Chapter, ChapterCode};
 
 #[test]

@@ -1,7 +1,11 @@
 //! Appearance: how a wrong picture differs from the right one at first sight.
 
 use common::rtweekend::Picture;
-use slips::{ChapterProgram, WRONG_PICTURE_WIDTH};
+use slips::ChapterProgram;
+
+/// The width in pixels of the pictures that are looked at. It is a multiple of 16, so that right
+/// pictures with rays are exactly 16:9; the build test's is a square.
+const WIDTH: u32 = 96;
 
 /// The difference of a wrong picture from the right one that is seen first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,7 +70,7 @@ impl Drawn {
     /// Draws a program's picture. Only for pixels that differ from the right picture the program is
     /// asked again whether the ray hits something.
     pub(crate) fn by(program: &ChapterProgram, right: Option<&Self>) -> Self {
-        let output = program.run(WRONG_PICTURE_WIDTH);
+        let output = program.run(WIDTH);
         let picture = output.picture();
         let pixel = |picture: &Picture, n: usize| picture.rgb().as_chunks::<3>().0[n];
         let right = right.filter(|it| it.is_hit.len() == picture.rgb().len() / 3);

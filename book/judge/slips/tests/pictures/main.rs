@@ -2,9 +2,11 @@
 //! and the look of each wrong picture.
 
 mod looks;
+mod pages;
 
 use std::fmt::Write;
 
+use common::rtweekend::Picture;
 use rayon::prelude::*;
 use slips::{Chapter, ChapterProgram, PROBES, Slip, steps};
 
@@ -71,7 +73,7 @@ fn every_probe_version_and_step_draws_its_picture() {
 type Seen = (Look, Chapter, Vec<&'static str>);
 
 #[test]
-fn every_mistake_is_seen_as_it_was() {
+fn every_mistake_is_shown_on_its_page_as_it_looks() {
     let right =
         Chapter::OF_THE_BOOK.map(|chapter| Drawn::by(&ChapterProgram::right(chapter), None));
     let slips: Vec<&Slip> = slips::all().collect();
@@ -83,7 +85,7 @@ fn every_mistake_is_seen_as_it_was() {
         });
         (slip.name, drawn.collect::<Vec<_>>())
     });
-    let mut seen: Vec<(Seen, _)> = Vec::new();
+    let mut seen: Vec<(Seen, Picture)> = Vec::new();
     for (name, drawn) in looks.collect::<Vec<_>>() {
         let mut known = vec![Look::Right];
         for (look, chapter, picture) in drawn {
@@ -100,10 +102,7 @@ fn every_mistake_is_seen_as_it_was() {
             }
         }
     }
-    let line = |((look, chapter, names), _): &(Seen, _)| {
-        format!("{look:?} {} {}\n", chapter.name(), names.join(" "))
-    };
-    insta::assert_snapshot!("looks", seen.iter().map(line).collect::<String>());
+    pages::assert_shown(&seen);
 }
 
 #[test]

@@ -53,12 +53,7 @@ impl Chart {
         (self.draw)(&texts)
     }
 
-    /// Returns an empty drawing with the title and description of the chart, 400 by `height` units.
-    pub(super) fn sheet(&self, height: f64) -> Svg {
-        Svg::new(self.name, self.title, self.description, height)
-    }
-
-    /// Returns an empty drawing for the panel with the number `place`, whose title ends with
+    /// Returns an empty drawing, 400 by `height` units, for the panel with the number `place`, whose title ends with
     /// `shows`.
     pub(super) fn panel(&self, place: usize, shows: &str, height: f64) -> Svg {
         let name = format!("{}_{place}", self.name);

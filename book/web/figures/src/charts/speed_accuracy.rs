@@ -165,12 +165,8 @@ fn draw_panel(svg: &mut Svg, place: usize, rows: &[Measured]) -> Result<(), Stri
     });
     let obstacles: Vec<Bounds> = stretches.chain(obstacles).collect();
     let names: Vec<Name<'_>> = drawn.iter().map(|row| named(row)).collect();
-    labels::write(
-        svg,
-        &names,
-        &obstacles,
-        &Bounds(spot(28.0, TOP), spot(399.0, LEAST)),
-    )
+    let sheet = Bounds(spot(28.0, TOP), spot(399.0, LEAST));
+    labels::write(svg, &names, &obstacles, &sheet)
 }
 
 /// Returns the places of a method's mark, at half of the hits, and of the end of its whisker.
@@ -279,13 +275,10 @@ fn right_digits(row: &Accuracy) -> [f64; 3] {
 /// Writes a rate of wrong decisions, given per million, as one of so many, with two digits.
 fn one_in(per_million: f64) -> String {
     let times = format!("{:.1e}", 1e6 / per_million);
-    let times: f64 = times.parse().unwrap_or(f64::NAN);
-    let all = if times < 1e6 {
-        number(times)
-    } else {
-        "a million".to_owned()
-    };
-    format!("1 of {all}")
+    match times.parse().unwrap_or(f64::NAN) {
+        1e6.. => "1 of a million".to_owned(),
+        times => format!("1 of {}", printed(times)),
+    }
 }
 
 /// Writes the table of all methods in all situations.

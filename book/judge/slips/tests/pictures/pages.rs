@@ -1,0 +1,191 @@
+//! What the pages show of mistakes: each wrong picture, and beside it the mistakes that draw it.
+
+use common::rtweekend::Picture;
+use difference::png;
+use insta::{Settings, assert_binary_snapshot, assert_snapshot};
+use slips::{Chapter, ChapterProgram, Edit, Languages, Slip, Unseen, steps};
+
+use crate::Seen;
+use crate::looks::Look;
+
+/// The parts of the page, each with the look of its pictures, and with the mistakes or the chapter
+/// whose pictures these are, or nothing. A picture stands in the first part that fits.
+const PARTS: [(&str, Look, &str); 16] = [
+    ("only-sky", Look::Gone, ""),
+    ("no-sky", Look::Flooded, ""),
+    (
+        "egg",
+        Look::Misplaced,
+        "focal-length-two integer-viewport-ratio inverted-viewport-ratio rows-by-width \
+         radius-not-squared a-from-length deltas-from-last-pixel",
+    ),
+    ("ground", Look::Misplaced, "hittable_list"),
+    ("moved", Look::Misplaced, ""),
+    ("ground", Look::Incomplete, "hittable_list"),
+    ("egg", Look::Incomplete, ""),
+    ("turned", Look::Turned, ""),
+    ("other-size", Look::OtherSize, ""),
+    (
+        "dark",
+        Look::OtherHits,
+        "far-root two-a-without-brackets numerator-without-brackets not-divided normal-from-point \
+         center-added normal-inward normal-not-mapped normal-only-halved z-forward stale-boolean \
+         divided-by-a faces-swapped normal-not-set",
+    ),
+    ("other-colors", Look::OtherHits, ""),
+    ("all-colors", Look::OtherColors, ""),
+    ("all-colors", Look::OtherSky, "build_test"),
+    ("sky", Look::OtherSky, ""),
+    ("right", Look::Faint, ""),
+    ("unseen", Look::Right, ""),
+];
+
+/// Compares the parts of the page of mistakes and their pictures with what the book has.
+pub(crate) fn assert_shown(seen: &[(Seen, Picture)]) {
+    let mut parts = PARTS.map(|(part, ..)| (part, String::new()));
+    for (wrong @ (look, chapter, names), picture) in seen {
+        let is_meant = |words: &str| {
+            let mut words = words.split(' ');
+            words.any(|word| word == chapter.name() || names.contains(&word))
+        };
+        let fits =
+            |(_, of, words): &(_, Look, &str)| of == look && (words.is_empty() || is_meant(words));
+        let part = PARTS.iter().position(fits).expect("a part for each look");
+        parts[part].1 += &tile(wrong, picture, seen);
+        shown_in("slips").bind(|| {
+            let file = format!("{}.png", id(names[0], wrong, seen));
+            assert_binary_snapshot!(&file, png::encode(picture));
+        });
+    }
+    let is_unseen = |slip: &&Slip| {
+        !seen
+            .iter()
+            .any(|((.., names), _)| names.contains(&slip.name))
+    };
+    parts[PARTS.len() - 1].1 = slips::all().filter(is_unseen).map(shown_by).collect();
+    for (n, (part, text)) in parts.iter().enumerate() {
+        assert!(!text.is_empty(), "no picture of {:?}", PARTS[n]);
+        if !parts[..n].iter().any(|(other, _)| other == part) {
+            let same = parts.iter().filter(|(other, _)| other == part);
+            let text: String = same.map(|(_, text)| &text[..]).collect();
+            shown_in("slips").bind(|| assert_snapshot!(*part, text));
+        }
+    }
+    let mut names: Vec<&str> = slips::all().map(|slip| slip.name).collect();
+    names.sort_unstable();
+    let links: Vec<String> = names
+        .iter()
+        .map(|it| format!("<a href=\"#{it}\">{it}</a>"))
+        .collect();
+    let names = format!("<p>{}</p>", links.join(" · "));
+    shown_in("slips").bind(|| assert_snapshot!("names", names));
+}
+
+/// The pages of the chapters show some mistakes and half-finished pictures.
+#[test]
+fn pages_show_what_mistakes_and_steps_draw() {
+    use Chapter::{BuildTest, Gradient, HalfBSphere, HittableList, Normals};
+    let shown = |name: String, chapter: Chapter, program: &ChapterProgram| {
+        let picture = program.run(chapter.book_width()).picture();
+        shown_in("pictures")
+            .bind(|| assert_binary_snapshot!(&format!("{name}.png"), png::encode(&picture)));
+    };
+    for (slip, chapter) in [
+        ("red-and-green-swapped", BuildTest),
+        ("blend-not-mapped", Gradient),
+        ("normal-not-mapped", Normals),
+        ("far-root", Normals),
+        ("minus-h", HalfBSphere),
+        ("faces-swapped", HittableList),
+        ("closest-ignored", HittableList),
+        ("oc-reversed", HittableList),
+    ] {
+        let program = slips::find(slip).expect("a slip").program(chapter);
+        shown(format!("{slip}_{}", chapter.name()), chapter, &program);
+    }
+    for (chapter, number) in [(Gradient, 2), (Gradient, 3), (Normals, 2)] {
+        let step = &steps::of_chapter(chapter)[number - 1];
+        let program = step.applied_to(&ChapterProgram::right(chapter));
+        shown(
+            format!("{}_step_{number}", chapter.name()),
+            chapter,
+            &program,
+        );
+    }
+}
+
+/// Makes settings for snapshots that pages show, in a folder of `book/notes`.
+fn shown_in(folder: &str) -> Settings {
+    let mut settings = Settings::clone_current();
+    settings.set_snapshot_path(format!(
+        "{}/../../notes/{folder}",
+        env!("CARGO_MANIFEST_DIR")
+    ));
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings
+}
+
+/// Returns a wrong picture, and beside it the slips that draw it.
+fn tile(wrong: &Seen, picture: &Picture, seen: &[(Seen, Picture)]) -> String {
+    let (_, chapter, names) = wrong;
+    let (chapter, size) = (chapter.name(), [picture.width(), picture.height()]);
+    let items: String = names
+        .iter()
+        .map(|name| {
+            let slip = slips::find(name).expect("a slip");
+            item(slip, &id(name, wrong, seen)) + "\n"
+        })
+        .collect();
+    format!(
+        "<div class=\"slip\">\n<figure><img class=\"pixels\" width=\"{}\" height=\"{}\" \
+         alt=\"What {} draws in {chapter}\" src=\"slips/{}.snap.png\"><figcaption>{chapter}</figcaption></figure>\n\
+         <div>\n\n{items}\n</div>\n</div>\n\n",
+        size[0],
+        size[1],
+        names.join(", "),
+        id(names[0], wrong, seen),
+    )
+}
+
+/// Returns the anchor of a slip on the page: its name, where its first picture stands, and else its
+/// name with the chapter's.
+fn id(name: &str, wrong: &Seen, seen: &[(Seen, Picture)]) -> String {
+    let first = seen.iter().find(|((.., names), _)| names.contains(&name));
+    match first {
+        Some((first, _)) if first == wrong => name.to_owned(),
+        _ => format!("{name}-in-{}", wrong.1.name()),
+    }
+}
+
+/// Returns the slip in words, as an item of a list.
+fn item(slip: &Slip, id: &str) -> String {
+    let name = slip.name;
+    let first = slip.chapters().next().unwrap_or(Chapter::HittableList);
+    let lines = slip.lines_in(Languages::Both, first).into_iter();
+    let begun = ["", "; in Rust "].into_iter().zip(lines);
+    let lines = begun.map(|(begin, Edit { right, wrong })| match &*wrong {
+        "" => format!("{begin}`{right}` is left out"),
+        _ => format!("{begin}`{wrong}` should be `{right}`"),
+    });
+    let (lines, why) = (lines.collect::<String>(), slip.why);
+    let (page, heading) = slip.page_and_heading();
+    format!(
+        "* {lines}. {why} \
+         <span id=\"{id}\">*{name}*</span>, see [{page}]({page}.md#{heading})"
+    )
+}
+
+/// Returns the slip with a sentence on what shows it, since the book's pictures hide it.
+fn shown_by(slip: &Slip) -> String {
+    let mut chapters = slip.chapters();
+    let shown = match slip.first_revealing_probe() {
+        Some(probe) => format!("The probe *{probe}* shows it."),
+        None => match chapters.find_map(|chapter| slip.why_unseen_in(chapter)) {
+            Some(Unseen::OnlyByLaw(law)) => format!("Only a law shows it: {law}"),
+            Some(Unseen::Equivalent(why)) => format!("Nothing shows it: {why}"),
+            None => String::new(),
+        },
+    };
+    format!("{}. {shown}\n", item(slip, slip.name))
+}
