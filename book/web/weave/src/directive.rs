@@ -55,11 +55,12 @@ pub(crate) fn resolve(text: &str, folder: &Path, listed: &mut Listed) -> Result<
         "slips" => slip::gallery(rest),
         "symptoms" => slip::symptoms(folder, rest),
         "names" => Ok(slip::names()),
+        "probes" => Ok(slip::probes()),
         "snapshot" => snapshot(&folder.join(rest)),
         "step" => step::step(first, second),
         _ => Err(format!(
             "there is no directive `{name}`: choose code, traced, figure, live, chart, changes, \
-             names, slip, slips, step, snapshot, symptoms or value"
+             names, probes, slip, slips, step, snapshot, symptoms or value"
         )),
     };
     block.map(Woven::Block)

@@ -7,7 +7,7 @@ use base64::prelude::{BASE64_STANDARD, Engine as _};
 use common::rtweekend::Picture;
 use difference::png;
 use rayon::prelude::*;
-use slips::{Chapter, Edit, Languages, Slip, Unseen, WrongPicture};
+use slips::{Chapter, Edit, Languages, PROBES, Probe, Slip, Unseen, WrongPicture};
 
 use crate::ground::{escaped, read, split};
 
@@ -26,6 +26,17 @@ pub(crate) fn slip(name: &str, chapter: &str) -> Result<String, String> {
         image(&picture, &format!("What {name} draws: {}", slip.why)),
         chapter.name()
     ))
+}
+
+/// Returns a list of all probes (other scenes, which show what a chapter's own picture hides): of
+/// each its name, what it shows, and what a reader changes in the last chapter to draw it.
+pub(crate) fn probes() -> String {
+    let item = |probe: &Probe| {
+        let change = probe.instructions(Chapter::HittableList, Languages::Both);
+        let change = change.replace('\n', "`; `");
+        format!("- `{}`: {} Change: `{change}`\n", probe.name, probe.shows)
+    };
+    PROBES.iter().map(item).collect()
 }
 
 /// Returns the slips of a look (a kind of wrong picture), with their pictures. `chosen` is `LOOK`;
