@@ -33,8 +33,8 @@ pub(crate) fn slip(name: &str, chapter: &str) -> Result<String, String> {
 pub(crate) fn probes() -> String {
     let item = |probe: &Probe| {
         let change = probe.instructions(Chapter::HittableList, Languages::Both);
-        let change = change.replace('\n', "`; `");
-        format!("- `{}`: {} Change: `{change}`\n", probe.name, probe.shows)
+        let change = change.replace('\n', "; ");
+        format!("- `{}`: {} Change: {change}\n", probe.name, probe.shows)
     };
     PROBES.iter().map(item).collect()
 }
