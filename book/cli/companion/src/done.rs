@@ -1,4 +1,4 @@
-//! `done`: the list of things that a reader has done, and the steps that are ahead.
+//! `done`: the list of things that a reader has done.
 
 use std::error::Error;
 use std::fs::{self, OpenOptions};
@@ -7,62 +7,33 @@ use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
 use check::names::{self, name_from_here};
-use check::sentences::{picture_done_line, step_done_line};
-use slips::{Chapter, steps};
 
 use crate::command_line::Words;
 use crate::limited;
-use crate::output;
 use crate::reader_crates::ReaderCrates;
-use crate::wrap::wrap_hanging;
 
-/// The arguments of `cargo rtrace done`.
-pub(crate) struct Arguments {
-    text: Vec<String>,
-    in_folder: Option<PathBuf>,
-}
-
-impl Arguments {
-    /// Reads the arguments from a command line.
-    ///
-    /// # Errors
-    /// If there is a text, and it is blank.
-    pub(crate) fn read(words: &Words) -> Result<Self, Box<dyn Error>> {
-        let text = words
-            .values
-            .iter()
-            .map(|it| it.to_string_lossy().into_owned());
-        let text: Vec<String> = text.collect();
-        if !text.is_empty() && text.iter().all(|it| it.trim().is_empty()) {
-            return Err(words.command.misuse("TEXT is empty"));
-        }
-        Ok(Self {
-            text,
-            in_folder: words.path("--in <FOLDER>"),
-        })
-    }
-}
-
-/// Adds the words of the arguments to the list of done things as one line. Without words, prints
-/// the list and the steps that are still ahead.
+/// Adds the words to the list of done things as one line. Without words, returns the list.
 ///
 /// # Errors
-/// If the list can't be read or written.
-pub(crate) fn done(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
-    let list = Done::find(arguments.in_folder.as_deref());
-    let text = arguments.text.join(" ");
+/// If there are words, and they are blank; if the list can't be read or written.
+pub(crate) fn done(words: &Words) -> Result<String, Box<dyn Error>> {
+    let list = Done::find(words.path("--in").as_deref());
+    let texts = words.values.iter().map(|it| it.to_string_lossy());
+    let text = texts.collect::<Vec<_>>().join(" ");
     let line = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    let said = match line.as_str() {
-        "" => list.show()?,
-        line => {
-            list.add(line)?;
-            format!("{}: {line}\n", name_from_here(&list.file))
-        }
-    };
-    let mut lines = said.lines().map(names::escape_for_terminal);
-    Ok(output::to_stdout(|out| {
-        lines.try_for_each(|line| writeln!(out, "{line}"))
-    })?)
+    if words.values.is_empty() {
+        return Ok(list.show()?);
+    }
+    if line.is_empty() {
+        return Err(words.command.misuse("TEXT is empty"));
+    }
+    list.add(&line)?;
+    let said = format!(
+        "{}: {}\n",
+        name_from_here(&list.file),
+        names::escape_for_terminal(&line)
+    );
+    Ok(said)
 }
 
 /// The length that no list exceeds, in bytes.
@@ -161,42 +132,16 @@ impl Done {
         )
     }
 
-    fn show(&self) -> Result<String, Box<dyn Error>> {
+    fn show(&self) -> io::Result<String> {
         let text = self.text()?;
-        let lines: Vec<&str> = text.lines().filter(|line| line.starts_with("- ")).collect();
-        let mut said = if lines.is_empty() {
-            "Nothing is done yet.\n".to_owned()
-        } else {
-            let (list, lines) = (name_from_here(&self.file), lines.join("\n  "));
-            format!("Done, in {list}\n  {lines}\n")
-        };
-        let ahead: String = Chapter::TYPED
-            .into_iter()
-            .flat_map(|chapter| ahead(chapter, &text))
-            .collect();
-        said += &if ahead.is_empty() {
-            "Nothing is left: you have done all chapters.\n".to_owned()
-        } else {
-            format!("Ahead\n{ahead}")
-        };
-        Ok(said)
+        let lines = text.lines().filter(|line| line.starts_with("- "));
+        let lines = lines.map(|line| format!("  {}\n", names::escape_for_terminal(line)));
+        let (list, lines) = (name_from_here(&self.file), lines.collect::<String>());
+        Ok(match lines.as_str() {
+            "" => "Nothing is done yet.\n".to_owned(),
+            lines => format!("Done, in {list}\n{lines}"),
+        })
     }
-}
-
-/// Returns a line for each step of the chapter after the last one on the list, or none if the
-/// chapter's picture is on it.
-fn ahead(chapter: Chapter, text: &str) -> Vec<String> {
-    if is_on(text, &picture_done_line(chapter)) {
-        return Vec::new();
-    }
-    let steps = (1..).zip(steps::of_chapter(chapter));
-    let last =
-        (1..=steps::of_chapter(chapter).len()).rfind(|&n| is_on(text, &step_done_line(chapter, n)));
-    steps
-        .skip(last.unwrap_or(0))
-        .map(|(number, step)| format!("  {:<14} {number}. {}", chapter.name(), step.instruction))
-        .map(|line| wrap_hanging(&line, 20) + "\n")
-        .collect()
 }
 
 /// Returns true if a line of the list ends with `thing`.

@@ -9,49 +9,31 @@ use measure::accuracy::{exact, ulps_off};
 use speed_vs_accuracy::{Case, METHODS, Method, Precision, Solve};
 
 use crate::command_line::Words;
-use crate::output;
 
-/// The arguments of `cargo rtrace hit`.
-pub(crate) struct Arguments {
-    origin: Vec3,
-    direction: Vec3,
-    center: Vec3,
-    radius: f64,
-    /// A hit must have a greater t than this.
-    t_min: f64,
-}
-
-impl Arguments {
-    /// Reads the arguments from a command line.
-    ///
-    /// # Errors
-    /// If a word is missing, or is not what it should be.
-    pub(crate) fn read(words: &Words) -> Result<Self, Box<dyn Error>> {
-        Ok(Self {
-            origin: words.required("--origin <X,Y,Z>", vector)?,
-            direction: words.required("--direction <X,Y,Z>", vector)?,
-            center: words.required("--center <X,Y,Z>", vector)?,
-            radius: words.required("--radius <R>", radius)?,
-            t_min: words.option("--t-min <T>", finite)?.unwrap_or(0.0),
-        })
-    }
-}
-
-/// Prints where a ray hits a sphere, by exact arithmetic and by each method of chapter 6, with its
+/// Returns where a ray hits a sphere, by exact arithmetic and by each method of chapter 6, with its
 /// error.
 ///
 /// # Errors
-/// If standard output can't be written to.
-pub(crate) fn hit(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
-    let ray = Ray::new(arguments.origin, arguments.direction);
-    let case = Case::new(arguments.center, arguments.radius, ray);
+/// If a word is missing, or is not what it should be.
+pub(crate) fn hit(words: &Words) -> Result<String, Box<dyn Error>> {
+    let missing = || {
+        let needed = ["--origin", "--direction", "--center", "--radius"];
+        let missing: Vec<&str> = needed.into_iter().filter(|it| !words.has(it)).collect();
+        let missing = format!("missing: {}", missing.join(", "));
+        words.command.misuse(&missing)
+    };
+    let vector = |name| words.option(name, vector)?.ok_or_else(missing);
+    let ray = Ray::new(vector("--origin")?, vector("--direction")?);
+    let center = vector("--center")?;
+    let radius = words.option("--radius", radius)?.ok_or_else(missing)?;
+    let case = Case::new(center, radius, ray);
+    let t_min = words.option("--t-min", finite)?.unwrap_or_default();
     let of = |precision| {
         let mut methods = METHODS.to_vec();
         methods.retain(|method| method.precision() == precision);
-        compare_methods(&case, precision, &methods, arguments.t_min)
+        compare_methods(&case, precision, &methods, t_min)
     };
-    let text = Precision::ALL.map(of).join("\n");
-    Ok(output::to_stdout(|out| out.write_all(text.as_bytes()))?)
+    Ok(Precision::ALL.map(of).join("\n"))
 }
 
 /// The error in ulps that a handful of rounded operations leaves.

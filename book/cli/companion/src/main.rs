@@ -5,7 +5,6 @@ mod done;
 mod hit;
 mod laws;
 mod needs;
-mod probes;
 mod reader_crates;
 mod sources;
 mod start;
@@ -13,13 +12,12 @@ mod subprocess;
 mod watch;
 mod wrap;
 
-use std::env;
 use std::error::Error;
 use std::process::ExitCode;
 use std::thread;
 
-use launcher::command_line::{self, Request, Words};
-use launcher::{chapter, limited, misuse, output, terminal};
+use launcher::command_line::{self, Words};
+use launcher::{limited, misuse, output, terminal};
 
 /// The size of the stack in bytes: reading and running a reader's text recurse for each level of
 /// it. Only the part that is used takes memory.
@@ -29,33 +27,25 @@ fn main() -> ExitCode {
     if subprocess::guard::run_if_guard() {
         return ExitCode::SUCCESS;
     }
+    let run = || launcher::main(run_command);
     let named = thread::Builder::new().stack_size(STACK);
     let ended = named.spawn(run).map(thread::JoinHandle::join);
     // What panics has said so.
     ended.map_or_else(|_| run(), |code| code.unwrap_or(ExitCode::from(101)))
 }
 
-fn run() -> ExitCode {
-    let request = Request::read(env::args_os().skip(1));
-    match request.map(launcher::run_own) {
-        Ok(Ok(done)) => misuse::exit_code_of(done),
-        Ok(Err(words)) if words.command.name() == "check" => check::check(&words),
-        Ok(Err(words)) => misuse::exit_code_of(run_command(&words)),
-        Err(error) => misuse::exit_code(Err(error)),
-    }
-}
-
-/// Runs a command that the launcher has handed on.
+/// Runs a command that the launcher has handed on, and prints what it says.
 fn run_command(words: &Words) -> Result<ExitCode, Box<dyn Error>> {
-    match words.command.name() {
-        "watch" => return watch::watch(&watch::Arguments::read(words)?),
-        "laws" => return laws::laws(&laws::Arguments::read(words)?),
-        "start" => start::start(&start::Arguments::read(words)?)?,
-        "done" => done::done(&done::Arguments::read(words)?)?,
-        "hit" => hit::hit(&hit::Arguments::read(words)?)?,
-        "needs" => needs::needs(&needs::Arguments::read(words)?)?,
-        "probes" => probes::list(words)?,
+    let (code, said) = match words.command.name() {
+        "watch" => return watch::watch(words),
+        "check" => check::check(words)?,
+        "laws" => laws::laws(words)?,
+        "start" => (0, start::start(words)?),
+        "done" => (0, done::done(words)?),
+        "hit" => (0, hit::hit(words)?),
+        "needs" => (0, needs::needs(words)?),
         name => unreachable!("the command {name} is the launcher's own"),
-    }
-    Ok(ExitCode::SUCCESS)
+    };
+    output::print(&said)?;
+    Ok(ExitCode::from(code))
 }

@@ -8,6 +8,8 @@ use check::names::{self, companion_command};
 use check::workspace;
 use slips::Chapter;
 
+use crate::limited;
+
 /// The folder of a reader's crates, each of which is named after its chapter.
 pub(crate) struct ReaderCrates {
     folder: PathBuf,
@@ -16,23 +18,27 @@ pub(crate) struct ReaderCrates {
 }
 
 impl ReaderCrates {
-    /// Takes the `chosen` folder. Without one, takes `mine` in the workspace if the reader is
-    /// there, or else in the nearest folder above the current one that has such a crate, or else in
-    /// the current folder.
+    /// Takes the `chosen` folder. Without one, takes the folder of the crate that the reader is in,
+    /// or else `mine` in the workspace if the reader is there, or else in the nearest folder above
+    /// the current one that has such a crate, or else in the current folder.
     pub(crate) fn find(chosen: Option<&Path>) -> Self {
         let here = env::current_dir().unwrap_or_default();
-        let workspace = workspace_around(&here);
         let has_one = |folder: &&Path| {
-            Chapter::TYPED
-                .iter()
-                .any(|it| folder.join("mine").join(it.name()).is_dir())
+            let mut typed = Chapter::TYPED.iter();
+            typed.any(|chapter| folder.join("mine").join(chapter.name()).is_dir())
         };
         let usual = || {
-            let home = workspace.or_else(|| here.ancestors().find(has_one));
+            let home = workspace_around(&here).or_else(|| here.ancestors().find(has_one));
             home.unwrap_or(&here).join("mine")
         };
+        let of_crate = crate_around(&here).and_then(|(_, folder)| folder.parent());
+        let folder = match (chosen, of_crate) {
+            (Some(chosen), _) => here.join(chosen),
+            (None, Some(folder)) => folder.to_owned(),
+            (None, None) => usual(),
+        };
         Self {
-            folder: chosen.map_or_else(usual, |chosen| here.join(chosen)),
+            folder,
             chosen: chosen.map(shell_word),
         }
     }
@@ -72,6 +78,22 @@ impl ReaderCrates {
     pub(crate) fn folder_of(&self, chapter: Chapter) -> PathBuf {
         self.folder.join(chapter.name())
     }
+}
+
+/// Returns the chapter of the reader's crate that the current folder is in; `None` if it is in none.
+pub(crate) fn chapter_here() -> Option<Chapter> {
+    let here = env::current_dir().ok()?;
+    crate_around(&here).map(|(chapter, _)| chapter)
+}
+
+/// Finds a crate that `start` made, by its manifest: its chapter, and its folder, in which `here`
+/// is.
+fn crate_around(here: &Path) -> Option<(Chapter, &Path)> {
+    here.ancestors().find_map(|folder| {
+        let manifest = limited::read_text(&folder.join("Cargo.toml")).ok()?;
+        let is_of = |chapter: &Chapter| manifest.contains(&format!("\"my_{}\"", chapter.name()));
+        Some((Chapter::TYPED.into_iter().find(is_of)?, folder))
+    })
 }
 
 /// Returns the workspace if the folder is in it.

@@ -19,6 +19,8 @@ fn the_companion_explains_itself_when_asked_and_when_misunderstood() {
          rtrace show gradient --open=yes
          rtrace show gradient --width 3 --width 4
          rtrace check
+         rtrace check gradient a.ppm b.ppm
+         rtrace check a.ppm b.ppm
          rtrace check gradient
          rtrace check gradient mine.ppm -- true
          rtrace check gradient mine.ppm --timeout 3

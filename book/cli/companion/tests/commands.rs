@@ -43,7 +43,6 @@ fn every_command_that_an_answer_names_is_understood() {
         let name = chapter.name();
         desk.write_picture("right.ppm", &chapter.picture(100));
         for line in [
-            format!("rtrace probes {name}"),
             format!("rtrace watch {name} --once"),
             format!("rtrace check {name} right.ppm"),
             format!("rtrace check {name} right.ppm --probe inside"),

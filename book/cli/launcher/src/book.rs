@@ -9,41 +9,31 @@ use course::names::name_from_here;
 use crate::command_line::Words;
 use crate::{cargo, draw, output};
 
-/// The arguments of `cargo rtrace book`.
-#[derive(Default)]
-pub struct Arguments {
-    open: bool,
-    output: Option<PathBuf>,
-}
-
-impl Arguments {
-    /// Reads the arguments from a command line.
-    pub fn read(words: &Words) -> Self {
-        Self {
-            open: words.has("--open"),
-            output: words.path("-o, --output <DIR>"),
-        }
-    }
-}
-
 /// Builds the weaver and weaves the book, as [`weave`] does.
 ///
 /// # Errors
 /// If the weaver can't be built or started, or if no browser opens the page.
-pub fn book(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
-    weave(cargo::weaver()?, arguments)
+pub(crate) fn book(words: &Words) -> Result<ExitCode, Box<dyn Error>> {
+    weave(
+        cargo::weaver()?,
+        words.path("--output"),
+        words.has("--open"),
+    )
 }
 
-/// Has the weaver make the book in a folder, prints where its first page is, and opens that in the
-/// browser if the reader asks for it. Returns the exit code of the weaver, which reports its own
-/// failures.
+/// Has the weaver make the book in `folder`, or else in `target/book`, prints where its first page
+/// is, and opens that in the browser if `opens`. Returns the exit code of the weaver, which reports
+/// its own failures.
 ///
 /// # Errors
 /// If the weaver can't be started, or if no browser opens the page.
-pub fn weave(mut weaver: Command, arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
+pub(crate) fn weave(
+    mut weaver: Command,
+    folder: Option<PathBuf>,
+    opens: bool,
+) -> Result<ExitCode, Box<dyn Error>> {
     let workspace = draw::find_workspace()?;
-    let usual = || workspace.join("target/book");
-    let folder = arguments.output.clone().unwrap_or_else(usual);
+    let folder = folder.unwrap_or_else(|| workspace.join("target/book"));
     let source = workspace.join("book");
     let woven = weaver.args([&source, &folder]).status();
     let woven = woven.map_err(|cause| format!("the weaver does not start: {cause}"))?;
@@ -52,9 +42,8 @@ pub fn weave(mut weaver: Command, arguments: &Arguments) -> Result<ExitCode, Box
         return Ok(code.map_or(ExitCode::FAILURE, ExitCode::from));
     }
     let index = folder.join("index.html");
-    let said = format!("The book is in {}\n", name_from_here(&index));
-    output::to_stdout(|out| out.write_all(said.as_bytes()))?;
-    if arguments.open {
+    output::print(&format!("The book is in {}\n", name_from_here(&index)))?;
+    if opens {
         open::that_detached(&index).map_err(|cause| {
             format!(
                 "no browser opened {}: {cause}\nOpen the page by hand.",

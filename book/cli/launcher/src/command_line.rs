@@ -5,16 +5,16 @@
 
 use std::error::Error;
 use std::ffi::{OsStr, OsString};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use course::chapter::Chapter;
 use course::names::{companion_command, escaped_name};
-use lexopt::Arg;
+use lexopt::{Arg, Parser};
 
 use crate::misuse::misuse;
 
 /// The request of a command line.
-pub enum Request {
+pub(crate) enum Request {
     /// There is no word at all.
     Nothing,
     /// Print this text: the help that was asked for.
@@ -38,7 +38,7 @@ pub struct Words {
     pub values: Vec<OsString>,
     /// The words after `--`: a reader's program and its arguments. Empty if there are none.
     pub program: Vec<OsString>,
-    /// The spelling of each option in the help, and its value.
+    /// The long name of each option, such as `--output`, and its value.
     options: Vec<(&'static str, OsString)>,
 }
 
@@ -48,15 +48,15 @@ impl Request {
     /// # Errors
     /// If there is no such command, or a word that it does not understand; the message names what
     /// is most alike.
-    pub fn read(words: impl IntoIterator<Item = OsString>) -> Result<Self, Box<dyn Error>> {
-        let mut words = words.into_iter();
-        let Some(first) = words.next() else {
+    pub(crate) fn read(words: impl Iterator<Item = OsString>) -> Result<Self, Box<dyn Error>> {
+        let words: Vec<OsString> = words.collect();
+        let Some((first, rest)) = words.split_first() else {
             return Ok(Self::Nothing);
         };
-        match (first.to_str(), words.next()) {
+        match (first.to_str(), rest.first()) {
             (Some("-h" | "--help"), _) | (Some("help"), None) => Ok(Self::Help(overview())),
-            (Some("help"), Some(name)) => Ok(Self::Help(Command::find(&name)?.help())),
-            (_, second) => Command::find(&first)?.read(second.into_iter().chain(words)),
+            (Some("help"), Some(name)) => Ok(Self::Help(Command::find(name)?.help())),
+            _ => Command::find(first)?.read(rest.to_vec()),
         }
     }
 }
@@ -84,15 +84,15 @@ impl Command {
         self.usage().split(' ').next().unwrap_or_default()
     }
 
-    /// Returns the help of the command.
-    pub fn help(self) -> String {
-        let names: Vec<&str> = self.chapters().iter().map(|it| it.name()).collect();
-        let help = self.help.replace("CHAPTERS", &names.join(", "));
+    fn help(self) -> String {
+        let names = self.chapters().iter().map(|chapter| chapter.name());
+        let names = names.collect::<Vec<_>>().join(", ");
+        let help = self.help.replace("CHAPTERS", &names);
         help.replace("RTRACE", companion_command())
     }
 
     /// Returns the chapters that its `CHAPTER` may be.
-    pub fn chapters(self) -> &'static [Chapter] {
+    fn chapters(self) -> &'static [Chapter] {
         match self.name() {
             "show" => &Chapter::ALL,
             "start" => &Chapter::TYPED,
@@ -109,22 +109,27 @@ impl Command {
         ))
     }
 
-    fn read(self, words: impl Iterator<Item = OsString>) -> Result<Request, Box<dyn Error>> {
-        let odd = |problem: lexopt::Error| self.misuse(&problem.to_string());
-        let (values, program, options) = Default::default();
+    fn read(self, mut words: Vec<OsString>) -> Result<Request, Box<dyn Error>> {
+        let takes_program = self.usage().contains("PROGRAM");
+        let border = words.iter().position(|word| takes_program && word == "--");
         let mut read = Words {
             command: self,
-            values,
-            program,
-            options,
+            program: words
+                .drain(border.unwrap_or(words.len())..)
+                .skip(1)
+                .collect(),
+            values: Vec::new(),
+            options: Vec::new(),
         };
-        let mut words = lexopt::Parser::from_args(words);
-        while !read.takes_the_rest(&mut words) {
+        let odd = |problem: lexopt::Error| self.misuse(&problem.to_string());
+        let mut words = Parser::from_args(words);
+        loop {
+            if self.usage().contains("TEXT") {
+                read.values.extend(self.text(&mut words));
+            }
             let typed = match words.next().map_err(odd)? {
-                None => break,
-                Some(Arg::Short('h') | Arg::Long("help")) => {
-                    return Ok(Request::Help(self.help()));
-                }
+                None => return Ok(Request::Run(read)),
+                Some(Arg::Short('h') | Arg::Long("help")) => return Ok(Request::Help(self.help())),
                 Some(Arg::Value(value)) if read.values.len() < self.most_values() => {
                     read.values.push(value);
                     continue;
@@ -136,15 +141,25 @@ impl Command {
                 Some(Arg::Short(letter)) => format!("-{letter}"),
                 Some(Arg::Long(name)) => format!("--{name}"),
             };
-            let option = self.option(&typed)?;
-            if read.find(option).is_some() {
-                return Err(self.misuse(&format!("{} is there twice", name(option))));
+            let (name, has_value) = self.option(&typed)?;
+            if read.has(name) {
+                return Err(self.misuse(&format!("{name} is there twice")));
             }
-            let has_value = option.contains('<');
             let value = has_value.then(|| words.value().map_err(odd)).transpose()?;
-            read.options.push((option, value.unwrap_or_default()));
+            read.options.push((name, value.unwrap_or_default()));
         }
-        Ok(Request::Run(read))
+    }
+
+    /// Takes all words that are left if the next one is no option: they are a text of any words.
+    fn text(self, words: &mut Parser) -> Vec<OsString> {
+        let is_option = |word: &OsStr| {
+            let word = word.to_string_lossy();
+            self.option(word.split('=').next().unwrap_or_default())
+                .is_ok()
+        };
+        let rest = words.try_raw_args();
+        let rest = rest.filter(|rest| !rest.peek().is_some_and(is_option));
+        rest.into_iter().flatten().collect()
     }
 
     /// Returns the line of the help that shows all words in their order, from the name on.
@@ -160,103 +175,118 @@ impl Command {
         values.filter(|line| !line.contains("PROGRAM")).count()
     }
 
-    /// Lists the options as the help spells them, such as `-o, --output <FILE>`.
-    fn options(self) -> impl Iterator<Item = &'static str> + Clone {
+    /// Lists the words of each option in the help, such as `-o`, `--output` and `<FILE>`.
+    fn options(self) -> impl Iterator<Item = Vec<&'static str>> {
         let lines = self.help.lines().map(str::trim_start);
         let lines = lines.filter(|line| line.starts_with('-'));
-        lines.map(|line| line.split("  ").next().unwrap_or(line))
+        let spelled = lines.map(|line| line.split("  ").next().unwrap_or(line));
+        let words = |option: &'static str| option.split(' ').map(|word| word.trim_end_matches(','));
+        spelled.map(move |option| words(option).collect())
     }
 
-    fn option(self, typed: &str) -> Result<&'static str, Box<dyn Error>> {
-        let is_it = |option: &&str| option.split([',', ' ']).any(|word| word == typed);
-        self.options().find(is_it).ok_or_else(|| {
-            let suggested = suggestion(typed, self.options().map(name));
+    /// Returns the long name of the option that was typed, and true if a value follows it.
+    fn option(self, typed: &str) -> Result<(&'static str, bool), Box<dyn Error>> {
+        let name = |option: &Vec<&'static str>| {
+            let mut words = option.iter().copied();
+            words
+                .find(|word| word.starts_with("--"))
+                .unwrap_or_default()
+        };
+        let found = self.options().find(|option| option.contains(&typed));
+        let found = found.map(|option| {
+            (
+                name(&option),
+                option.last().is_some_and(|it| it.starts_with('<')),
+            )
+        });
+        found.ok_or_else(|| {
+            let names: Vec<&str> = self.options().map(|option| name(&option)).collect();
+            let suggested = suggestion(typed, names.into_iter());
             self.misuse(&format!("there is no option {typed:?}{suggested}"))
         })
     }
 }
 
 impl Words {
-    /// Takes all words that are left if they are a program after `--`, or a text of any words.
-    /// Returns true if it has taken them.
-    fn takes_the_rest(&mut self, words: &mut lexopt::Parser) -> bool {
-        let usage = self.command.usage();
-        let Some(rest) = words.try_raw_args() else {
-            return false;
-        };
-        let Some(next) = rest.peek().map(OsStr::to_string_lossy) else {
-            return false;
-        };
-        let option = next.split('=').next().unwrap_or_default();
-        if next == "--" && usage.contains("PROGRAM") {
-            self.program.extend(rest.skip(1));
-        } else if usage.contains("TEXT") && self.command.option(option).is_err() {
-            self.values.extend(rest);
-        } else {
-            return false;
-        }
-        true
+    /// Returns true if the option is there, which is named as `--output`.
+    pub fn has(&self, name: &str) -> bool {
+        self.find(name).is_some()
     }
 
-    /// Returns true if the option is there, which is spelled as in the help.
-    pub fn has(&self, option: &str) -> bool {
-        self.find(option).is_some()
+    /// Returns the value of an option as a path.
+    pub fn path(&self, name: &str) -> Option<PathBuf> {
+        self.find(name).map(PathBuf::from)
     }
 
-    /// Returns the value of an option, which is spelled as in the help, as a path.
-    pub fn path(&self, option: &str) -> Option<PathBuf> {
-        self.find(option).map(PathBuf::from)
-    }
-
-    /// Parses the value of an option, which is spelled as in the help, if it is there.
+    /// Parses the value of an option, if it is there.
     ///
     /// # Errors
     /// If `parse` refuses the value; the message has its reason.
     pub fn option<T>(
         &self,
-        option: &str,
+        name: &str,
         parse: impl Fn(&str) -> Result<T, String>,
     ) -> Result<Option<T>, Box<dyn Error>> {
-        let value = self.find(option).map(OsStr::to_string_lossy);
-        let parsed = value.map(|it| parse(&it).map_err(|why| self.refused(option, &it, &why)));
+        let value = self.find(name).map(OsStr::to_string_lossy);
+        let parsed = value.map(|it| parse(&it).map_err(|why| self.refused(name, &it, &why)));
         parsed.transpose()
     }
 
-    /// Parses the value of an option that must be there, as all must that the usage names.
+    /// Returns the chapter that the first word names, one of those of the command: by its name, its
+    /// number from 0, or a path whose last part is its name or its folder, such as `normals`, `3`
+    /// or `chapters/3_normals/`. Returns `None` if there is no word.
     ///
     /// # Errors
-    /// If it is not, or if `parse` refuses the value.
-    pub fn required<T>(
-        &self,
-        option: &str,
-        parse: impl Fn(&str) -> Result<T, String>,
-    ) -> Result<T, Box<dyn Error>> {
-        self.option(option, parse)?.ok_or_else(|| {
-            let is_named = |it: &&str| self.command.usage().contains(*it);
-            let named = self.command.options().filter(is_named);
-            let missing: Vec<&str> = named.filter(|it| !self.has(it)).collect();
-            self.command
-                .misuse(&format!("missing: {}", missing.join(", ")))
+    /// If the word means no chapter of the command; the message lists them, and names the one that
+    /// is most alike.
+    pub fn chapter(&self) -> Result<Option<Chapter>, Box<dyn Error>> {
+        let Some(typed) = self.values.first() else {
+            return Ok(None);
+        };
+        let chapters = self.command.chapters().iter();
+        let found = chapters.clone().find(|&&chapter| is_meant(typed, chapter));
+        found.copied().map(Some).ok_or_else(|| {
+            let typed = typed.to_string_lossy();
+            let why = choose_one_of(&typed, chapters.map(|chapter| chapter.name()));
+            self.refused("CHAPTER", &typed, &why)
         })
     }
 
-    /// Makes the error for a value that was given for an option or an argument, and is refused.
-    pub fn refused(&self, head: &str, value: &str, why: &str) -> Box<dyn Error> {
-        self.command
-            .misuse(&format!("{} {value:?}: {why}", name(head)))
+    /// Returns the chapter of [`chapter`](Self::chapter), which must be there.
+    ///
+    /// # Errors
+    /// If it is not, or the word means no chapter of the command.
+    pub fn required_chapter(&self) -> Result<Chapter, Box<dyn Error>> {
+        let missing = || self.command.misuse("CHAPTER is missing");
+        self.chapter()?.ok_or_else(missing)
     }
 
-    fn find(&self, option: &str) -> Option<&OsStr> {
-        debug_assert!(self.command.options().any(|it| it == option), "{option}");
-        let mut options = self.options.iter();
-        options.find_map(|(own, value)| (*own == option).then_some(value.as_os_str()))
+    /// Makes the error for a value that was given for an option or an argument, and is refused.
+    pub(crate) fn refused(&self, name: &str, value: &str, why: &str) -> Box<dyn Error> {
+        self.command.misuse(&format!("{name} {value:?}: {why}"))
     }
+
+    fn find(&self, name: &str) -> Option<&OsStr> {
+        debug_assert!(self.command.option(name).is_ok(), "{name}");
+        let mut options = self.options.iter();
+        options.find_map(|(own, value)| (*own == name).then_some(value.as_os_str()))
+    }
+}
+
+/// Returns true if `typed` means the chapter, as `normals`, `3`, `chapters/3_normals/` and
+/// `mine/normals` mean [`Chapter::Normals`].
+fn is_meant(typed: &OsStr, chapter: Chapter) -> bool {
+    let (number, name) = (chapter as usize, chapter.name());
+    let last = Path::new(typed).file_name().unwrap_or_default();
+    [name, &format!("{number}"), &format!("{number}_{name}")]
+        .map(OsStr::new)
+        .contains(&last)
 }
 
 /// Lays out the help of the program.
 fn overview() -> String {
     let about = |it: Command| it.help.lines().next().unwrap_or_default();
-    let line = |it: Command| format!("  {:<6}  {}\n", it.name(), about(it));
+    let line = |it: Command| format!("  {:<5}  {}\n", it.name(), about(it));
     format!(
         "The pictures of Ray Tracing in One Weekend, chapter by chapter.\n\n\
          Without a command: draws all of them into target/pictures, as PNG and as PPM files,\n\
@@ -268,14 +298,15 @@ fn overview() -> String {
     )
 }
 
-/// Returns the long name of an option, such as `--output`.
-fn name(option: &str) -> &str {
-    let mut words = option.split(' ');
-    words.find(|word| word.starts_with("--")).unwrap_or(option)
+/// Lists the names that a word should be one of, and asks for the one that is most alike.
+pub fn choose_one_of<'a>(typed: &str, names: impl Iterator<Item = &'a str> + Clone) -> String {
+    let suggested = suggestion(typed, names.clone());
+    let names: Vec<&str> = names.collect();
+    format!("choose one of {}{suggested}", names.join(", "))
 }
 
 /// Asks whether the most similar of `names` is meant; empty if none is similar.
-pub(crate) fn suggestion<'a>(typed: &str, names: impl Iterator<Item = &'a str>) -> String {
+fn suggestion<'a>(typed: &str, names: impl Iterator<Item = &'a str>) -> String {
     // As in clap: the similarity of Jaro (1989), from 0 to 1.
     const ALIKE: f64 = 0.7;
     let similar = names.map(|name| (strsim::jaro(typed, name), name));

@@ -21,7 +21,7 @@ use crate::save::{PictureFormat, save};
 /// # Errors
 /// If the workspace is gone, if cargo does not start, if a picture could not be drawn, or if a file
 /// can't be written.
-pub fn draw(chapters: &[Chapter]) -> Result<(), Box<dyn Error>> {
+pub(crate) fn draw(chapters: &[Chapter]) -> Result<(), Box<dyn Error>> {
     let folder = pictures_folder()?;
     let packages: Vec<Package> = chapters.iter().copied().map(Package::of).collect();
     let built = cargo::build(&packages, "Building the chapters' programs")?;
@@ -36,7 +36,7 @@ pub fn draw(chapters: &[Chapter]) -> Result<(), Box<dyn Error>> {
         let line = drawn.unwrap_or_else(|problem| problem);
         said += &format!("  {:<17} {line}\n", chapter.name());
     }
-    output::to_stdout(|out| out.write_all(said.as_bytes()))?;
+    output::print(&said)?;
     match are_drawn {
         true => Ok(()),
         false => {
@@ -49,7 +49,7 @@ pub fn draw(chapters: &[Chapter]) -> Result<(), Box<dyn Error>> {
 ///
 /// # Errors
 /// If the workspace is gone, or the folder can't be made.
-pub fn pictures_folder() -> Result<PathBuf, Box<dyn Error>> {
+pub(crate) fn pictures_folder() -> Result<PathBuf, Box<dyn Error>> {
     let folder = find_workspace()?.join("target").join("pictures");
     fs::create_dir_all(&folder).map_err(|cause| {
         format!(
@@ -65,7 +65,7 @@ pub fn pictures_folder() -> Result<PathBuf, Box<dyn Error>> {
 ///
 /// # Errors
 /// If there is no such folder any more; the message advises what to do.
-pub fn find_workspace() -> Result<&'static Path, Box<dyn Error>> {
+pub(crate) fn find_workspace() -> Result<&'static Path, Box<dyn Error>> {
     course::workspace::workspace().ok_or_else(|| {
         "the workspace that this program was built from is not there any more\n\
          Run this command in another clone of the workspace."
@@ -107,10 +107,7 @@ fn draw_one(
 ///
 /// # Errors
 /// If the workspace is gone, or standard output can't be written to.
-pub fn say_where() -> Result<(), Box<dyn Error>> {
-    let said = format!(
-        "The pictures are in {}\n",
-        name_from_here(&pictures_folder()?)
-    );
-    Ok(output::to_stdout(|out| out.write_all(said.as_bytes()))?)
+pub(crate) fn say_where() -> Result<(), Box<dyn Error>> {
+    let folder = name_from_here(&pictures_folder()?);
+    Ok(output::print(&format!("The pictures are in {folder}\n"))?)
 }

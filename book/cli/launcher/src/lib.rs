@@ -6,10 +6,8 @@
 
 pub mod book;
 pub mod cargo;
-pub mod chapter;
 pub mod command_line;
-
-pub mod draw;
+mod draw;
 mod drawing;
 pub mod limited;
 pub mod misuse;
@@ -20,6 +18,7 @@ pub mod terminal;
 
 pub use course::names;
 
+use std::env;
 use std::error::Error;
 use std::process::ExitCode;
 
@@ -27,25 +26,23 @@ use course::chapter::Chapter;
 
 use command_line::{Request, Words};
 
-/// Does what a command line asks for if it is no command of the companion, and returns the exit
-/// code. Returns the words of a command of the companion as the outer error.
-///
-/// # Errors
-/// The inner error, if it can't be done.
-pub fn run_own(request: Request) -> Result<Result<ExitCode, Box<dyn Error>>, Words> {
-    let done = |it: Result<(), Box<dyn Error>>| it.map(|()| ExitCode::SUCCESS);
-    Ok(match request {
+/// Does what the command line asks for, and returns the exit code; has `companion` run a command
+/// that is not the launcher's own. An error is printed to standard error.
+pub fn main(companion: impl FnOnce(&Words) -> Result<ExitCode, Box<dyn Error>>) -> ExitCode {
+    let request = Request::read(env::args_os().skip(1));
+    misuse::exit_code(request.and_then(|request| match request {
         Request::Nothing => run_without_command(),
-        Request::Help(text) => {
-            let printed = output::to_stdout(|out| out.write_all(text.as_bytes()));
-            done(printed.map_err(Into::into))
-        }
+        Request::Help(text) => done(output::print(&text)?),
         Request::Run(words) => match words.command.name() {
-            "book" => book::book(&book::Arguments::read(&words)),
-            "show" => done(show::Arguments::read(&words).and_then(|it| show::show(&it))),
-            _ => return Err(words),
+            "book" => book::book(&words),
+            "show" => done(show::show(&words)?),
+            _ => companion(&words),
         },
-    })
+    }))
+}
+
+fn done((): ()) -> Result<ExitCode, Box<dyn Error>> {
+    Ok(ExitCode::SUCCESS)
 }
 
 /// Draws the book's pictures, then that of chapter 6, whose methods the book is built with, and
@@ -55,5 +52,5 @@ fn run_without_command() -> Result<ExitCode, Box<dyn Error>> {
     draw::draw(&Chapter::OF_THE_BOOK)?;
     let weaver = cargo::weaver()?;
     draw::draw(&[Chapter::SpeedVsAccuracy])?;
-    book::weave(weaver, &book::Arguments::default())
+    book::weave(weaver, None, false)
 }

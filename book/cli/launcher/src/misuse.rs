@@ -36,15 +36,9 @@ pub fn misuse(what: &str) -> Box<dyn Error> {
     Misuse(what.to_owned()).into()
 }
 
-/// Returns 0 for a program that has `done` its work. For an error, prints it to standard error and
-/// returns 2 for a [`Misuse`], and else 1.
-pub fn exit_code(done: Result<(), Box<dyn Error>>) -> ExitCode {
-    exit_code_of(done.map(|()| ExitCode::SUCCESS))
-}
-
 /// Returns the exit code that the work `done` ended with. For an error, prints it to standard error
 /// and returns 2 for a [`Misuse`], and else 1.
-pub fn exit_code_of(done: Result<ExitCode, Box<dyn Error>>) -> ExitCode {
+pub fn exit_code(done: Result<ExitCode, Box<dyn Error>>) -> ExitCode {
     done.unwrap_or_else(|error| {
         complain(&format!("rtrace: {error}"));
         ExitCode::from(if error.is::<Misuse>() { 2 } else { 1 })

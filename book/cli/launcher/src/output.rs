@@ -22,6 +22,14 @@ pub fn to_stdout(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Re
     }
 }
 
+/// Prints `text` to standard output, as [`to_stdout`] does.
+///
+/// # Errors
+/// As those of [`to_stdout`].
+pub fn print(text: &str) -> io::Result<()> {
+    to_stdout(|out| out.write_all(text.as_bytes()))
+}
+
 /// Writes the file at `path` by calling `write`. Afterwards the file is complete, or, after an
 /// error, as it was.
 ///
@@ -108,16 +116,21 @@ fn fill(file: &File, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io
 
 /// Returns an error that names the place that could not be written, and says what helps.
 fn named(place: &str, cause: &io::Error) -> io::Error {
-    let advice = match cause.kind() {
-        ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
-            "Free some space, or write to another disk."
-        }
+    let advice = when_full(cause).unwrap_or(if cfg!(windows) {
         // There nothing takes the place of what is open.
-        _ if cfg!(windows) => {
-            "Name a file that you may write and that no program has open, in a folder that is there."
-        }
-        _ => "Name a file that you may write, in a folder that is there.",
-    };
+        "Name a file that you may write and that no program has open, in a folder that is there."
+    } else {
+        "Name a file that you may write, in a folder that is there."
+    });
     let problem = format!("cannot write {place}: {cause}\n{advice}");
     io::Error::new(cause.kind(), problem)
+}
+
+/// Returns what helps if the disk is full; `None` for any other failure.
+pub fn when_full(cause: &io::Error) -> Option<&'static str> {
+    let is_full = matches!(
+        cause.kind(),
+        ErrorKind::StorageFull | ErrorKind::QuotaExceeded
+    );
+    is_full.then_some("Free some space, or write to another disk.")
 }

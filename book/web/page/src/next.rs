@@ -1,7 +1,7 @@
 //! Line diff: finds the first line of a chapter that a reader's draft lacks.
 
-use interpreter::SourceFile;
 use course::typed::on_the_first_stair;
+use interpreter::SourceFile;
 
 use crate::typed::Draft;
 use crate::words::{replaced, words};

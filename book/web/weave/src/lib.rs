@@ -21,10 +21,11 @@ mod symbols;
 mod warnings;
 
 use std::error::Error;
-use std::io::{Read, Write};
+use std::io::{self, Read, Write};
 use std::mem;
 use std::path::Path;
 
+use launcher::output;
 use mdbook_driver::MDBook;
 use mdbook_preprocessor::book::{Book, BookItem};
 use mdbook_preprocessor::errors::{Error as Cause, Result as Done};
@@ -64,9 +65,13 @@ pub fn preprocess(question: impl Read, answer: impl Write) -> Result<(), Box<dyn
     Ok(serde_json::to_writer(answer, &woven)?)
 }
 
-/// Says that the book can't be woven, and why.
+/// Says that the book can't be woven, why, and what helps if the disk is full.
 fn cannot_weave(error: Cause) -> Box<dyn Error> {
-    format!("the book can't be woven\n{error:#}").into()
+    let mut causes = error
+        .chain()
+        .filter_map(|cause| cause.downcast_ref::<io::Error>());
+    let fix = causes.find_map(output::when_full).unwrap_or_default();
+    format!("the book can't be woven\n{error:#}\n{fix}").into()
 }
 
 /// The preprocessor that replaces directives and formulas.

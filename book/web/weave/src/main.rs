@@ -13,7 +13,7 @@ use launcher::misuse::{exit_code, misuse};
 
 fn main() -> ExitCode {
     let arguments: Vec<OsString> = std::env::args_os().skip(1).collect();
-    exit_code(match &arguments[..] {
+    let done = match &arguments[..] {
         [] => weave::preprocess(io::stdin(), io::stdout()),
         // mdBook asks before whether its renderer of this name is supported: each is.
         [supports, _] if supports == "supports" => Ok(()),
@@ -21,5 +21,6 @@ fn main() -> ExitCode {
             weave::weave(Path::new(source), new)
         }),
         _ => Err(misuse("two folders are needed: weave SOURCE FOLDER")),
-    })
+    };
+    exit_code(done.map(|()| ExitCode::SUCCESS))
 }

@@ -7,7 +7,6 @@ use std::cell::RefCell;
 use std::collections::HashMap;
 use std::error::Error;
 use std::ffi::OsString;
-use std::process::ExitCode;
 use std::time::Duration;
 
 use ::laws::record::RecordedHit;
@@ -19,15 +18,13 @@ use check::names;
 use common::rtweekend::*;
 use slips::{Chapter, Languages};
 
-use crate::chapter::required_chapter;
-use crate::check::{TIMEOUT, seconds};
+use crate::check::seconds;
 use crate::command_line::Words;
-use crate::output;
 use crate::reader_crates::shell_word;
 use dialogue::{Dialogue, DialogueFailure};
 
-/// The arguments of `cargo rtrace laws`.
-pub(crate) struct Arguments {
+/// How the words say that a program is to be asked.
+struct Arguments {
     chapter: Chapter,
     /// The reader's program and its arguments; not empty.
     program: Vec<OsString>,
@@ -35,38 +32,28 @@ pub(crate) struct Arguments {
     timeout: Duration,
 }
 
-impl Arguments {
-    /// Reads the arguments from a command line.
-    ///
-    /// # Errors
-    /// If a word is missing, or is not what it should be.
-    pub(crate) fn read(words: &Words) -> Result<Self, Box<dyn Error>> {
-        let chapter = required_chapter(words)?;
-        if words.program.is_empty() {
-            return Err(words.command.misuse("name your program after --"));
-        }
-        let timeout = words.option(TIMEOUT, seconds)?;
-        Ok(Self {
-            chapter,
-            program: words.program.clone(),
-            timeout: timeout.unwrap_or(Duration::from_secs(5)),
-        })
-    }
-}
-
-/// Asks a reader's program where rays hit spheres, and prints which law its answers break. Returns
-/// 0 if all laws hold, 1 if one is broken, and 2 if the program can't be asked.
+/// Asks a reader's program where rays hit spheres, and returns which law its answers break, after
+/// the exit code: 0 if all laws hold, 1 if one is broken, and 2 if the program can't be asked.
 ///
 /// # Errors
-/// If standard output can't be written to.
-pub(crate) fn laws(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
-    let program = &arguments.program;
-    let (code, said) = match Dialogue::start(program, arguments.timeout) {
-        Ok(dialogue) => Interview::new(arguments, dialogue).judge(),
-        Err(cause) => (2, not_started(program, &cause.to_string())),
+/// If a word is missing, or is not what it should be.
+pub(crate) fn laws(words: &Words) -> Result<(u8, String), Box<dyn Error>> {
+    let chapter = words.required_chapter()?;
+    if words.program.is_empty() {
+        return Err(words.command.misuse("name your program after --"));
+    }
+    let timeout = words.option("--timeout", seconds)?;
+    let arguments = Arguments {
+        chapter,
+        program: words.program.clone(),
+        timeout: timeout.unwrap_or(Duration::from_secs(5)),
     };
-    output::to_stdout(|out| out.write_all(said.as_bytes()))?;
-    Ok(ExitCode::from(code))
+    Ok(
+        match Dialogue::start(&arguments.program, arguments.timeout) {
+            Ok(dialogue) => Interview::new(&arguments, dialogue).judge(),
+            Err(cause) => (2, not_started(&arguments.program, &cause.to_string())),
+        },
+    )
 }
 
 fn not_started(program: &[OsString], cause: &str) -> String {

@@ -6,7 +6,7 @@
 mod text;
 
 use std::error::Error;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::atomic::AtomicU64;
 use std::sync::atomic::Ordering::Relaxed;
 use std::time::Instant;
@@ -20,48 +20,28 @@ use speed_vs_accuracy::{METHODS, Precision, Scene};
 use crate::command_line::Words;
 use crate::limited;
 use crate::misuse::misuse;
-use crate::output;
-
-/// The arguments of `cargo rtrace needs`.
-pub(crate) struct Arguments {
-    scene: PathBuf,
-    /// The width in pixels; `None` if the scene says it.
-    width: Option<u32>,
-}
-
-impl Arguments {
-    /// Reads the arguments from a command line.
-    ///
-    /// # Errors
-    /// If a word is missing, or is not what it should be.
-    pub(crate) fn read(words: &Words) -> Result<Self, Box<dyn Error>> {
-        let width = |typed: &str| {
-            let width = typed.parse().ok().filter(|it| (1..=WIDEST).contains(it));
-            width.ok_or_else(|| format!("choose a whole number of pixels from 1 to {WIDEST}"))
-        };
-        let scene = words.values.first().map(PathBuf::from);
-        Ok(Self {
-            scene: scene.ok_or_else(|| words.command.misuse("SCENE is missing"))?,
-            width: words.option("--width <N>", width)?,
-        })
-    }
-}
 
 /// The greatest relative error of t that counts as right, where distances matter.
 const WITHIN: f64 = 0.001;
 
-/// Draws the scene of a file by every method of chapter 6, and prints the cheapest one that draws
-/// every pixel right, in each precision.
+/// Draws the scene of a file by every method of chapter 6, and returns a text that names the cheapest
+/// one that draws every pixel right, in each precision.
 ///
 /// # Errors
-/// If the file can't be read, or is no scene.
-pub(crate) fn needs(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
-    let mut scene = read(&arguments.scene)?;
-    scene.width = arguments.width.unwrap_or(scene.width);
+/// If a word is missing, or is not what it should be; if the file can't be read, or is no scene.
+pub(crate) fn needs(words: &Words) -> Result<String, Box<dyn Error>> {
+    let width = |typed: &str| {
+        let width = typed.parse().ok().filter(|it| (1..=WIDEST).contains(it));
+        width.ok_or_else(|| format!("choose a whole number of pixels from 1 to {WIDEST}"))
+    };
+    let width = words.option("--width", width)?;
+    let missing = || words.command.misuse("SCENE is missing");
+    let file = words.values.first().ok_or_else(missing)?;
+    let mut scene = read(Path::new(file))?;
+    scene.width = width.unwrap_or(scene.width);
     let place = Place::of(&scene);
     let (found, with_acne) = look_into(&scene, &place);
-    let said = text::answer(&scene, &place, &found, with_acne);
-    Ok(output::to_stdout(|out| out.write_all(said.as_bytes()))?)
+    Ok(text::answer(&scene, &place, &found, with_acne))
 }
 
 /// Tries all methods in each precision that can hold the numbers of the scene, `f64` first. Also

@@ -15,43 +15,20 @@ use check::workspace::workspace;
 use interpreter::SourceFile;
 use slips::{Chapter, steps};
 
-use crate::chapter::required_chapter;
 use crate::command_line::Words;
 use crate::misuse::misuse;
 use crate::output;
 use crate::reader_crates::ReaderCrates;
 use crate::wrap::wrap_hanging;
 
-/// The arguments of `cargo rtrace start`.
-pub(crate) struct Arguments {
-    chapter: Chapter,
-    /// Where the reader's crates are to be; `None` for the usual folder.
-    into: Option<PathBuf>,
-    /// Whether the reader types the prelude as well.
-    own_prelude: bool,
-}
-
-impl Arguments {
-    /// Reads the arguments from a command line.
-    ///
-    /// # Errors
-    /// If a word is missing, or is not what it should be.
-    pub(crate) fn read(words: &Words) -> Result<Self, Box<dyn Error>> {
-        Ok(Self {
-            chapter: required_chapter(words)?,
-            into: words.path("--into <FOLDER>"),
-            own_prelude: words.has("--own-prelude"),
-        })
-    }
-}
-
-/// Makes a crate for the reader to type a chapter in, and prints where it is and what comes next.
+/// Makes a crate for the reader to type a chapter in, and returns where it is and what comes next.
 ///
 /// # Errors
-/// If the crate exists already, if the workspace is gone, or if a file can't be written.
-pub(crate) fn start(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
-    let chapter = arguments.chapter;
-    let crates = ReaderCrates::find(arguments.into.as_deref());
+/// If a word is missing, or is not what it should be; if the crate exists already, if the workspace
+/// is gone, or if a file can't be written.
+pub(crate) fn start(words: &Words) -> Result<String, Box<dyn Error>> {
+    let chapter = words.required_chapter()?;
+    let crates = ReaderCrates::find(words.path("--into").as_deref());
     let folder = crates.folder_of(chapter);
     let failed = |cause: io::Error| {
         format!(
@@ -71,10 +48,10 @@ pub(crate) fn start(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     }
     let before = Chapter::TYPED.into_iter().rev().filter(|&it| it < chapter);
     let before = before.map(|it| crates.folder_of(it)).find(|it| it.is_dir());
-    let new = NewCrate::compose(arguments, before.as_deref(), &folder)?;
+    let own_prelude = words.has("--own-prelude");
+    let new = NewCrate::compose(chapter, own_prelude, before.as_deref(), &folder)?;
     new.make(&folder).map_err(failed)?;
-    let said = new.as_text(&crates);
-    Ok(output::to_stdout(|out| out.write_all(said.as_bytes()))?)
+    Ok(new.as_text(&crates))
 }
 
 /// A crate of a reader that is about to be written.
@@ -93,18 +70,18 @@ struct NewCrate {
 
 impl NewCrate {
     fn compose(
-        arguments: &Arguments,
+        chapter: Chapter,
+        own_prelude: bool,
         before: Option<&Path>,
         folder: &Path,
     ) -> Result<Self, Box<dyn Error>> {
-        let chapter = arguments.chapter;
         let workspace = workspace().ok_or(
             "your crate would use the prelude and the laws of the workspace that this program \
              was built from, and that workspace is not there any more",
         )?;
         let written = before.map(EarlierCrate::read);
         let has_own = written.as_ref().is_some_and(EarlierCrate::has_own_prelude);
-        let own = arguments.own_prelude || has_own;
+        let own = own_prelude || has_own;
         let mut carried = carry::carry_over(chapter, own, written.as_ref());
         let lib = &mut carried.files.last_mut().expect("a chapter has a file").text;
         lib.insert_str(0, &settings::chapter_head(chapter));

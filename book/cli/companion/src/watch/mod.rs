@@ -28,13 +28,12 @@ use check::task::Task;
 use common::rtweekend::Picture;
 use slips::{Chapter, ChapterCode, ChapterProgram, Languages, Probe, Slip, steps};
 
-use crate::chapter::required_chapter;
-use crate::check::{PROBE, TIMEOUT, probe, seconds};
+use crate::check::{find_task, probe, seconds};
 use crate::command_line::Words;
 use crate::done::Done;
 use crate::misuse::misuse;
 use crate::output;
-use crate::reader_crates::{ReaderCrates, shell_word};
+use crate::reader_crates::{ReaderCrates, chapter_here, shell_word};
 use crate::sources;
 use crate::subprocess::{self, ProgramEnd};
 use background::BackgroundBuild;
@@ -43,7 +42,7 @@ use changes::FolderChanges;
 use laws::LawsResult;
 
 /// The arguments of `cargo rtrace watch`.
-pub(crate) struct Arguments {
+struct Arguments {
     chapter: Chapter,
     /// The reader's program and its arguments; empty for the crate that `start` made.
     program: Vec<OsString>,
@@ -61,13 +60,14 @@ impl Arguments {
     /// # Errors
     /// If a word is missing, is not what it should be, or contradicts
     /// another.
-    pub(crate) fn read(words: &Words) -> Result<Self, Box<dyn Error>> {
-        let timeout = words.option(TIMEOUT, seconds)?;
+    fn read(words: &Words) -> Result<Self, Box<dyn Error>> {
+        let timeout = words.option("--timeout", seconds)?;
+        let here = words.values.is_empty().then(chapter_here).flatten();
         let arguments = Self {
-            chapter: required_chapter(words)?,
+            chapter: here.map_or_else(|| words.required_chapter(), Ok)?,
             program: words.program.clone(),
-            in_folder: words.path("--in <FOLDER>"),
-            probe: words.option(PROBE, probe)?,
+            in_folder: words.path("--in"),
+            probe: words.option("--probe", probe)?,
             timeout: timeout.unwrap_or(Duration::from_secs(10)),
             once: words.has("--once"),
         };
@@ -84,8 +84,10 @@ impl Arguments {
 /// else 1.
 ///
 /// # Errors
-/// If the crate or its folder is missing, or the folder disappears.
-pub(crate) fn watch(arguments: &Arguments) -> Result<ExitCode, Box<dyn Error>> {
+/// If a word is not what it should be, if the crate or its folder is missing, or the folder
+/// disappears.
+pub(crate) fn watch(words: &Words) -> Result<ExitCode, Box<dyn Error>> {
+    let arguments = &Arguments::read(words)?;
     let subject = WatchedProgram::of(arguments)?;
     let mut changes = FolderChanges::below(&subject.folder);
     let mut laws = BackgroundBuild::default();
@@ -148,8 +150,7 @@ struct WatchedProgram {
 impl WatchedProgram {
     fn of(arguments: &Arguments) -> Result<Self, Box<dyn Error>> {
         let chapter = arguments.chapter;
-        let task = Task::new(chapter, arguments.probe)
-            .ok_or_else(|| misuse("this chapter has no place for the spheres of that probe"))?;
+        let task = find_task(chapter, arguments.probe)?;
         let crates = ReaderCrates::find(arguments.in_folder.as_deref());
         let (folder, done) = if arguments.program.is_empty() {
             (crates.folder_of(chapter), Done::in_folder(crates.folder()))

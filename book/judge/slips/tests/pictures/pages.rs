@@ -3,7 +3,7 @@
 use common::rtweekend::Picture;
 use difference::png;
 use insta::{Settings, assert_binary_snapshot, assert_snapshot};
-use slips::{Chapter, ChapterProgram, Edit, Languages, Slip, Unseen, steps};
+use slips::{Chapter, ChapterProgram, Edit, Languages, PROBES, Slip, Unseen, steps};
 
 use crate::Seen;
 use crate::looks::Look;
@@ -112,6 +112,19 @@ fn pages_show_what_mistakes_and_steps_draw() {
             &program,
         );
     }
+}
+
+/// The page *Check* lists the probes: of each its name, what it shows, and what a reader changes in
+/// the last chapter to draw it.
+#[test]
+fn the_page_lists_all_probes() {
+    let items = PROBES.iter().map(|probe| {
+        let change = probe.instructions(Chapter::HittableList, Languages::Both);
+        let change = change.replace('\n', "; ");
+        format!("- `{}`: {} Change: {change}\n", probe.name, probe.shows)
+    });
+    let items: String = items.collect();
+    shown_in("slips").bind(|| assert_snapshot!("probes", items));
 }
 
 /// Makes settings for snapshots that pages show, in a folder of `book/notes`.
