@@ -70,6 +70,21 @@ impl<'t> Visit<'t> for Items<'t> {
     }
 }
 
+/// Traits whose functions Rust calls where the text does not name them.
+const IMPLIED: [&str; 11] = [
+    "PartialEq",
+    "PartialOrd",
+    "Ord",
+    "Deref",
+    "DerefMut",
+    "Index",
+    "IndexMut",
+    "Iterator",
+    "IntoIterator",
+    "Neg",
+    "Not",
+];
+
 struct Collector<'n, 't> {
     names: &'n mut Names,
     /// The first type and the first function that these files declare.
@@ -195,6 +210,12 @@ impl<'t> Collector<'_, 't> {
     /// Adds the functions and constants of an `impl` block.
     fn members(&mut self, file: u16, block: &'t syn::ItemImpl) -> Result<(), Fault> {
         let scope = Scope::of(file, None, &[&block.generics]);
+        let of_trait = block.trait_.as_ref().and_then(|it| it.0.segments.last());
+        let is_own = |name: &&&str| of_trait.is_some_and(|it| it.ident == **name);
+        if let Some(name) = IMPLIED.iter().find(is_own).filter(|_| file < PRELUDE) {
+            let at = Span::of(file, &block.self_ty);
+            return Err(Fault::unread(at, format!("an `impl` of `{name}`")));
+        }
         let owner = self.names.ty(&block.self_ty, &scope)?;
         if owner == kind::ANY {
             let at = Span::of(file, &block.self_ty);

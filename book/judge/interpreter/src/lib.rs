@@ -3,8 +3,9 @@
 //! Read in this order: `value` and `integers` are what a program computes with, `machine` and
 //! `calls` run it, `place` changes what lies in variables. `names` says what names mean, and
 //! `collect` gathers them from the files. `lower` turns each function into closures: an operator is
-//! added in `operators`, a pattern in `lower/patterns`, a function of the standard library in
-//! `natives` or as text in `texts/std.rs`. `program` and `canvas` are what others call.
+//! added in `operators`, and for vectors in `texts/prelude.rs`, a pattern in `lower/patterns`, a
+//! function of the standard library in `natives` or as text in `texts/std.rs`. `program` and
+//! `canvas` are what others call.
 //!
 //! It runs a text and is no compiler. Syntax, names, counts of arguments and `mut` are checked when
 //! a text is read, types when values meet. Moves, borrows, privacy, and lines that never run are

@@ -242,10 +242,6 @@ impl Names {
         };
         match self.find(&names, scope) {
             Some(Item::Type(kind::BOX)) => Ok(arguments.first().copied().unwrap_or(kind::ANY)),
-            Some(Item::Type(kind::OPTION)) if arguments.is_empty() && last == "Option" => {
-                let message = "an `Option` needs the type that it may hold";
-                Err(Fault::refused(at, message))
-            }
             Some(Item::Type(kind)) => Ok(kind),
             Some(Item::Trait) => {
                 let message = format!("`{last}` is a trait: write `&dyn {last}`");
@@ -276,7 +272,8 @@ impl Names {
         types.map(|ty| self.ty(ty, scope)).collect()
     }
 
-    /// Returns the value that `Default::default()` has of a type; `None` if it has none.
+    /// Returns the value that a derived `default()` has of a type; `None` if it has none, or if a
+    /// text computes it.
     pub(crate) fn default_of(&self, kind: Kind) -> Option<Value> {
         Some(match kind {
             _ if integers::is_integer(kind) => Value::Int(0, kind),
@@ -286,6 +283,9 @@ impl Names {
             kind::OPTION => None.into(),
             _ => {
                 let def = self.kinds.get(usize::from(kind)).filter(|it| !it.is_enum)?;
+                if def.functions.iter().any(|it| it.0 == "default") {
+                    return None;
+                }
                 let fields = def.variants.first()?.fields.iter();
                 let fields = fields
                     .map(|it| self.default_of(it.1))

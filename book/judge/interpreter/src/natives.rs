@@ -35,14 +35,8 @@ pub(crate) fn double(name: &str) -> Option<&'static Native> {
 /// Returns true if the text of a function with a double may call this function of the prelude: an
 /// edit of it would be missed there.
 pub(crate) fn is_in_doubles(name: &str) -> bool {
-    let is_called = |owner: &str| matches!(owner, "DVec3" | "f64");
-    match name {
-        "DVec3::dot" => false,
-        "Ray::new" => true,
-        _ => name
-            .split_once("::")
-            .is_some_and(|(owner, _)| is_called(owner)),
-    }
+    let is_called = ["DVec3::", "f64::", "Ray::new"];
+    name != "DVec3::dot" && is_called.iter().any(|it| name.starts_with(it))
 }
 
 /// A type that an argument is taken as.

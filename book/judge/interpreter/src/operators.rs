@@ -192,6 +192,7 @@ impl Machine<'_> {
                 Ok(Some(a.cmp(b)))
             }
             (Value::Bool(a), Value::Bool(b)) => Ok(Some(a.cmp(b))),
+            _ if a.kind() == b.kind() => self.unread(at, "an order of these values"),
             _ => {
                 let wanted = self.code.names.shown(a.kind());
                 self.mismatch(at, wanted, b.kind())

@@ -173,13 +173,15 @@ impl Method {
             return m.call(&callee, Some(receiver), &self.arguments, lent, self.at);
         }
         let ty = m.code.names.shown(receiver.kind());
-        match receiver.kind() > kind::PICTURE {
-            true => m.refuse(
+        match receiver.kind() {
+            // It may be one of the library's that is not there.
+            kind::LIST | kind::TEXT | kind::VEC3..=kind::PICTURE => {
+                m.unread(self.at, &format!("`{}` of `{ty}`", self.name))
+            }
+            _ => m.refuse(
                 self.at,
                 format!("there is no method `{}` of `{ty}`", self.name),
             ),
-            // It may be one of the library's that is not there.
-            false => m.unread(self.at, &format!("`{}` of `{ty}`", self.name)),
         }
     }
 

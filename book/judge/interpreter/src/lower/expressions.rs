@@ -288,8 +288,12 @@ impl Lowerer<'_> {
     fn rest(&mut self, structure: &syn::ExprStruct, shape: Shape) -> Lowered<Option<Code>> {
         Ok(match structure.rest.as_deref() {
             Some(syn::Expr::Call(call)) if is_default(&call.func) => {
-                let (target, at) = (Target::Default(shape.kind), self.at(call));
-                Some(self.call_of(target, Vec::new(), at)?)
+                let target = match self.names.associated(shape.kind, "default") {
+                    Some(Item::Function(n)) => Target::Own(n),
+                    Some(Item::Default(kind)) => Target::Default(kind),
+                    _ => return self.refused(call, "this type has no default value"),
+                };
+                Some(self.call_of(target, Vec::new(), self.at(call))?)
             }
             Some(rest) => Some(self.given(rest, shape.kind)?),
             None => None,
