@@ -129,12 +129,12 @@ const modules = new Set(figures.map((figure) => figure.dataset.module));
 const near = new IntersectionObserver((entries) => {
     if (entries.some((entry) => entry.isIntersecting)) {
         near.disconnect();
-        load(...modules, "figures", "start");
+        load(...[...modules].map((name) => `${name}.module`), "figures", "start");
     }
 }, { rootMargin: "100%" });
 figures.forEach((figure) => near.observe(figure));
 if (document.getElementById("check")) {
-    load("judge", "worker", "inspector", "pixels", "check");
+    load("judge.module", "worker", "inspector", "pixels", "check");
 }
 
 // A search finds the lesson first, which is the first part of the list of pages, and the bibliography
@@ -174,7 +174,7 @@ async function type(tools, asked = tools) {
     sign.role = "status";
     sign.textContent = "The editor is loading …";
     editor || asked.after(sign);
-    editor ??= load("judge", "worker", "field", "editor");
+    editor ??= load("judge.module", "worker", "field", "editor");
     await editor;
     await openEditor(tools.parentElement, tools.dataset.chapter);
     sign.remove();

@@ -15,6 +15,7 @@ mod ground;
 mod lesson;
 mod maths;
 mod measured;
+mod modules;
 mod page;
 mod source;
 mod symbols;
@@ -74,7 +75,10 @@ fn cannot_weave(error: Cause) -> Box<dyn Error> {
     format!("the book can't be woven\n{error:#}\n{fix}").into()
 }
 
-/// The preprocessor that replaces directives and formulas.
+/// The folder with the modules of WebAssembly, from the folder of the book.
+const MODULES: &str = "web/page/modules";
+
+/// The preprocessor that replaces directives and formulas, and packs the modules of the pages.
 struct Weaver;
 
 impl Preprocessor for Weaver {
@@ -84,6 +88,7 @@ impl Preprocessor for Weaver {
 
     fn run(&self, context: &PreprocessorContext, mut book: Book) -> Done<Book> {
         let notes = context.root.join(&context.config.book.src);
+        modules::pack(&context.root.join(MODULES), &notes.join("live"))?;
         let maths = Maths::new(Symbols::read(&notes));
         let mut pages = Vec::new();
         book.for_each_mut(|item| {

@@ -2,8 +2,11 @@
 //! books. The book itself shows the figures, charts and pictures.
 
 use std::fs;
+use std::io::Read;
 use std::path::MAIN_SEPARATOR;
 
+use base64::prelude::{BASE64_STANDARD, Engine as _};
+use flate2::read::GzDecoder;
 use insta::assert_snapshot;
 use tempfile::TempDir;
 
@@ -47,6 +50,28 @@ fn a_page_that_is_missing_fails_the_build() {
     book.write("SUMMARY.md", "- [Page](page.md)\n- [Other](other.md)\n");
     let cause = book.page().expect_err("a page is missing");
     assert!(cause.contains("other.md"), "{cause}");
+}
+
+/// A browser reads the script of a page that was opened from a file, and not the module.
+#[test]
+fn a_module_is_packed_into_a_script() {
+    let book = Book::new("Text.");
+    let module = b"\0asm\x01\0\0\0".repeat(100);
+    for folder in ["web/page/modules", "notes/live"] {
+        fs::create_dir_all(book.0.path().join(folder)).expect("a folder");
+    }
+    fs::write(book.0.path().join("web/page/modules/ray.wasm"), &module).expect("a file");
+    book.page().expect("it can be woven");
+    let script = fs::read_to_string(book.0.path().join("woven/live/ray.module.js"));
+    let script = script.expect("it is beside the pages");
+    let text = script.strip_prefix("globalThis.rayModule = \"");
+    let text = text.and_then(|it| it.strip_suffix("\";\n"));
+    let gzip = BASE64_STANDARD.decode(text.expect("a text"));
+    let mut unpacked = Vec::new();
+    GzDecoder::new(&*gzip.expect("base64"))
+        .read_to_end(&mut unpacked)
+        .expect("gzip");
+    assert_eq!(unpacked, module);
 }
 
 /// A book of one page in a temporary folder; the page begins with a heading and an empty line.
