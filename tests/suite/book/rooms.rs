@@ -98,7 +98,7 @@ fn drawn(arrows: &Arrows) -> String {
         }
     }
     lines.retain(|(.., known)| !known.is_empty());
-    lines.sort_by(|(one, ..), (other, ..)| one.cmp(other));
+    lines.sort_by_key(|(depth, ..)| *depth);
     let joined = |rooms: &BTreeSet<&str>| rooms.iter().copied().collect::<Vec<_>>().join(", ");
     let line = |(_, rooms, known): &_| format!("{} -> {}\n", joined(rooms), joined(known));
     lines.iter().map(line).collect()
