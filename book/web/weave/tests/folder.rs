@@ -7,6 +7,8 @@ use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 use weave::folder::replace;
 
+type Done = Result<(), Box<dyn Error>>;
+
 #[test]
 fn a_new_and_an_empty_folder_are_filled_and_our_own_is_replaced_whole() {
     let desk = TempDir::new().expect("a folder");
@@ -35,7 +37,9 @@ fn a_new_and_an_empty_folder_are_filled_and_our_own_is_replaced_whole() {
 }
 
 /// What a reader does to a folder of ours, and what the message names then.
-const STRANGERS: [(fn(&Path), &str); 7] = [
+type Stranger = (fn(&Path), &'static str);
+
+const STRANGERS: [Stranger; 7] = [
     (|folder| write(folder, "thesis.txt", "mine"), "thesis.txt"),
     (
         |folder| write(folder, "drafts/thesis.txt", "mine"),
@@ -77,9 +81,8 @@ fn a_folder_with_anything_else_in_it_stays_as_it_is_and_the_message_names_it() {
 fn what_comes_while_the_new_one_is_made_is_not_lost_nor_is_the_old_one_if_that_fails() {
     let desk = TempDir::new().expect("a folder");
     let folder = filled(desk.path());
-    let failed = |make: &dyn Fn(&Path) -> Result<(), Box<dyn Error>>| {
-        replace(&folder, make).expect_err("it fails").to_string()
-    };
+    let failed =
+        |make: &dyn Fn(&Path) -> Done| replace(&folder, make).expect_err("it fails").to_string();
     let half = |new: &Path| {
         write(new, "index.html", "half");
         Err("a formula is wrong".into())
@@ -144,7 +147,7 @@ fn filled(desk: &Path) -> PathBuf {
 }
 
 /// Writes a book of files with these names, all with the same text.
-fn book(text: &str, names: &[&str]) -> impl FnOnce(&Path) -> Result<(), Box<dyn Error>> {
+fn book(text: &str, names: &[&str]) -> impl FnOnce(&Path) -> Done {
     move |folder| {
         names.iter().for_each(|name| write(folder, name, text));
         Ok(())
