@@ -3,7 +3,6 @@
 //! `--rounds N` says how often each picture is drawn (9 times without it; an odd number has a
 //! median). `--record` keeps the numbers in `book/notes/speed`, which a page shows.
 
-use std::env;
 use std::error::Error;
 use std::hint::black_box;
 use std::io::{self, Write};
@@ -11,12 +10,13 @@ use std::num::NonZeroU32;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Instant;
+use std::{env, fmt};
 
-use figures::records::Race;
-use figures::table::Table;
+use figures::table::{Record, Table};
 use lexopt::{Arg::Long, ValueExt};
 use measure::spread::Spread;
 use measure::{machine, rival};
+use serde::{Deserialize, Serialize};
 use slips::{Chapter, ChapterCode};
 
 /// The width of the pictures in pixels, at which tracing takes most of the time.
@@ -58,8 +58,8 @@ fn main() -> Result<(), Box<dyn Error>> {
                 rival.as_deref(),
                 &programs,
             )?;
-            let race = result(chapter.name(), to, times);
-            say(&format!("{}\n", shown(&race)))?;
+            let race = Race::new(chapter.name(), to, times);
+            say(&format!("{race}\n"))?;
             races.push(race);
         }
     }
@@ -118,22 +118,60 @@ fn run_race(
     Ok([ours, theirs])
 }
 
-fn result(chapter: &str, to: &str, [ours, mut theirs]: [Vec<f64>; 2]) -> Race {
-    if theirs.is_empty() {
-        theirs.push(f64::NAN);
+/// The times of our program and of the C++ program for the same picture: of whole processes, from
+/// start to end.
+#[derive(Deserialize, Serialize)]
+struct Race {
+    /// The name of the chapter whose picture it is.
+    chapter: String,
+    /// The width of the picture in pixels.
+    width: u32,
+    /// One of [`COURSES`].
+    to: String,
+    /// The median time of our program's runs, in milliseconds.
+    rust_median_ms: f64,
+    /// The median time of the C++ program's runs, in milliseconds; NaN without one.
+    cpp_median_ms: f64,
+    /// The median time of the C++ program divided by ours.
+    ratio: f64,
+}
+
+impl Record for Race {
+    const FILE: &str = "speed/heats.csv";
+}
+
+impl Race {
+    fn new(chapter: &str, to: &str, times: [Vec<f64>; 2]) -> Self {
+        let median = |times: Vec<f64>| match times[..] {
+            [] => f64::NAN,
+            _ => Spread::of(times).median,
+        };
+        let [rust, cpp] = times.map(median);
+        Self {
+            chapter: chapter.to_owned(),
+            width: WIDEST,
+            to: to.to_owned(),
+            rust_median_ms: rust,
+            cpp_median_ms: cpp,
+            ratio: cpp / rust,
+        }
     }
-    let [rust, cpp] = [ours, theirs].map(Spread::of);
-    Race {
-        chapter: chapter.to_owned(),
-        width: WIDEST,
-        to: to.to_owned(),
-        rust_median_ms: rust.median,
-        rust_least_ms: rust.least,
-        rust_greatest_ms: rust.greatest,
-        cpp_median_ms: cpp.median,
-        cpp_least_ms: cpp.least,
-        cpp_greatest_ms: cpp.greatest,
-        ratio: cpp.median / rust.median,
+}
+
+impl fmt::Display for Race {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            chapter,
+            to,
+            rust_median_ms: rust,
+            cpp_median_ms: cpp,
+            ratio,
+            ..
+        } = self;
+        write!(
+            f,
+            "{chapter:<14}{to:<8} {rust:8.2} ms  C++ {cpp:8.2} ms  ratio {ratio:5.1}"
+        )
     }
 }
 
@@ -147,21 +185,6 @@ fn milliseconds(command: &mut Command) -> io::Result<f64> {
     } else {
         Err(io::Error::other(format!("{command:?} failed")))
     }
-}
-
-fn shown(race: &Race) -> String {
-    format!(
-        "{:<14}{:<8} {:8.2} ms ({:.2} to {:.2})  C++ {:8.2} ms ({:.2} to {:.2})  ratio {:5.1}",
-        race.chapter,
-        race.to,
-        race.rust_median_ms,
-        race.rust_least_ms,
-        race.rust_greatest_ms,
-        race.cpp_median_ms,
-        race.cpp_least_ms,
-        race.cpp_greatest_ms,
-        race.ratio
-    )
 }
 
 fn say(what: &str) -> Result<(), io::Error> {

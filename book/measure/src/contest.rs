@@ -61,7 +61,6 @@ impl Contestant {
             n,
             median_ns: f64::NAN,
             ratio: f64::NAN,
-            instructions: None,
         };
         let run = Box::new(run);
         Self { row, run }
@@ -97,7 +96,7 @@ impl Contestant {
 ///
 /// # Panics
 /// If a contest has no contestant, or `effort` no rounds.
-pub fn run_all(contests: Vec<Contest>, effort: &Effort) -> Vec<Timing> {
+pub fn run_all(contests: impl Iterator<Item = Contest>, effort: &Effort) -> Vec<Timing> {
     let run = |mut contest: Contest| {
         let fill = |it: &mut Contestant| it.runs_in(effort.turn);
         let runs: Vec<usize> = contest.iter_mut().map(fill).collect();
@@ -118,5 +117,5 @@ pub fn run_all(contests: Vec<Contest>, effort: &Effort) -> Vec<Timing> {
             }
         })
     };
-    contests.into_iter().flat_map(run).collect()
+    contests.flat_map(run).collect()
 }

@@ -1,16 +1,12 @@
 //! Order statistics: the median and the spread of a repeated measurement.
 
-/// The median, the quartiles and the extremes of several numbers.
+/// The median and the quartiles of several numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
     /// The middle number in order of size; of an even count, the greater of the two in the middle.
     pub median: f64,
     /// The first quartile, then the third; each is one of the numbers.
     pub quartiles: [f64; 2],
-    /// The least number.
-    pub least: f64,
-    /// The greatest number.
-    pub greatest: f64,
 }
 
 impl Spread {
@@ -24,8 +20,6 @@ impl Spread {
         Self {
             median: numbers[numbers.len() / 2],
             quartiles: [numbers[last / 4], numbers[last - last / 4]],
-            least: numbers[0],
-            greatest: numbers[last],
         }
     }
 

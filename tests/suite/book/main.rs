@@ -8,6 +8,7 @@ mod editions;
 mod errata;
 mod live;
 mod programs;
+mod rooms;
 mod spellings;
 mod typed;
 mod typing;

@@ -40,27 +40,6 @@ pub struct Accuracy {
     pub answers: u64,
 }
 
-/// An error bound of a certified method of chapter 6, beside the case of all that a search has
-/// tried that comes closest to it: its witness. With a smaller constant the code would answer the
-/// witness wrongly.
-#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
-pub struct Tightness {
-    /// The letter of the bound in the proof, and the side of the bound that the witness comes close
-    /// to.
-    pub bound: String,
-    /// The unit of the constant that follows: `u` = 2⁻⁵³, `u2` = u², or `log2` for exponents of
-    /// two.
-    pub unit: String,
-    /// The constant below which the witness is answered wrongly.
-    pub attained: f64,
-    /// The witness: center, radius, origin and direction, with all their digits.
-    pub witness: String,
-    /// The lower end of the witness's range of t, excluded.
-    pub t_min: f64,
-    /// The upper end of the witness's range of t, excluded.
-    pub t_max: f64,
-}
-
 /// The answers of one method to rays of one [`Spot`](crate::Spot) of the map, each against one
 /// sphere, with t from 0 to infinity.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
@@ -130,9 +109,6 @@ pub struct Timing {
     /// The time divided by that of `half_b` on the same rays in the same round: the median over
     /// rounds, rounded no finer than half the distance of their quartiles.
     pub ratio: f64,
-    /// The number of processor instructions for a ray, counted by valgrind; `None` for rays of
-    /// other regimes than `book`.
-    pub instructions: Option<f64>,
 }
 
 impl Table<Timing> {
@@ -167,33 +143,6 @@ impl Table<Timing> {
     }
 }
 
-/// The times of our program and of the book's C++ program for the same picture, as the benchmark
-/// `race` measured them: of whole processes, from start to end.
-#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
-pub struct Race {
-    /// The name of the chapter whose picture it is.
-    pub chapter: String,
-    /// The width of the picture in pixels.
-    pub width: u32,
-    /// `nowhere` if both programs wrote the picture's text to where it is thrown away; `traced` if
-    /// they wrote none, and kept the bytes of the picture in memory, on one thread.
-    pub to: String,
-    /// The median time of our program's runs, in milliseconds.
-    pub rust_median_ms: f64,
-    /// The time of our program's fastest run, in milliseconds.
-    pub rust_least_ms: f64,
-    /// The time of our program's slowest run, in milliseconds.
-    pub rust_greatest_ms: f64,
-    /// The median time of the C++ program's runs, in milliseconds.
-    pub cpp_median_ms: f64,
-    /// The time of the C++ program's fastest run, in milliseconds.
-    pub cpp_least_ms: f64,
-    /// The time of the C++ program's slowest run, in milliseconds.
-    pub cpp_greatest_ms: f64,
-    /// The median time of the C++ program divided by ours.
-    pub ratio: f64,
-}
-
 /// Names the file of each type of row.
 macro_rules! files {
     ($($row:ident: $file:literal,)*) => {
@@ -205,11 +154,9 @@ macro_rules! files {
 
 files! {
     Accuracy: "measured/accuracy.csv",
-    Tightness: "measured/tightness.csv",
     MapCell: "measured/map.snap.csv",
     WrongPixels: "measured/scenes.snap.csv",
     Timing: "measured/timings.csv",
-    Race: "speed/heats.csv",
 }
 
 /// The names of precisions in files, for `Precision` of chapter 6, which has none.

@@ -23,7 +23,6 @@ mod warnings;
 
 use std::error::Error;
 use std::io::{self, Read, Write};
-use std::mem;
 use std::path::Path;
 
 use launcher::output;
@@ -31,7 +30,6 @@ use mdbook_driver::MDBook;
 use mdbook_preprocessor::book::{Book, BookItem};
 use mdbook_preprocessor::errors::{Error as Cause, Result as Done};
 use mdbook_preprocessor::{Preprocessor, PreprocessorContext, parse_input};
-use rayon::prelude::*;
 
 use maths::Maths;
 use page::Page;
@@ -90,26 +88,12 @@ impl Preprocessor for Weaver {
         let notes = context.root.join(&context.config.book.src);
         modules::pack(&context.root.join(MODULES), &notes.join("live"))?;
         let maths = Maths::new(Symbols::read(&notes));
-        let mut pages = Vec::new();
+        let mut problems = Vec::new();
         book.for_each_mut(|item| {
             if let BookItem::Chapter(chapter) = item
                 && let Some(path) = &chapter.source_path
             {
-                pages.push((notes.join(path), mem::take(&mut chapter.content)));
-            }
-        });
-        // Most of the time goes into pictures, which are drawn from the text of the chapters.
-        let woven: Vec<_> = pages
-            .into_par_iter()
-            .map(|(path, content)| Page::new(path, &content).weave(&maths))
-            .collect();
-        let mut woven = woven.into_iter();
-        let mut problems = Vec::new();
-        book.for_each_mut(|item| {
-            if let BookItem::Chapter(chapter) = item
-                && chapter.source_path.is_some()
-            {
-                match woven.next().expect("each page was woven") {
+                match Page::new(notes.join(path), &chapter.content).weave(&maths) {
                     Ok(content) => chapter.content = content,
                     Err(causes) => problems.extend(causes),
                 }

@@ -131,7 +131,7 @@ fn named(item: &Item, source: &str) -> Vec<SourceItem> {
             });
             let block = block(source, it.trait_token.span, it.brace_token.span.open());
             let mut all = plain(&it.ident);
-            all.extend(in_block(&block, Some(it.ident.to_string()), methods));
+            all.extend(in_block(&block, Some(&it.ident.to_string()), methods));
             all
         }
         Item::Impl(it) => {
@@ -140,7 +140,7 @@ fn named(item: &Item, source: &str) -> Vec<SourceItem> {
                 _ => None,
             });
             let block = block(source, it.impl_token.span, it.brace_token.span.open());
-            let owner = source[it.self_ty.span().byte_range()].to_owned();
+            let owner = &source[it.self_ty.span().byte_range()];
             let owner = it.trait_.is_none().then_some(owner);
             let mut all = vec![SourceItem::new(vec![block.header.clone()], item.span())];
             all.extend(in_block(&block, owner, methods));
@@ -162,11 +162,11 @@ fn block(source: &str, start: Span, brace: Span) -> OuterBlock {
 /// Returns methods of a block, named by its header and by its owner, if there is one.
 fn in_block<'a>(
     block: &OuterBlock,
-    owner: Option<String>,
+    owner: Option<&str>,
     methods: impl Iterator<Item = (&'a Ident, Span)>,
 ) -> impl Iterator<Item = SourceItem> {
     methods.map(move |(name, span)| {
-        let by = [Some(&block.header), owner.as_ref()].into_iter().flatten();
+        let by = [Some(&block.header[..]), owner].into_iter().flatten();
         SourceItem {
             block: Some(block.clone()),
             ..SourceItem::new(by.map(|it| format!("{it}::{name}")).collect(), span)

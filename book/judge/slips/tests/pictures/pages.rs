@@ -1,5 +1,7 @@
 //! What the pages show of mistakes: each wrong picture, and beside it the mistakes that draw it.
 
+use std::fs;
+
 use common::rtweekend::Picture;
 use difference::png;
 use insta::{Settings, assert_binary_snapshot, assert_snapshot};
@@ -79,6 +81,15 @@ pub(crate) fn assert_shown(seen: &[(Seen, Picture)]) {
         .collect();
     let names = format!("<p>{}</p>", links.join(" · "));
     shown_in("slips").bind(|| assert_snapshot!("names", names));
+    let folder = fs::read_dir(notes("slips")).expect("the folder of the pictures");
+    let pictures = folder
+        .flatten()
+        .filter(|it| it.path().extension().is_some_and(|it| it == "png"));
+    assert_eq!(
+        pictures.count(),
+        seen.len(),
+        "pictures of slips that are gone stay behind"
+    );
 }
 
 /// The pages of the chapters show some mistakes and half-finished pictures.
@@ -130,13 +141,14 @@ fn the_page_lists_all_probes() {
 /// Makes settings for snapshots that pages show, in a folder of `book/notes`.
 fn shown_in(folder: &str) -> Settings {
     let mut settings = Settings::clone_current();
-    settings.set_snapshot_path(format!(
-        "{}/../../notes/{folder}",
-        env!("CARGO_MANIFEST_DIR")
-    ));
+    settings.set_snapshot_path(notes(folder));
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
     settings
+}
+
+fn notes(folder: &str) -> String {
+    format!("{}/../../notes/{folder}", env!("CARGO_MANIFEST_DIR"))
 }
 
 /// Returns a wrong picture, and beside it the slips that draw it.

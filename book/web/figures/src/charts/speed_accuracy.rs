@@ -288,7 +288,6 @@ fn numbers(situations: &[Vec<Measured>]) -> String {
         "method",
         "ns",
         "÷ half_b",
-        "instructions",
         "wrong of 10⁶",
         "digits: half",
         "999 of 1000",
@@ -302,13 +301,7 @@ fn numbers(situations: &[Vec<Measured>]) -> String {
 }
 
 fn cells((row, time): &Measured) -> Vec<String> {
-    let numbers = [
-        Some(time.median_ns),
-        Some(time.ratio),
-        time.instructions,
-        Some(row.wrong_per_million),
-    ];
-    let numbers = numbers.map(|number| number.map_or("–".to_owned(), printed));
+    let numbers = [time.median_ns, time.ratio, row.wrong_per_million].map(printed);
     let digits = right_digits(row).map(|digits| format!("{digits:.1}"));
     [row.regime.clone(), format!("`{}`", row.method)]
         .into_iter()
