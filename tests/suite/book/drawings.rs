@@ -14,7 +14,7 @@ use insta::assert_binary_snapshot;
 use scraper::{ElementRef, Html, Selector};
 use speed_vs_accuracy::{METHODS, Precision, REGIMES};
 
-use crate::book::NOTES;
+use crate::book::whole::NOTES;
 
 #[test]
 fn every_figure_is_its_snapshot() {

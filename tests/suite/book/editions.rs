@@ -73,7 +73,7 @@ fn in_chapter_5_one_turned_sign_hangs_the_ground_in_the_sky() {
 
 #[test]
 fn rows_from_below_and_an_edge_that_points_up_belong_together() {
-    cancel_each_other("rows-from-below", "viewport-upside-down", 400);
+    cancel_each_other("rows-from-below", "viewport-upside-down", 100);
 }
 
 /// Panics unless each of the two slips draws the same wrong picture of chapter 5, and both the

@@ -7,7 +7,7 @@ use std::{env, fs};
 
 use serde_json::Value;
 
-use crate::book::WORKSPACE;
+use crate::book::whole::WORKSPACE;
 
 /// The rooms that each room depends on.
 type Arrows = BTreeMap<String, BTreeSet<String>>;

@@ -9,7 +9,7 @@ use std::process::{Command, Output};
 use scraper::ElementRef;
 use slips::{Chapter, ChapterCode};
 
-use crate::book::{self, WORKSPACE, folder_of, page_of, text_of};
+use crate::book::whole::{self, WORKSPACE, folder_of, page_of, text_of};
 use fixtures::command::{cargo, files, run, text};
 use fixtures::drawn::p3;
 
@@ -52,7 +52,7 @@ fn what_the_pages_list_is_all_that_must_be_typed_to_get_their_pictures() {
 /// exercises are tests of their chapter. Chapter 5 is typed in two stairs: what comes out is below
 /// them, file by file.
 fn listings_of(chapter: Chapter) -> Vec<(PathBuf, String)> {
-    let pages = book::pages();
+    let pages = whole::pages();
     let page = pages.iter().find(|page| page.name == page_of(chapter));
     let shown = match chapter {
         Chapter::HittableList => "details .listing",
@@ -61,7 +61,7 @@ fn listings_of(chapter: Chapter) -> Vec<(PathBuf, String)> {
     let listings = page.expect("a chapter has a page").all(shown);
     let listing = |listing: ElementRef| {
         let part = |part: &str| {
-            let part = listing.select(&book::select(part)).next();
+            let part = listing.select(&whole::select(part)).next();
             text_of(part.expect("a listing has its file and its code"))
         };
         let file = PathBuf::from(part(".file"));

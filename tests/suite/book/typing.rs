@@ -90,7 +90,7 @@ fn a_line_of_the_chapter_that_is_typed_in_part_is_unfinished_though_it_draws() {
     for (caret, is_waiting) in [(typing, true), (resting, false), (None, false)] {
         draft.caret = caret;
         let program = draft.read().expect("it is Rust");
-        let picture = draft.draw(&program, 400).expect("it draws");
+        let picture = draft.draw(&program, 64).expect("it draws");
         let said = draft.judged(program, &picture);
         assert_eq!(said.is_waiting, is_waiting, "{said:?}");
         assert_eq!(said.grade == Grade::OnTheWay, is_waiting, "{said:?}");

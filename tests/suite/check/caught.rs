@@ -8,6 +8,7 @@ use rayon::prelude::*;
 use slips::{Chapter, ChapterProgram, Languages, Slip, Unseen};
 
 #[test]
+#[ignore = "asks all laws about all mistakes"]
 fn every_slip_is_caught() {
     let complaints: String = OUTCOMES.iter().filter_map(Outcome::complaint).collect();
     assert!(complaints.is_empty(), "\n{complaints}");
@@ -24,6 +25,7 @@ fn a_program_without_a_slip_breaks_no_law() {
 
 /// By its answers a judge tells one mistake from another. No answer is about the camera.
 #[test]
+#[ignore = "asks all laws about all mistakes"]
 fn a_slip_that_breaks_a_law_has_other_answers_than_a_right_program() {
     let of_functions = |it: &&Outcome| {
         let smallest = it.report.as_ref().and_then(|it| it.answers.given.last());

@@ -5,12 +5,13 @@ use check::lawful;
 use laws::{ChapterScene, Report, Trial};
 use slips::{Chapter, Languages, Slip};
 
-use crate::caught::{OUTCOMES, first_report};
+use crate::check::caught::{OUTCOMES, first_report};
 use fixtures::slip;
 
 /// Of all slips that break a law and can be made in Rust, 95 in 100 are named: alone, or
 /// among four that give the same answer to every question.
 #[test]
+#[ignore = "asks all laws about all mistakes"]
 fn the_first_broken_law_names_the_slip() {
     let in_rust = OUTCOMES.iter().filter(|it| it.slip.is_possible_in_rust());
     let reported = in_rust.filter_map(|it| Some((it, it.report.as_deref()?)));

@@ -12,8 +12,8 @@ use proptest::prelude::*;
 use proptest::sample::select;
 use speed_vs_accuracy::bounds::{self, Bound, T_UNDIVIDED, U};
 
-use crate::hostile::{in_units, ulps_away};
-use crate::question;
+use crate::methods::hostile::{in_units, ulps_away};
+use crate::methods::question;
 
 /// A number that is compared with a band, in units of u = 2⁻⁵³ and of M = |oc|² + r².
 #[derive(Clone, Copy, Debug)]

@@ -8,7 +8,7 @@ use hittable_list::{Hittable, Sphere};
 use laws::{Case, IntervalCase};
 use speed_vs_accuracy::find;
 
-use crate::question;
+use crate::methods::question;
 
 /// Each row in the words of the page, and what it changes in the ball of chapter 3 and its ray
 /// straight ahead, whose roots are ½ and 1½: the origin `o`, the direction `d`, the center `c`, the

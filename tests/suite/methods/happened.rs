@@ -4,7 +4,7 @@
 use common::rtweekend::*;
 use speed_vs_accuracy::{Case, METHODS, Method};
 
-use crate::methods::in_front;
+use crate::methods::promised::in_front;
 
 const BALL_OF: fn(f64, Ray) -> Case = |radius, ray| Case::new(Point3::ZERO, radius, ray);
 

@@ -14,7 +14,7 @@ use measure::spread::Spread;
 use measure::{accuracy, wrong_pixels};
 use speed_vs_accuracy::METHODS;
 
-use crate::rejected::REJECTED;
+use crate::methods::rejected::REJECTED;
 
 /// The folder of the files that the book shows.
 const MEASURED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/notes/measured");
@@ -34,11 +34,13 @@ mod the_snapshot_holds {
     }
 
     #[test]
+    #[ignore = "asks each method at each place of the map"]
     fn map() {
         assert_measured("map", &measure::map::table(SEED));
     }
 
     #[test]
+    #[ignore = "asks a million questions"]
     fn rejected() {
         assert_measured("rejected", &accuracy::table(REJECTED, 20_000, 20_000, SEED));
     }

@@ -9,7 +9,7 @@ use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::select;
 
-use crate::hostile::{self, ulps_away, with_hostile_interval};
+use crate::methods::hostile::{self, ulps_away, with_hostile_interval};
 
 /// Makes worlds of several spheres that are hard to tell apart: one of all kinds in this file.
 pub(crate) fn hostile() -> impl Strategy<Value = World> {

@@ -8,7 +8,7 @@ use laws::oracle::{ExactCase, ExactRoot};
 use proptest::prelude::*;
 use speed_vs_accuracy::{certified_nearest, certified_t, exact};
 
-use crate::neighbors;
+use crate::methods::neighbors;
 
 proptest! {
     #![proptest_config(ProptestConfig { cases: config().cases.max(12_000), ..config() })]

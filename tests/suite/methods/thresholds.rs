@@ -15,9 +15,9 @@ use measure::accuracy::exact;
 use proptest::prelude::*;
 use speed_vs_accuracy::Method;
 
-use crate::hostile;
-use crate::methods::in_front;
-use crate::question;
+use crate::methods::hostile;
+use crate::methods::promised::in_front;
+use crate::methods::question;
 
 const CASES: u32 = 4000;
 

@@ -5,7 +5,7 @@
 use figures::table::reader;
 use laws::{Case, IntervalCase};
 
-use crate::methods::is_certified;
+use crate::methods::promised::is_certified;
 
 #[test]
 fn the_certified_methods_answer_each_of_them_rightly() {

@@ -9,7 +9,7 @@ mod commands;
 mod hit_command;
 #[cfg(unix)]
 mod hostile;
-mod languages;
+mod laws_command;
 mod needs_command;
 mod start;
 #[cfg(unix)]

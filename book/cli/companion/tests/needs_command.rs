@@ -65,6 +65,7 @@ fn found(scene: &Scene, precision: Precision) -> PrecisionNeeds {
 /// Each scene of chapter 6 is like the situation of its name, and gets the method that the heat map
 /// frames. The map says the same at the scene's place; it has `half_b_q` where `half_b` does.
 #[test]
+#[ignore = "draws each scene by each method"]
 fn frame_map_and_needs_agree_about_every_scene() {
     let cells = include_str!("../../../../book/notes/measured/scenes.snap.csv");
     let cells = Table::<WrongPixels>::read(cells)

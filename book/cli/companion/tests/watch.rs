@@ -145,14 +145,7 @@ const CLEAR: &str = "\x1b[2J\x1b[H";
 
 impl Watched {
     fn start(wanted: &Command) -> Self {
-        let mut command = hears_signals(wanted.get_program().into());
-        command.args(wanted.get_args());
-        for (name, value) in wanted.get_envs() {
-            command.env(name, value.unwrap_or_default());
-        }
-        if let Some(folder) = wanted.get_current_dir() {
-            command.current_dir(folder);
-        }
+        let mut command = hears_signals(wanted);
         command.env("COLORTERM", "truecolor").stderr(Stdio::null());
         let (child, screen) = terminal::start(&mut command);
         Self {

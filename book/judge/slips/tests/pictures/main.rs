@@ -13,7 +13,7 @@ use slips::{Chapter, ChapterProgram, PROBES, Slip, steps};
 use looks::{Drawn, Look};
 
 /// The width of the pictures in pixels: a prime number, so that no row length fits another by chance.
-const WIDTH: u32 = 97;
+const WIDTH: u32 = 47;
 
 /// Hashes all numbers that a program prints (FNV-1a).
 fn hash(program: &ChapterProgram, width: u32) -> u64 {
@@ -73,6 +73,7 @@ fn every_probe_version_and_step_draws_its_picture() {
 type Seen = (Look, Chapter, Vec<&'static str>);
 
 #[test]
+#[ignore = "it draws some hundred pictures"]
 fn every_mistake_is_shown_on_its_page_as_it_looks() {
     let right =
         Chapter::OF_THE_BOOK.map(|chapter| Drawn::by(&ChapterProgram::right(chapter), None));

@@ -1,5 +1,5 @@
 //! Promises of the chapters and `common` beside pictures and laws. They stand on right
-//! chapters, so cargo tests them once the program `chapters` passes.
+//! chapters: cargo tests those first.
 
 mod camera;
 mod color;

@@ -1,0 +1,4 @@
+//! The interpreter: does it run what is typed as the compiler does, and stop what takes too much?
+
+mod compiled;
+mod limits;
