@@ -225,7 +225,12 @@ impl<'t> Collector<'_, 't> {
         block.items.iter().try_for_each(|part| match part {
             syn::ImplItem::Fn(of) => {
                 let generics = [&block.generics, &of.sig.generics];
-                self.function(&of.sig, &of.block, Scope::of(file, owner, &generics))
+                self.function(&of.sig, &of.block, Scope::of(file, owner, &generics))?;
+                // The prelude's operators are called by their signs.
+                let signature = self.names.signatures.last_mut();
+                let operator = signature.filter(|_| file >= PRELUDE && of_trait.is_some());
+                operator.into_iter().for_each(|it| it.is_method = false);
+                Ok(())
             }
             syn::ImplItem::Const(of) => {
                 let scope = Scope::of(file, owner, &[&block.generics]);
@@ -294,7 +299,7 @@ impl<'t> Collector<'_, 't> {
         let signature = Signature {
             parameters,
             result,
-            has_self: sig.receiver().is_some(),
+            is_method: sig.receiver().is_some(),
             scope,
             ..Signature::default()
         };

@@ -60,7 +60,8 @@ pub(crate) struct Signature {
     pub(crate) scope: Scope,
     pub(crate) parameters: Vec<Parameter>,
     pub(crate) result: Kind,
-    pub(crate) has_self: bool,
+    /// True if it can be called behind a point.
+    pub(crate) is_method: bool,
     pub(crate) is_constant: bool,
 }
 
@@ -168,7 +169,7 @@ impl Names {
     pub(crate) fn methods(&self, name: &str) -> Vec<(Kind, usize)> {
         let all = (0..).zip(&self.kinds);
         let all = all.flat_map(|(kind, def)| def.functions.iter().map(move |it| (kind, it)));
-        let own = all.filter(|(_, it)| it.0 == name && self.signatures[it.1].has_self);
+        let own = all.filter(|(_, it)| it.0 == name && self.signatures[it.1].is_method);
         own.map(|(kind, it)| (kind, it.1)).collect()
     }
 

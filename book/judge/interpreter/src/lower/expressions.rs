@@ -240,7 +240,15 @@ impl Lowerer<'_> {
         let is_closed = matches!(range.limits, syn::RangeLimits::Closed(_));
         let is_closed = Code::constant(move || is_closed.into());
         let (all, at) = ([start, end, is_closed], self.at(range));
-        Ok(Code::act(move |m| m.gather(Shape::RANGE, &all, at)))
+        Ok(Code::act(move |m| {
+            let range = m.gather(Shape::RANGE, &all, at)?;
+            match range.parts() {
+                [Value::Float(_), Value::Unit, _] | [Value::Unit, ..] => {
+                    m.unread(at, "a range that is open at an end")
+                }
+                _ => Ok(range),
+            }
+        }))
     }
 
     fn cast(&mut self, cast: &syn::ExprCast) -> Lowered {

@@ -124,7 +124,7 @@ impl<T> Vec<T> {
     }
     fn for_each(self, f: _) { for it in self { f(it); } }
     fn find(self, f: _) -> _ { for it in self { if f(it) { return Some(it); } } None }
-    fn find_map(self, f: _) -> _ { self.filter_map(f).first() }
+    fn find_map(self, f: _) -> _ { for it in self { if let Some(it) = f(it) { return Some(it); } } None }
     fn position(self, f: _) -> _ { for n in 0..self.len() { if f(self[n]) { return Some(n); } } None }
     fn any(self, f: _) -> bool { self.find(f).is_some() }
     fn all(self, f: _) -> bool { self.find(|it| !f(it)).is_none() }
