@@ -19,8 +19,8 @@ fn a_program_without_a_slip_is_the_chapter_to_the_last_bit() {
                     &ChapterProgram::right(chapter).run(width).picture()
                 ),
                 Comparison::Equal,
-                "{} at {width} wide: the text around it, in book/judge/slips/src/text, does not do \
-                 what `common` does. If another test fails too, it is the chapter that is wrong",
+                "{} at {width} wide: the interpreter draws another picture of its text, in \
+                 book/judge/slips/texts, than the compiler",
                 chapter.name()
             );
         }

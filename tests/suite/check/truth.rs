@@ -7,6 +7,7 @@
 use check::lawful;
 use common::rtweekend::*;
 use difference::Comparison;
+use fixtures::command::{assert_success, cargo, run, text};
 use fixtures::drawn::p3;
 use hittable_list::{HitRecord, Hittable, HittableList, Sphere};
 use laws::Case;
@@ -16,6 +17,30 @@ use laws::record::RecordedHit;
 use laws::strategies::{pixels, samples};
 use sha2::{Digest, Sha256};
 use slips::{Chapter, ChapterCode, ChapterProgram};
+
+/// While a chapter does not compile, all of these still do, and answer.
+#[test]
+fn what_judges_is_made_of_no_chapter() {
+    let mut tree = cargo();
+    tree.args([
+        "tree",
+        "--offline",
+        "--edges",
+        "normal,build",
+        "--prefix",
+        "none",
+    ]);
+    for package in ["companion", "launcher", "check", "skeletons", "page"] {
+        tree.args(["--package", package]);
+    }
+    tree.args(["--features", "page/judge"]);
+    let output = run(tree.current_dir(fixtures::workspace()));
+    assert_success(&output);
+    let parts = text(&output.stdout);
+    let mut chapters = parts.lines().filter(|line| line.contains("/chapters/"));
+    assert_eq!(chapters.next(), None, "{parts}");
+    assert!(parts.contains("/common)"), "{parts}");
+}
 
 /// The widest picture whose sum is compared here.
 const WIDEST: u32 = 400;

@@ -2,9 +2,7 @@
 
 mod check;
 mod done;
-mod hit;
 mod laws;
-mod needs;
 mod reader_crates;
 mod sources;
 mod start;
@@ -42,9 +40,7 @@ fn run_command(words: &Words) -> Result<ExitCode, Box<dyn Error>> {
         "laws" => laws::laws(words)?,
         "start" => (0, start::start(words)?),
         "done" => (0, done::done(words)?),
-        "hit" => (0, hit::hit(words)?),
-        "needs" => (0, needs::needs(words)?),
-        name => unreachable!("the command {name} is the launcher's own"),
+        _ => return launcher::cargo::hand_on(words),
     };
     output::print(&said)?;
     Ok(ExitCode::from(code))

@@ -27,7 +27,6 @@ a source whose texts grow     | check normals wrong.ppm
 a source whose vector grows   | check normals wrong.ppm
 a source whose vectors grow   | check normals wrong.ppm
 a source that is nested       | check normals wrong.ppm
-a scene of many spheres       | needs scene.toml --width 8
 ";
 
 /// Saves an input beside a wrong picture.
@@ -67,7 +66,6 @@ fn save(input: &str, desk: &Desk) {
             let [open, close] = ["-(", ")"].map(|it| it.repeat(30_000));
             source(desk, &format!("let x = {open}1.0{close};"));
         }
-        "a scene of many spheres" => desk.write("scene.toml", spheres()),
         _ => {}
     }
 }
@@ -89,18 +87,6 @@ fn source(desk: &Desk, body: &str) {
         format!("{head} {{\n    {body}\n    sky(ray)\n}}\n\n{tail}"),
     );
     desk.write_picture("wrong.ppm", &Chapter::Gradient.picture(64));
-}
-
-/// Returns a scene with as many spheres as a scene's file has room for.
-fn spheres() -> String {
-    let sphere = |n| {
-        format!(
-            "[[sphere]]\ncenter=[{}, {}, -9]\nradius=0.4\n",
-            n % 50,
-            n / 50
-        )
-    };
-    (0..2500).map(sphere).collect()
 }
 
 #[test]
@@ -156,16 +142,6 @@ fn first_complaint(command: &mut Command) -> String {
 }
 
 #[test]
-#[ignore = "draws for some seconds"]
-fn a_scene_that_takes_long_says_how_far_it_is() {
-    let desk = Desk::default();
-    desk.write("scene.toml", spheres());
-    let mut needs = desk.command("rtrace needs scene.toml --width 1000");
-    let first = first_complaint(&mut needs);
-    assert!(first.contains("% of the picture is drawn"), "{first}");
-}
-
-#[test]
 fn a_pipe_into_which_no_program_writes_is_waited_for_and_that_is_said() {
     let desk = Desk::default();
     let mut mkfifo = Command::new("mkfifo");
@@ -183,10 +159,8 @@ fn a_pipe_into_which_no_program_writes_is_waited_for_and_that_is_said() {
 fn a_file_that_is_longer_than_its_limit_is_not_read() {
     let desk = Desk::default();
     desk.run("rtrace start gradient");
-    let scene = "width = 8\n[[sphere]]\ncenter = [0, 0, -1]\nradius = 0.5\n";
     let lib = "mine/gradient/src/lib.rs";
     for (name, begin, most, line, shown) in [
-        ("s.toml", scene, 1 << 17, "needs s.toml", "Take "),
         ("done.md", "- all", 1 << 22, "done --in .", "- all"),
         (
             lib,

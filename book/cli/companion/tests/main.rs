@@ -6,11 +6,9 @@ mod broken_off;
 mod check_command;
 mod command_line;
 mod commands;
-mod hit_command;
 #[cfg(unix)]
 mod hostile;
 mod laws_command;
-mod needs_command;
 mod start;
 #[cfg(unix)]
 mod stops;

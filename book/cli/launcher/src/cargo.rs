@@ -9,6 +9,7 @@ use std::{env, thread};
 
 use course::chapter::Chapter;
 
+use crate::command_line::Words;
 use crate::draw;
 use crate::misuse::complain;
 
@@ -20,8 +21,8 @@ pub struct Package {
     program: &'static str,
 }
 
-/// The package of the companion, the program `rtrace`: it judges pictures, watches crates and
-/// measures methods.
+/// The package of the companion, the program `rtrace`: it judges pictures and watches crates. No
+/// chapter is part of it, so it is built while one does not compile.
 const COMPANION: Package = Package {
     name: "companion",
     program: "rtrace",
@@ -33,26 +34,32 @@ const WEAVER: Package = Package {
     program: "weave",
 };
 
-/// Builds the companion if it is not up to date, and returns the command that starts it, still
-/// without arguments. While something that it is made of does not compile, perhaps a chapter, the
-/// last one that was built serves.
+/// The package of the program that compares the methods of chapter 6.
+const METHODS: Package = Package {
+    name: "measure",
+    program: "methods",
+};
+
+/// Has a program run a command that is not the launcher's own, with the words with which this
+/// program was started: builds it if it is not up to date, and becomes it. Only the program knows
+/// what the words mean.
 ///
 /// # Errors
-/// If the workspace is gone, if cargo does not start, or if it fails and there is no last one.
-pub fn companion() -> Result<Command, Box<dyn Error>> {
-    const SAYS: &str = "Building the companion, which judges, watches and measures: the first time, about a minute";
-    let built = build(&[COMPANION], SAYS)?;
-    let last = || {
-        let program = built.path(COMPANION);
-        program.is_file().then(|| {
-            complain("rtrace: cargo has not built the companion anew; the last one answers");
-            program
-        })
+/// If the workspace is gone, or cargo does not start or fails.
+pub fn hand_on(words: &Words) -> Result<ExitCode, Box<dyn Error>> {
+    let (package, says) = match words.command.name() {
+        "hit" | "needs" => (
+            METHODS,
+            "Building what compares methods: the first time, about a minute",
+        ),
+        _ => (
+            COMPANION,
+            "Building the companion, which judges and watches: the first time, about a minute",
+        ),
     };
-    match built.program(COMPANION).or_else(last) {
-        Some(program) => Ok(Command::new(program)),
-        None => Err(built.failure(COMPANION)),
-    }
+    let mut program = program(package, says)?;
+    program.args(env::args_os().skip(1));
+    become_program(program)
 }
 
 /// Builds the weaver if it is not up to date, and returns the command that starts it, still without
@@ -62,11 +69,16 @@ pub fn companion() -> Result<Command, Box<dyn Error>> {
 /// If the workspace is gone, or cargo does not start or fails.
 pub fn weaver() -> Result<Command, Box<dyn Error>> {
     const SAYS: &str = "Building mdBook and the weaver: the first time, about a minute";
-    let built = build(&[WEAVER], SAYS)?;
-    let program = built.program(WEAVER);
+    program(WEAVER, SAYS)
+}
+
+/// Builds a program like [`build`], and returns the command that starts it, still without arguments.
+fn program(package: Package, says: &str) -> Result<Command, Box<dyn Error>> {
+    let built = build(&[package], says)?;
+    let program = built.program(package);
     program
         .map(Command::new)
-        .ok_or_else(|| built.failure(WEAVER))
+        .ok_or_else(|| built.failure(package))
 }
 
 /// The programs that cargo has built.
@@ -256,7 +268,7 @@ fn is_work(line: &str) -> bool {
 /// # Errors
 /// If the program does not start.
 #[cfg(unix)]
-pub fn become_program(mut program: Command) -> Result<ExitCode, Box<dyn Error>> {
+fn become_program(mut program: Command) -> Result<ExitCode, Box<dyn Error>> {
     Err(std::os::unix::process::CommandExt::exec(&mut program).into())
 }
 
@@ -265,7 +277,7 @@ pub fn become_program(mut program: Command) -> Result<ExitCode, Box<dyn Error>> 
 /// # Errors
 /// If the program does not start.
 #[cfg(not(unix))]
-pub fn become_program(mut program: Command) -> Result<ExitCode, Box<dyn Error>> {
+fn become_program(mut program: Command) -> Result<ExitCode, Box<dyn Error>> {
     let code = program.status()?.code();
     let code = code.and_then(|code| u8::try_from(code).ok());
     Ok(code.map_or(ExitCode::FAILURE, ExitCode::from))

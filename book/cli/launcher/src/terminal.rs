@@ -127,3 +127,10 @@ fn average(picture: &Picture, columns: Range<u32>, rows: Range<u32>) -> [u8; 3] 
     };
     [0, 1, 2].map(component)
 }
+
+/// Returns the width of text in characters: as wide as the terminal, but at least 30 and at most
+/// 96.
+pub fn text_width() -> usize {
+    let columns = terminal_size::terminal_size().map_or(80, |(width, _)| usize::from(width.0));
+    columns.clamp(30, 96)
+}

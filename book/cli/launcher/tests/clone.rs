@@ -11,7 +11,8 @@ use fixtures::drawn::p3;
 use slips::{Chapter, ChapterCode};
 
 /// A folder with the parts of a clone. Scripts stand for the chapters' programs, which print
-/// pictures of ours, for the companion, which prints its arguments, and for the weaver.
+/// pictures of ours, for the programs of other commands, which print their arguments, and for the
+/// weaver.
 pub(crate) struct Clone(pub(crate) Desk);
 
 /// The names and the texts of the pictures that the chapters' programs print, drawn once.
@@ -29,8 +30,7 @@ static PICTURES: LazyLock<Vec<(String, Vec<u8>)>> = LazyLock::new(|| {
 });
 
 impl Clone {
-    /// Makes a clone in which the program of one chapter, if any, does not compile; nor does the
-    /// companion then, but an earlier one is there.
+    /// Makes a clone in which the program of one chapter, if any, does not compile.
     pub(crate) fn without(broken: Option<&str>) -> Self {
         let clone = Self(Desk::default());
         for part in ["common/Cargo.toml", "tests/laws/Cargo.toml", "book/notes/"] {
@@ -46,7 +46,9 @@ impl Clone {
         for (name, picture) in &*PICTURES {
             clone.0.write(&format!("target/debug/{name}"), picture);
         }
-        clone.write_program("rtrace", "printf '<%s>' \"$@\"; exit 3");
+        for program in ["rtrace", "methods"] {
+            clone.write_program(program, "printf '<%s>' \"$@\"; exit 3");
+        }
         clone.write_program("weave", "mkdir -p \"$2\" && echo woven > \"$2/index.html\"");
         clone.write_cargo(broken);
         clone

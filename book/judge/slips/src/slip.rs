@@ -138,16 +138,6 @@ impl Slip {
         &self.edits
     }
 
-    /// Returns the edit that makes the slip in a chapter, or `None` if none or several do.
-    ///
-    /// # Panics
-    /// If the chapter is not one of [`Chapter::OF_THE_BOOK`].
-    pub fn only_edit(&self, chapter: Chapter) -> Option<&Edit> {
-        let program = ChapterProgram::right(chapter);
-        let mut standing = self.edits.iter().filter(|edit| program.has(edit));
-        standing.next().filter(|_| standing.next().is_none())
-    }
-
     /// Returns true if the slip can be made in the program of a chapter.
     ///
     /// # Panics

@@ -8,7 +8,7 @@ use laws::oracle::ExactRoot;
 use measure::accuracy::{exact, ulps_off};
 use speed_vs_accuracy::{Case, METHODS, Method, Precision, Solve};
 
-use crate::command_line::Words;
+use launcher::command_line::Words;
 
 /// Returns where a ray hits a sphere, by exact arithmetic and by each method of chapter 6, with its
 /// error.

@@ -1,5 +1,8 @@
 //! Answers of `cargo rtrace needs`, which are the same on every machine: the times are recorded.
 
+use std::io::{BufRead, BufReader};
+use std::process::Stdio;
+
 use figures::least;
 use figures::records::WrongPixels;
 use figures::table::Table;
@@ -15,7 +18,7 @@ use speed_vs_accuracy::{METHODS, Precision, REGIMES, Scene};
 /// it right, and in `f32` no method does.
 const GRAZING: &str = concat!(
     "width = 128\n",
-    include_str!("../../../../chapters/6_speed_vs_accuracy/scenes/grazing.toml")
+    include_str!("../../../chapters/6_speed_vs_accuracy/scenes/grazing.toml")
 );
 
 /// A ball so far away that `half_b` sees it where it is not.
@@ -67,7 +70,7 @@ fn found(scene: &Scene, precision: Precision) -> PrecisionNeeds {
 #[test]
 #[ignore = "draws each scene by each method"]
 fn frame_map_and_needs_agree_about_every_scene() {
-    let cells = include_str!("../../../../book/notes/measured/scenes.snap.csv");
+    let cells = include_str!("../../notes/measured/scenes.snap.csv");
     let cells = Table::<WrongPixels>::read(cells)
         .expect("the file is well-formed")
         .rows;
@@ -121,14 +124,14 @@ fn assert_as_the_map(scene: &Scene) {
 fn a_scene_is_answered_with_a_ray_to_look_at() {
     let desk = Desk::default();
     desk.write("far.toml", FAR);
-    let said = text(&desk.run("rtrace needs far.toml").stdout);
+    let said = text(&desk.run("methods needs far.toml").stdout);
     assert!(
         said.starts_with("Take cross_q: it draws this picture right, and "),
         "{said}"
     );
     let again = said.lines().find_map(|line| line.split_once("rtrace hit "));
     let (_, again) = again.expect("the same again");
-    let microscope = text(&desk.run(&format!("rtrace hit {again}")).stdout);
+    let microscope = text(&desk.run(&format!("methods hit {again}")).stdout);
     let wrong = said
         .lines()
         .map(str::trim)
@@ -145,7 +148,7 @@ fn a_scene_that_shows_nothing_is_answered() {
                  zoom = 5e299\n[[sphere]]\ncenter = [0, 0, 0]\nradius = 1e200\n";
     let desk = Desk::default();
     desk.write("odd.toml", scene);
-    let output = desk.run("rtrace needs odd.toml");
+    let output = desk.run("methods needs odd.toml");
     let said = text(&output.stdout) + &text(&output.stderr);
     for words in ["No ray meets a sphere", "do not fit into f32"] {
         assert!(said.contains(words), "{said}");
@@ -165,7 +168,7 @@ fn a_t_min_that_does_not_fit_the_scene_is_named() {
     let desk = Desk::default();
     desk.write("molecules.toml", balls("", "e-9"));
     desk.write("acne.toml", balls("t_min = 0", ""));
-    let said = |scene: &str| text(&desk.run(&format!("rtrace needs {scene}")).stdout);
+    let said = |scene: &str| text(&desk.run(&format!("methods needs {scene}")).stdout);
     assert!(said("molecules.toml").contains("WARNING: things cast a shadow only from"));
     let acne = said("acne.toml");
     assert!(acne.starts_with("Raise t_min: above 0.0, "), "{acne}");
@@ -174,7 +177,7 @@ fn a_t_min_that_does_not_fit_the_scene_is_named() {
 
 #[test]
 fn the_scene_in_its_help_is_read() {
-    let help = text(&Desk::default().run("rtrace needs --help").stdout);
+    let help = text(&Desk::default().run("methods needs --help").stdout);
     let scene = help.split("are needed:\n").nth(1).expect("a scene");
     let scene = read(scene.split("\n\nThe columns").next().unwrap_or_default());
     assert_eq!((scene.width, scene.spheres.len()), (400, 1));
@@ -206,10 +209,46 @@ fn a_scene_that_can_not_be_read_is_refused_by_its_name() {
     desk.write("no-text.toml", b"# \xff\n");
     desk.write("sun.toml", "sun = 1");
     assert_snapshot!(desk.transcript(
-        "rtrace needs missing.toml
-         rtrace needs no-text.toml
-         rtrace needs sun.toml"
+        "methods needs missing.toml
+         methods needs no-text.toml
+         methods needs sun.toml"
     ));
+}
+
+#[test]
+#[ignore = "draws for some seconds"]
+fn a_scene_that_takes_long_says_how_far_it_is() {
+    let sphere = |n| {
+        let (x, y) = (n % 50, n / 50);
+        format!("[[sphere]]\ncenter=[{x}, {y}, -9]\nradius=0.4\n")
+    };
+    let desk = Desk::default();
+    desk.write("scene.toml", (0..2500).map(sphere).collect::<String>());
+    let mut needs = desk.command("methods needs scene.toml --width 1000");
+    let mut child = needs.stderr(Stdio::piped()).spawn().expect("it starts");
+    let mut first = String::new();
+    let errors = child.stderr.take().expect("it is piped");
+    let read = BufReader::new(errors).read_line(&mut first);
+    child.kill().expect("it runs");
+    child.wait().expect("it ends");
+    read.expect("a line");
+    assert!(first.contains("% of the picture is drawn"), "{first}");
+}
+
+/// A file up to its limit is read, and one that is a byte longer is refused.
+#[test]
+fn a_scene_that_is_longer_than_its_limit_is_not_read() {
+    let scene = "width = 8\n[[sphere]]\ncenter = [0, 0, -1]\nradius = 0.5\n";
+    let desk = Desk::default();
+    for (length, is_read) in [(1 << 17, true), ((1 << 17) + 1, false)] {
+        desk.write(
+            "s.toml",
+            scene.to_owned() + &" ".repeat(length - scene.len()),
+        );
+        let output = desk.run("methods needs s.toml");
+        let refused = text(&output.stderr).contains("the file has more than 131072 bytes");
+        assert_eq!((output.status.success(), !refused), (is_read, is_read));
+    }
 }
 
 fn read(scene: &str) -> Scene {

@@ -2,15 +2,16 @@
 
 use std::fmt::Write;
 
-use check::names::{self, companion_command};
 use common::rtweekend::*;
 use figures::Spot;
 use figures::number::three_digits;
+use launcher::names::{self, companion_command};
+use launcher::terminal;
 use speed_vs_accuracy::{Method, Precision, Scene};
+use textwrap::{Options, WordSplitter};
 
 use super::WITHIN;
 use crate::hit;
-use crate::wrap::wrap_hanging;
 use measure::needs::{Culprit, Place, PrecisionNeeds, RECORDED, RatedMethod, least_of_all};
 
 /// Writes the whole answer for the terminal: first the method to take, last whose times these are.
@@ -288,5 +289,11 @@ fn again(culprit: &Culprit) -> String {
 }
 
 fn paragraph(text: &str) -> String {
-    wrap_hanging(text, 0) + "\n"
+    // A size stays on one line.
+    let text = text.replace(" × ", "\u{a0}×\u{a0}");
+    let width = terminal::text_width();
+    let options = Options::new(width)
+        .break_words(false)
+        .word_splitter(WordSplitter::NoHyphenation);
+    textwrap::fill(&text, options).replace('\u{a0}', " ") + "\n"
 }

@@ -11,15 +11,13 @@ use std::sync::atomic::AtomicU64;
 use std::sync::atomic::Ordering::Relaxed;
 use std::time::Instant;
 
-use check::names;
+use launcher::command_line::Words;
+use launcher::misuse::misuse;
+use launcher::{limited, names};
 use measure::needs::{Place, PrecisionNeeds};
 use measure::scene_file::{self, WIDEST};
 use measure::wrong_pixels;
 use speed_vs_accuracy::{METHODS, Precision, Scene};
-
-use crate::command_line::Words;
-use crate::limited;
-use crate::misuse::misuse;
 
 /// The greatest relative error of t that counts as right, where distances matter.
 const WITHIN: f64 = 0.001;
