@@ -64,7 +64,8 @@ impl Dialogue {
     pub(super) fn start(words: &[OsString], limit: Duration) -> io::Result<Self> {
         let mut command = subprocess::reader_command(words);
         command.stdin(Stdio::piped()).stdout(Stdio::piped());
-        let mut program = RunningProgram::start(command.stderr(Stdio::piped()))?;
+        command.stderr(Stdio::piped());
+        let mut program = RunningProgram::start(command)?;
         let piped = "it is piped";
         let errors = program.errors.take().expect(piped);
         Ok(Self {

@@ -5,7 +5,6 @@ mod settings;
 
 use std::error::Error;
 use std::fs::{self, File};
-use std::hash::{BuildHasher, Hasher, RandomState};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -190,9 +189,7 @@ impl NewCrate {
 fn given(chapter: Chapter, own: bool, folder: &Path, workspace: &Path) -> [SourceFile; 6] {
     let ours = settings::workspace_from_crate(folder, workspace);
     let path = settings::with_slashes(&ours);
-    // The standard library asks the system for a random number to seed its hash tables.
-    let number = RandomState::new().build_hasher().finish();
-    let manifest = skeletons::manifest(chapter, own, &path, number);
+    let manifest = skeletons::manifest(chapter, own, &path, output::random());
     let lock = fs::read_to_string(workspace.join("Cargo.lock"));
     [
         ("src/main.rs", skeletons::main(chapter, own)),

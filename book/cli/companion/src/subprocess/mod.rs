@@ -5,12 +5,9 @@
 
 pub(crate) mod guard;
 mod running;
-#[cfg_attr(windows, path = "tree_windows.rs")]
-#[cfg_attr(not(windows), path = "tree_unix.rs")]
-mod tree;
 
 use std::ffi::OsString;
-use std::io::{self, IsTerminal, Read};
+use std::io::{self, IsTerminal, Read, Write};
 use std::process::{ChildStderr, Command, ExitStatus, Stdio};
 use std::sync::mpsc::{self, Receiver, TryRecvError};
 use std::thread;
@@ -108,7 +105,7 @@ pub(crate) fn run(
         command.stdin(Stdio::null());
     }
     command.stdout(Stdio::piped()).stderr(Stdio::piped());
-    let mut running = RunningProgram::start(&mut command)?;
+    let mut running = RunningProgram::start(command)?;
     let piped = "it is piped";
     let printed = running.printed.take().expect(piped);
     let printed = in_a_thread(move || read_picture_bytes(printed));
@@ -177,16 +174,27 @@ pub(crate) fn read_picture_bytes(input: impl Read) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Copies a program's standard error to ours as it comes, up to a megabyte, and drops the rest.
-/// Returns an empty text.
+/// Copies a program's standard error to ours as it comes, up to a megabyte, and drops the rest. Ends
+/// the last line, which may be one of a progress that is written over and over. Returns an empty
+/// text.
 pub(crate) fn show_errors(mut errors: ChildStderr) -> String {
-    const MOST: u64 = 1 << 20;
-    let copied = io::copy(&mut (&mut errors).take(MOST), &mut io::stderr());
-    if copied.is_ok_and(|length| length == MOST) {
+    const MOST: usize = 1 << 20;
+    let mut piece = [0; 1 << 12];
+    let (mut shown, mut last, mut says_more) = (0, b'\n', false);
+    while let Ok(length @ 1..) = errors.read(&mut piece) {
+        // It need not notice that nothing is shown any more.
+        says_more |= shown >= MOST;
+        if !says_more {
+            let _ = io::stderr().write_all(&piece[..length]);
+            (shown, last) = (shown + length, piece[length - 1]);
+        }
+    }
+    if last != b'\n' {
+        let _ = writeln!(io::stderr());
+    }
+    if says_more {
         complain("rtrace: … the program says more, which is not shown");
     }
-    // It need not notice that nothing is shown any more.
-    let _ = io::copy(&mut errors, &mut io::sink());
     String::new()
 }
 
