@@ -13,9 +13,6 @@ use crate::limited;
 use crate::reader_crates::ReaderCrates;
 
 /// Adds the words to the list of done things as one line. Without words, returns the list.
-///
-/// # Errors
-/// If there are words, and they are blank; if the list can't be read or written.
 pub(crate) fn done(words: &Words) -> Result<String, Box<dyn Error>> {
     let list = Done::find(words.path("--in").as_deref());
     let texts = words.values.iter().map(|it| it.to_string_lossy());
@@ -70,9 +67,6 @@ impl Done {
 
     /// Adds to the list those of `things` that are not on it yet, and returns these, in their
     /// order.
-    ///
-    /// # Errors
-    /// If the list can't be read or written.
     pub(crate) fn add_all(&self, things: &[String]) -> io::Result<Vec<String>> {
         let text = self.text()?;
         let is_new = |thing: &&String| !is_on(&text, thing);

@@ -55,9 +55,6 @@ pub fn companion() -> Result<Command, Box<dyn Error>> {
 
 /// Builds the weaver, which makes the pages of the book from the notes, if it is not up to date.
 /// Returns the command that starts it, still without arguments.
-///
-/// # Errors
-/// If the workspace is gone, or cargo does not start or fails.
 pub(crate) fn weaver() -> Result<Command, Box<dyn Error>> {
     const SAYS: &str = "Building mdBook and the weaver: the first time, about a minute";
     let weaver = Package {
@@ -103,9 +100,6 @@ impl Built {
 /// Builds packages as far as they are not up to date, in the profile of the running program. One
 /// that does not compile does not keep the others from being built. Prints the line `says`, and
 /// what cargo says, if there is work to do.
-///
-/// # Errors
-/// If the workspace is gone, or cargo does not start.
 pub(crate) fn build(packages: &[Package], says: &str) -> Result<Built, Box<dyn Error>> {
     let workspace = draw::find_workspace()?;
     let (target, folder) = build_folders(workspace);

@@ -44,10 +44,6 @@ pub struct Words {
 
 impl Request {
     /// Reads the words of a command line, without the name of the program.
-    ///
-    /// # Errors
-    /// If there is no such command, or a word that it does not understand; the message names what
-    /// is most alike.
     pub(crate) fn read(words: impl Iterator<Item = OsString>) -> Result<Self, Box<dyn Error>> {
         let words: Vec<OsString> = words.collect();
         let Some((first, rest)) = words.split_first() else {

@@ -38,9 +38,6 @@ impl PictureFormat {
 
 /// Writes `picture` to a file at `path`, in place of an earlier one. The file appears whole or not
 /// at all.
-///
-/// # Errors
-/// If the file can't be written.
 pub(crate) fn save(picture: &Picture, format: PictureFormat, path: &Path) -> io::Result<()> {
     output::to_file(path, |out| match format {
         PictureFormat::Png => out.write_all(&png::encode(picture)),

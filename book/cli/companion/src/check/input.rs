@@ -36,10 +36,6 @@ impl<'a> PictureInput<'a> {
     }
 
     /// Reads all bytes, up to one more than a picture may have. A program is ended after `limit`.
-    ///
-    /// # Errors
-    /// If the input can't be read, or if the program does not start, fails, or takes longer than
-    /// `limit`.
     pub(crate) fn read(&self, limit: Duration) -> Result<Vec<u8>, Cause> {
         match self {
             Self::File(path) => opened(path)

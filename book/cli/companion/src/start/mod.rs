@@ -21,10 +21,6 @@ use crate::reader_crates::ReaderCrates;
 use crate::wrap::wrap_hanging;
 
 /// Makes a crate for the reader to type a chapter in, and returns where it is and what comes next.
-///
-/// # Errors
-/// If a word is missing, or is not what it should be; if the crate exists already, if the workspace
-/// is gone, or if a file can't be written.
 pub(crate) fn start(words: &Words) -> Result<String, Box<dyn Error>> {
     let chapter = words.required_chapter()?;
     let crates = ReaderCrates::find(words.path("--into").as_deref());

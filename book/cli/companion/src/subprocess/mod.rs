@@ -22,9 +22,6 @@ pub(crate) use running::RunningProgram;
 
 /// Runs a program to its end and returns all that it prints to standard output, up to one byte more
 /// than a picture may have. Shows its standard error as it comes.
-///
-/// # Errors
-/// If the program does not start, fails, or takes longer than `limit`.
 pub(crate) fn output_of(words: &[OsString], limit: Duration) -> Result<Vec<u8>, Cause> {
     let ran = run(reader_command(words), limit, show_errors, &mut || false);
     let name = names::escaped_name(&words[0]);
@@ -33,9 +30,6 @@ pub(crate) fn output_of(words: &[OsString], limit: Duration) -> Result<Vec<u8>, 
 
 /// Returns the standard output of the program `name` that has ended well, or that printed too much
 /// for a picture.
-///
-/// # Errors
-/// If the program did not start, failed, or was ended after `limit`.
 pub(crate) fn printed_or_cause(
     name: &str,
     end: io::Result<ProgramEnd>,
@@ -91,9 +85,6 @@ const FAREWELL: Duration = Duration::from_secs(1);
 /// true: then its result is no longer wanted. A thread calls `listen` with its standard error.
 /// Returns how the program ended, and what `listen` returned, or an empty text if that takes too
 /// long.
-///
-/// # Errors
-/// If the program does not start, or its output can't be read.
 pub(crate) fn run(
     mut command: Command,
     limit: Duration,
@@ -165,9 +156,6 @@ pub(crate) fn in_a_thread<T: Send + 'static>(
 
 /// Reads to the end, but at most one byte more than a picture may have, so that the parser can
 /// refuse it.
-///
-/// # Errors
-/// If the input can't be read.
 pub(crate) fn read_picture_bytes(input: impl Read) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     input.take(MOST_BYTES as u64 + 1).read_to_end(&mut bytes)?;
