@@ -24,7 +24,7 @@ pub(crate) fn done(words: &Words) -> Result<String, Box<dyn Error>> {
     if line.is_empty() {
         return Err(words.command.misuse("TEXT is empty"));
     }
-    list.add(&line)?;
+    list.add(std::slice::from_ref(&line))?;
     let said = format!(
         "{}: {}\n",
         name_from_here(&list.file),
@@ -71,38 +71,39 @@ impl Done {
         let text = self.text()?;
         let is_new = |thing: &&String| !is_on(&text, thing);
         let news: Vec<String> = things.iter().filter(is_new).cloned().collect();
-        for thing in &news {
-            self.add(thing)?;
+        if !news.is_empty() {
+            self.add(&news)?;
         }
         Ok(news)
     }
 
-    /// Adds a line to the list, and changes nothing else in the file, which is the reader's.
-    fn add(&self, thing: &str) -> io::Result<()> {
-        let text = self.text()?;
-        let before = match text.as_str() {
-            "" => "# Done\n\n",
-            text if text.ends_with('\n') => "",
-            _ => "\n",
+    /// Adds lines to the list, and changes nothing else in the file, which is the reader's.
+    fn add(&self, things: &[String]) -> io::Result<()> {
+        let mut added = match self.text()?.as_str() {
+            "" => "# Done\n\n".to_owned(),
+            text if text.ends_with('\n') => String::new(),
+            _ => "\n".to_owned(),
         };
+        // The day of a time such as 2026-11-23T17:41:00Z.
+        let now = humantime::format_rfc3339_seconds(SystemTime::now()).to_string();
+        for thing in things {
+            added += &format!("- {}  {thing}\n", &now[..10]);
+        }
         if let Some(folder) = self.file.parent() {
             fs::create_dir_all(folder)?;
         }
         let length = fs::metadata(&self.file).map_or(0, |it| it.len());
-        // The day of a time such as 2026-11-23T17:41:00Z.
-        let now = humantime::format_rfc3339_seconds(SystemTime::now()).to_string();
-        let line = format!("{before}- {}  {thing}\n", &now[..10]);
         let file = OpenOptions::new()
             .append(true)
             .create(true)
             .open(&self.file);
-        let added = file.and_then(|mut file| {
-            file.write_all(line.as_bytes()).inspect_err(|_| {
+        let written = file.and_then(|mut file| {
+            file.write_all(added.as_bytes()).inspect_err(|_| {
                 // A full disk leaves no half of a line.
                 let _ = file.set_len(length);
             })
         });
-        added.map_err(|cause| self.named(&cause))
+        written.map_err(|cause| self.named(&cause))
     }
 
     /// Returns the text of the list, empty if there is no list yet.

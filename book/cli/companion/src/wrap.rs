@@ -4,13 +4,13 @@ use check::answer::Answer;
 pub(crate) use check::text::filled;
 use check::text::{self, Style};
 
-use crate::terminal::Palette;
+use crate::terminal::{self, Palette};
 
 /// Returns the width of text in characters: as wide as the terminal, but at least 30 and at most
 /// 96.
 pub(crate) fn text_width() -> usize {
-    let columns = terminal_size::terminal_size().map_or(80, |(width, _)| usize::from(width.0));
-    columns.clamp(30, 96)
+    let columns = terminal::size().map_or(80, |(columns, _)| columns);
+    columns.clamp(30, 96) as usize
 }
 
 /// Breaks `text` into lines of at most [`text_width`] characters, and indents those after the first

@@ -165,19 +165,6 @@ fn a_scene_that_takes_long_says_how_far_it_is() {
     assert!(first.contains("% of the picture is drawn"), "{first}");
 }
 
-#[test]
-fn a_pipe_into_which_no_program_writes_is_waited_for_and_that_is_said() {
-    let desk = Desk::default();
-    let mut mkfifo = Command::new("mkfifo");
-    let made = mkfifo.arg(desk.path("pipe")).status();
-    assert!(made.expect("it starts").success());
-    let first = first_complaint(&mut desk.command("rtrace check normals pipe"));
-    assert_eq!(
-        first,
-        "pipe is a pipe: rtrace waits until a program writes into it\n"
-    );
-}
-
 /// A file up to its limit is read, and one that is a byte longer is refused.
 #[test]
 fn a_file_that_is_longer_than_its_limit_is_not_read() {

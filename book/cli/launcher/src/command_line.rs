@@ -106,14 +106,9 @@ impl Command {
     }
 
     fn read(self, mut words: Vec<OsString>) -> Result<Request, Box<dyn Error>> {
-        let takes_program = self.usage().contains("PROGRAM");
-        let border = words.iter().position(|word| takes_program && word == "--");
         let mut read = Words {
             command: self,
-            program: words
-                .drain(border.unwrap_or(words.len())..)
-                .skip(1)
-                .collect(),
+            program: self.take_program(&mut words),
             values: Vec::new(),
             options: Vec::new(),
         };
@@ -144,6 +139,14 @@ impl Command {
             let value = has_value.then(|| words.value().map_err(odd)).transpose()?;
             read.options.push((name, value.unwrap_or_default()));
         }
+    }
+
+    /// Takes the words from `--` on, if a program may follow it, and returns those after it.
+    fn take_program(self, words: &mut Vec<OsString>) -> Vec<OsString> {
+        let takes_program = self.usage().contains("PROGRAM");
+        let border = words.iter().position(|word| takes_program && word == "--");
+        let program = words.drain(border.unwrap_or(words.len())..);
+        program.skip(1).collect()
     }
 
     /// Takes all words that are left if the next one is no option: they are a text of any words.
