@@ -11,7 +11,7 @@
 //! where a turn calls a function that only the running program knows, as through
 //! a box, the loop takes one pixel at a time and gives the same bytes.
 
-#[cfg(not(plain))]
+#[cfg(all(feature = "lanes", not(plain)))]
 use multiversion::multiversion;
 
 /// The number of pixels in a block: a multiple of 8, the most lanes that a processor has here, and
@@ -56,10 +56,10 @@ impl Block {
 
 // The compiler makes three versions of this loop: for any processor, for one with
 // AVX2 (four lanes), and for one with AVX-512 (eight). The program chooses when it
-// runs. An operation rounds alike in all. `--cfg plain` leaves only the version
-// for any processor, so that it can be tried anywhere.
+// runs. An operation rounds alike in all. Without the feature `lanes`, or with
+// `--cfg plain`, there is only the version for any processor.
 #[cfg_attr(
-    not(plain),
+    all(feature = "lanes", not(plain)),
     multiversion(targets("x86_64+avx512f+avx512dq+avx512bw+avx512vl", "x86_64+avx2"))
 )]
 fn paint<F: Fn(usize) -> [u8; 3]>(block: &mut Block, count: usize, levels_at: F) {

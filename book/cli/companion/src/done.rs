@@ -13,9 +13,6 @@ use crate::limited;
 use crate::reader_crates::ReaderCrates;
 
 /// Adds the words to the list of done things as one line. Without words, returns the list.
-///
-/// # Errors
-/// If there are words, and they are blank; if the list can't be read or written.
 pub(crate) fn done(words: &Words) -> Result<String, Box<dyn Error>> {
     let list = Done::find(words.path("--in").as_deref());
     let texts = words.values.iter().map(|it| it.to_string_lossy());
@@ -27,7 +24,7 @@ pub(crate) fn done(words: &Words) -> Result<String, Box<dyn Error>> {
     if line.is_empty() {
         return Err(words.command.misuse("TEXT is empty"));
     }
-    list.add(&line)?;
+    list.add(std::slice::from_ref(&line))?;
     let said = format!(
         "{}: {}\n",
         name_from_here(&list.file),
@@ -70,45 +67,43 @@ impl Done {
 
     /// Adds to the list those of `things` that are not on it yet, and returns these, in their
     /// order.
-    ///
-    /// # Errors
-    /// If the list can't be read or written.
     pub(crate) fn add_all(&self, things: &[String]) -> io::Result<Vec<String>> {
         let text = self.text()?;
         let is_new = |thing: &&String| !is_on(&text, thing);
         let news: Vec<String> = things.iter().filter(is_new).cloned().collect();
-        for thing in &news {
-            self.add(thing)?;
+        if !news.is_empty() {
+            self.add(&news)?;
         }
         Ok(news)
     }
 
-    /// Adds a line to the list, and changes nothing else in the file, which is the reader's.
-    fn add(&self, thing: &str) -> io::Result<()> {
-        let text = self.text()?;
-        let before = match text.as_str() {
-            "" => "# Done\n\n",
-            text if text.ends_with('\n') => "",
-            _ => "\n",
+    /// Adds lines to the list, and changes nothing else in the file, which is the reader's.
+    fn add(&self, things: &[String]) -> io::Result<()> {
+        let mut added = match self.text()?.as_str() {
+            "" => "# Done\n\n".to_owned(),
+            text if text.ends_with('\n') => String::new(),
+            _ => "\n".to_owned(),
         };
+        // The day of a time such as 2026-11-23T17:41:00Z.
+        let now = humantime::format_rfc3339_seconds(SystemTime::now()).to_string();
+        for thing in things {
+            added += &format!("- {}  {thing}\n", &now[..10]);
+        }
         if let Some(folder) = self.file.parent() {
             fs::create_dir_all(folder)?;
         }
         let length = fs::metadata(&self.file).map_or(0, |it| it.len());
-        // The day of a time such as 2026-11-23T17:41:00Z.
-        let now = humantime::format_rfc3339_seconds(SystemTime::now()).to_string();
-        let line = format!("{before}- {}  {thing}\n", &now[..10]);
         let file = OpenOptions::new()
             .append(true)
             .create(true)
             .open(&self.file);
-        let added = file.and_then(|mut file| {
-            file.write_all(line.as_bytes()).inspect_err(|_| {
+        let written = file.and_then(|mut file| {
+            file.write_all(added.as_bytes()).inspect_err(|_| {
                 // A full disk leaves no half of a line.
                 let _ = file.set_len(length);
             })
         });
-        added.map_err(|cause| self.named(&cause))
+        written.map_err(|cause| self.named(&cause))
     }
 
     /// Returns the text of the list, empty if there is no list yet.

@@ -22,8 +22,8 @@ pub(crate) fn style() -> Style {
     }
 }
 
-/// Writes an answer as lines for the terminal, each with a line break at its end.
-pub(crate) fn lay_out(answer: &Answer) -> String {
-    let lines = text::answer_lines(answer, style(), text_width(), text::MOST_LINES);
+/// Writes an answer as at most `most` lines for the terminal, each with a line break at its end.
+pub(crate) fn lay_out(answer: &Answer, most: usize) -> String {
+    let lines = text::answer_lines(answer, style(), text_width(), most);
     lines.iter().map(|line| format!("{line}\n")).collect()
 }

@@ -113,6 +113,7 @@ fn a_picture_may_come_from_a_program_which_ends_within_its_time() {
     let desk = Desk::default();
     desk.write_picture("right.ppm", &Chapter::Normals.picture(100));
     desk.write("loop.sh", "exec sleep 60");
+    desk.write("counts.sh", "printf '\\r1 row left' >&2; cat right.ppm");
     desk.write("starts-another.sh", "cat right.ppm; sleep 9 2>&- &");
     desk.write("closes-it.sh", "exec >&-; exec sleep 60");
     assert_snapshot!(desk.transcript(
@@ -123,4 +124,7 @@ fn a_picture_may_come_from_a_program_which_ends_within_its_time() {
          rtrace check normals --timeout 0.2 -- sh loop.sh
          rtrace check normals --timeout 0.2 -- sh closes-it.sh"
     ));
+    // The verdict does not stand beside an unfinished line.
+    let counted = desk.run("rtrace check normals -- sh counts.sh");
+    assert_eq!(text(&counted.stderr), "\r1 row left\n");
 }

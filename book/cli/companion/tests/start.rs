@@ -151,34 +151,6 @@ fn from_anywhere_below_the_same_crates_are_meant() {
     assert_eq!(names, ["done.md", "gradient", "red_sphere"]);
 }
 
-/// New files are private, too: text that nobody else may read in the chapter before may go on
-/// there.
-#[cfg(unix)]
-#[test]
-fn what_was_private_stays_private_where_it_is_carried_over() {
-    use std::os::unix::fs::PermissionsExt;
-    let reader = TestReader::empty();
-    reader.make("gradient", &[]);
-    reader.desk.write("mine/gradient/src/notes.txt", "mine");
-    let private = fs::Permissions::from_mode(0o600);
-    for name in ["lib.rs", "notes.txt"] {
-        let file = reader.path().join("gradient/src").join(name);
-        fs::set_permissions(file, private.clone()).expect("it is private");
-    }
-    reader.make("red_sphere", &[]);
-    for name in [
-        "src/lib.rs",
-        "src/notes.txt",
-        "src/main.rs",
-        "tests/laws.rs",
-    ] {
-        let file = reader.path().join("red_sphere").join(name);
-        let mode = fs::metadata(file).expect("a file").permissions().mode();
-        let is_known = name == "src/main.rs";
-        assert_eq!(mode & 0o077 == 0, !is_known, "{name}: {mode:o}");
-    }
-}
-
 #[cfg(unix)]
 #[test]
 fn the_list_of_done_things_has_what_came_out_right_once_and_the_readers_own_lines() {

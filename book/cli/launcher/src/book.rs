@@ -10,9 +10,6 @@ use crate::command_line::Words;
 use crate::{cargo, draw, output};
 
 /// Builds the weaver and weaves the book, as [`weave`] does.
-///
-/// # Errors
-/// If the weaver can't be built or started, or if no browser opens the page.
 pub(crate) fn book(words: &Words) -> Result<ExitCode, Box<dyn Error>> {
     weave(
         cargo::weaver()?,
@@ -24,9 +21,6 @@ pub(crate) fn book(words: &Words) -> Result<ExitCode, Box<dyn Error>> {
 /// Has the weaver make the book in `folder`, or else in `target/book`, prints where its first page
 /// is, and opens that in the browser if `opens`. Returns the exit code of the weaver, which reports
 /// its own failures.
-///
-/// # Errors
-/// If the weaver can't be started, or if no browser opens the page.
 pub(crate) fn weave(
     mut weaver: Command,
     folder: Option<PathBuf>,

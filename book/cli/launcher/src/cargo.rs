@@ -4,7 +4,7 @@ use std::error::Error;
 use std::ffi::OsString;
 use std::io::{self, BufRead, BufReader};
 use std::path::{Path, PathBuf};
-use std::process::{Command, ExitCode, ExitStatus, Stdio};
+use std::process::{Command, ExitCode, Stdio};
 use std::{env, thread};
 
 use course::chapter::Chapter;
@@ -15,10 +15,20 @@ use crate::misuse::complain;
 
 /// A package of this workspace that cargo builds when a command needs its program.
 #[derive(Clone, Copy)]
-pub struct Package {
+pub(crate) struct Package {
     name: &'static str,
     /// The name of the package's program.
     program: &'static str,
+}
+
+impl Package {
+    /// Returns the package of a chapter, whose program draws its picture.
+    pub(crate) fn of(chapter: Chapter) -> Self {
+        Self {
+            name: chapter.name(),
+            program: chapter.name(),
+        }
+    }
 }
 
 /// The package of the companion, the program `rtrace`: it judges pictures and watches crates. No
@@ -62,12 +72,9 @@ pub fn hand_on(words: &Words) -> Result<ExitCode, Box<dyn Error>> {
     become_program(program)
 }
 
-/// Builds the weaver if it is not up to date, and returns the command that starts it, still without
-/// arguments.
-///
-/// # Errors
-/// If the workspace is gone, or cargo does not start or fails.
-pub fn weaver() -> Result<Command, Box<dyn Error>> {
+/// Builds the weaver, which makes the pages of the book from the notes, if it is not up to date.
+/// Returns the command that starts it, still without arguments.
+pub(crate) fn weaver() -> Result<Command, Box<dyn Error>> {
     const SAYS: &str = "Building mdBook and the weaver: the first time, about a minute";
     program(WEAVER, SAYS)
 }
@@ -82,7 +89,7 @@ fn program(package: Package, says: &str) -> Result<Command, Box<dyn Error>> {
 }
 
 /// The programs that cargo has built.
-pub struct Built {
+pub(crate) struct Built {
     /// The folder of all programs, also of those that could not be built.
     folder: PathBuf,
     names: Vec<String>,
@@ -91,7 +98,7 @@ pub struct Built {
 
 impl Built {
     /// Returns the path of a package's program; `None` if cargo could not build it.
-    pub fn program(&self, package: Package) -> Option<PathBuf> {
+    pub(crate) fn program(&self, package: Package) -> Option<PathBuf> {
         let is_built = self.names.iter().any(|name| name == package.program);
         is_built.then(|| self.path(package))
     }
@@ -103,7 +110,7 @@ impl Built {
 
     /// Makes the error for a program that cargo could not build, with what cargo has said unless
     /// that was shown as it came.
-    pub fn failure(&self, package: Package) -> Box<dyn Error> {
+    pub(crate) fn failure(&self, package: Package) -> Box<dyn Error> {
         let said = match self.said.lines().any(is_work) {
             true => "see above",
             false => self.said.trim_end(),
@@ -112,25 +119,12 @@ impl Built {
     }
 }
 
-impl Package {
-    /// Returns the package of a chapter, whose program draws its picture.
-    pub fn of(chapter: Chapter) -> Self {
-        Self {
-            name: chapter.name(),
-            program: chapter.name(),
-        }
-    }
-}
-
 /// Builds packages as far as they are not up to date, in the profile of the running program. One
 /// that does not compile does not keep the others from being built. Prints the line `says`, and
 /// what cargo says, if there is work to do.
-///
-/// # Errors
-/// If the workspace is gone, or cargo does not start.
-pub fn build(packages: &[Package], says: &str) -> Result<Built, Box<dyn Error>> {
+pub(crate) fn build(packages: &[Package], says: &str) -> Result<Built, Box<dyn Error>> {
     let workspace = draw::find_workspace()?;
-    let (target, programs) = build_folders(workspace);
+    let (target, folder) = build_folders(workspace);
     let mut build = Command::new(program_name());
     build.arg("build");
     for package in packages {
@@ -139,7 +133,7 @@ pub fn build(packages: &[Package], says: &str) -> Result<Built, Box<dyn Error>> 
     build
         // What the tests stand on has the features that they ask for: it is built once.
         .args(["--package", "suite", "--keep-going", "--profile"])
-        .arg(match programs.file_name() {
+        .arg(match folder.file_name() {
             Some(profile) if profile != "debug" => profile,
             _ => "dev".as_ref(),
         })
@@ -148,18 +142,32 @@ pub fn build(packages: &[Package], says: &str) -> Result<Built, Box<dyn Error>> 
         .arg("--target-dir")
         .arg(target)
         // Standard output then tells which programs are built.
-        .args(["--message-format", "json-render-diagnostics"]);
-    let built = run_cargo(build, says).map_err(|cause| {
-        format!(
-            "cargo, which builds `{}`, does not start: {cause}",
-            packages[0].name
-        )
-    })?;
-    let printed = String::from_utf8_lossy(&built.printed);
+        .args(["--message-format", "json-render-diagnostics"])
+        .env("CARGO_TERM_COLOR", "never")
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped());
+    let first = packages[0].name;
+    let does_not_start =
+        |cause: io::Error| format!("cargo, which builds `{first}`, does not start: {cause}");
+    let (printed, said) = run(&mut build, says).map_err(does_not_start)?;
     Ok(Built {
-        folder: programs,
+        folder,
         names: printed.lines().filter_map(program_built).collect(),
-        said: built.said,
+        said,
+    })
+}
+
+/// Runs cargo to its end, and returns all that it printed, and all that it said on standard error,
+/// which [`show_work`] shows.
+fn run(cargo: &mut Command, first: &str) -> io::Result<(String, String)> {
+    let mut cargo = cargo.spawn()?;
+    let errors = cargo.stderr.take();
+    thread::scope(|scope| {
+        let said = scope.spawn(|| errors.map(|errors| show_work(BufReader::new(errors), first)));
+        let printed = cargo.wait_with_output()?.stdout;
+        let said = said.join().ok().flatten().unwrap_or_default();
+        Ok((String::from_utf8_lossy(&printed).into_owned(), said))
     })
 }
 
@@ -190,40 +198,6 @@ fn build_folders(workspace: &Path) -> (PathBuf, PathBuf) {
 /// Returns the path of the cargo that has started this program, or else `cargo`.
 pub fn program_name() -> OsString {
     env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
-}
-
-/// The result of a run of cargo, successful or not.
-pub struct CargoRun {
-    /// The exit status of cargo.
-    pub status: ExitStatus,
-    /// All that cargo printed to standard output.
-    pub printed: Vec<u8>,
-    /// All that cargo printed to standard error, in whole lines; bytes that are not UTF-8 became �.
-    pub said: String,
-}
-
-/// Runs cargo to its end, without input and color. If it compiles or downloads more than a reader's
-/// own crate, prints the line `first` and then each of cargo's lines to standard error as it comes.
-/// A failure of cargo is no error: it shows in [`CargoRun::status`].
-///
-/// # Errors
-/// If cargo does not start, or its output can't be read.
-pub fn run_cargo(mut cargo: Command, first: &str) -> io::Result<CargoRun> {
-    cargo.env("CARGO_TERM_COLOR", "never").stdin(Stdio::null());
-    let mut child = cargo
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()?;
-    let errors = child.stderr.take();
-    thread::scope(|scope| {
-        let said = scope.spawn(|| errors.map(|errors| show_work(BufReader::new(errors), first)));
-        let output = child.wait_with_output()?;
-        Ok(CargoRun {
-            status: output.status,
-            printed: output.stdout,
-            said: said.join().ok().flatten().unwrap_or_default(),
-        })
-    })
 }
 
 /// Reads `errors`, the standard error of cargo, to its end and returns it as text. From the first

@@ -44,10 +44,6 @@ pub struct Words {
 
 impl Request {
     /// Reads the words of a command line, without the name of the program.
-    ///
-    /// # Errors
-    /// If there is no such command, or a word that it does not understand; the message names what
-    /// is most alike.
     pub(crate) fn read(words: impl Iterator<Item = OsString>) -> Result<Self, Box<dyn Error>> {
         let words: Vec<OsString> = words.collect();
         let Some((first, rest)) = words.split_first() else {
@@ -110,14 +106,9 @@ impl Command {
     }
 
     fn read(self, mut words: Vec<OsString>) -> Result<Request, Box<dyn Error>> {
-        let takes_program = self.usage().contains("PROGRAM");
-        let border = words.iter().position(|word| takes_program && word == "--");
         let mut read = Words {
             command: self,
-            program: words
-                .drain(border.unwrap_or(words.len())..)
-                .skip(1)
-                .collect(),
+            program: self.take_program(&mut words),
             values: Vec::new(),
             options: Vec::new(),
         };
@@ -148,6 +139,14 @@ impl Command {
             let value = has_value.then(|| words.value().map_err(odd)).transpose()?;
             read.options.push((name, value.unwrap_or_default()));
         }
+    }
+
+    /// Takes the words from `--` on, if a program may follow it, and returns those after it.
+    fn take_program(self, words: &mut Vec<OsString>) -> Vec<OsString> {
+        let takes_program = self.usage().contains("PROGRAM");
+        let border = words.iter().position(|word| takes_program && word == "--");
+        let program = words.drain(border.unwrap_or(words.len())..);
+        program.skip(1).collect()
     }
 
     /// Takes all words that are left if the next one is no option: they are a text of any words.

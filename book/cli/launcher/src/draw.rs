@@ -9,7 +9,7 @@ use course::chapter::Chapter;
 use course::names::name_from_here;
 
 use crate::cargo::{self, Package};
-use crate::drawing::Drawing;
+use crate::drawing::drawn_by;
 use crate::output;
 use crate::save::{PictureFormat, save};
 
@@ -17,10 +17,6 @@ use crate::save::{PictureFormat, save};
 /// into `target/pictures`, as PNG and as PPM. Then prints for each its size in pixels, the time that
 /// its program took, and the sizes of both files; or that it could not be drawn, in which case the
 /// others are drawn all the same.
-///
-/// # Errors
-/// If the workspace is gone, if cargo does not start, if a picture could not be drawn, or if a file
-/// can't be written.
 pub(crate) fn draw(chapters: &[Chapter]) -> Result<(), Box<dyn Error>> {
     let folder = pictures_folder()?;
     let packages: Vec<Package> = chapters.iter().copied().map(Package::of).collect();
@@ -46,9 +42,6 @@ pub(crate) fn draw(chapters: &[Chapter]) -> Result<(), Box<dyn Error>> {
 }
 
 /// Makes the folder `target/pictures` of the workspace, unless it exists, and returns its path.
-///
-/// # Errors
-/// If the workspace is gone, or the folder can't be made.
 pub(crate) fn pictures_folder() -> Result<PathBuf, Box<dyn Error>> {
     let folder = find_workspace()?.join("target").join("pictures");
     fs::create_dir_all(&folder).map_err(|cause| {
@@ -62,9 +55,6 @@ pub(crate) fn pictures_folder() -> Result<PathBuf, Box<dyn Error>> {
 }
 
 /// Finds the folder of this project, as [`course::workspace::workspace`] does.
-///
-/// # Errors
-/// If there is no such folder any more; the message advises what to do.
 pub(crate) fn find_workspace() -> Result<&'static Path, Box<dyn Error>> {
     course::workspace::workspace().ok_or_else(|| {
         "the workspace that this program was built from is not there any more\n\
@@ -81,8 +71,7 @@ fn draw_one(
     folder: &Path,
 ) -> Result<Result<String, String>, Box<dyn Error>> {
     let start = Instant::now();
-    let drawn = Drawing::start(program, chapter.book_width()).and_then(|it| Ok(it.picture()?));
-    let picture = match drawn {
+    let picture = match drawn_by(program, chapter.book_width()) {
         Ok(picture) => picture,
         Err(problem) => return Ok(Err(format!("is not drawn: {problem}"))),
     };
@@ -104,9 +93,6 @@ fn draw_one(
 }
 
 /// Prints where the pictures are that [`draw()`] draws.
-///
-/// # Errors
-/// If the workspace is gone, or standard output can't be written to.
 pub(crate) fn say_where() -> Result<(), Box<dyn Error>> {
     let folder = name_from_here(&pictures_folder()?);
     Ok(output::print(&format!("The pictures are in {folder}\n"))?)

@@ -64,9 +64,13 @@ pub fn to_file(
 /// If `target` ends in `..` or is a root, and so has no name.
 pub fn partial(target: &Path) -> io::Result<PathBuf> {
     let name = target.file_name().ok_or(ErrorKind::InvalidInput)?;
-    // The standard library asks the system for a random number to seed its hash tables.
-    let random = RandomState::new().build_hasher().finish();
-    Ok(target.with_file_name(format!(".{}.{random:016x}.partial", name.display())))
+    Ok(target.with_file_name(format!(".{}.{:016x}.partial", name.display(), random())))
+}
+
+/// Returns a random number, for a name that nothing else has.
+pub fn random() -> u64 {
+    // The standard library asks the system for one to seed its hash tables.
+    RandomState::new().build_hasher().finish()
 }
 
 /// Deletes the partial files and folders that interrupted programs have left beside `target`; one

@@ -1,10 +1,10 @@
 //! Picture files: PNG and P3.
 
-use std::io::{self, Write};
+use std::io;
 use std::path::Path;
 
 use common::rtweekend::Picture;
-use png::{BitDepth, ColorType, Compression, Filter};
+use difference::png;
 
 use crate::output;
 
@@ -38,23 +38,9 @@ impl PictureFormat {
 
 /// Writes `picture` to a file at `path`, in place of an earlier one. The file appears whole or not
 /// at all.
-///
-/// # Errors
-/// If the file can't be written.
 pub(crate) fn save(picture: &Picture, format: PictureFormat, path: &Path) -> io::Result<()> {
     output::to_file(path, |out| match format {
-        PictureFormat::Png => write_png(picture, out),
+        PictureFormat::Png => out.write_all(&png::encode(picture)),
         PictureFormat::Ppm => picture.write_p3(out),
     })
-}
-
-fn write_png(picture: &Picture, out: &mut dyn Write) -> io::Result<()> {
-    let mut encoder = png::Encoder::new(out, picture.width(), picture.height());
-    encoder.set_color(ColorType::Rgb);
-    encoder.set_depth(BitDepth::Eight);
-    encoder.set_compression(Compression::Fast);
-    encoder.set_filter(Filter::Adaptive);
-    let mut writer = encoder.write_header()?;
-    writer.write_image_data(picture.rgb())?;
-    Ok(writer.finish()?)
 }

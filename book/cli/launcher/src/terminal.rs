@@ -52,16 +52,19 @@ impl Palette {
     }
 }
 
+/// Returns the columns and the lines of the terminal; `None` if there is none, or it does not say.
+pub fn size() -> Option<(u32, u32)> {
+    let (columns, lines) = terminal_size::terminal_size()?;
+    Some((columns.0.into(), lines.0.into()))
+}
+
 /// Writes `picture` to `out` as lines of [`picture_lines`], reduced to the columns of the terminal
 /// and to its lines less one, or to 80 columns and 23 lines if its size is unknown.
 ///
 /// # Errors
 /// If `out` can't be written to.
 pub fn show_picture(picture: &Picture, palette: Palette, out: &mut dyn Write) -> io::Result<()> {
-    let (columns, terminal_lines) = terminal_size::terminal_size()
-        .map_or((80, 24), |(width, height)| {
-            (width.0.into(), height.0.into())
-        });
+    let (columns, terminal_lines) = size().unwrap_or((80, 24));
     // The prompt wants a line of its own below the picture.
     let rows = 2 * u32::saturating_sub(terminal_lines, 1);
     for line in picture_lines(picture, palette, columns, rows) {

@@ -77,27 +77,23 @@ pub enum CarriedPlace {
 
 /// Lists the functions of earlier chapters with which the reader's crate for `chapter` begins.
 /// Empty if it begins with none.
-pub fn carried_functions(chapter: Chapter) -> Vec<CarriedFunction> {
+pub fn carried_functions(chapter: Chapter) -> &'static [CarriedFunction] {
     use CarriedPlace::{AboveAs, AboveAsComment, Instead};
-    let functions: &[_] = match chapter {
-        Chapter::RedSphere => &[("ray_color", "fn ray_color", AboveAs("sky"))],
-        Chapter::Normals => &[
-            ("ray_color", "fn ray_color", AboveAsComment),
-            ("hit_sphere", "fn hit_sphere", AboveAsComment),
-        ],
+    const fn put(name: &'static str, item: &'static str, place: CarriedPlace) -> CarriedFunction {
+        CarriedFunction { name, item, place }
+    }
+    const COLOR: CarriedFunction = put("ray_color", "fn ray_color", AboveAsComment);
+    const ROOT: CarriedFunction = put("hit_sphere", "fn hit_sphere", AboveAsComment);
+    match chapter {
+        Chapter::RedSphere => const { &[put("ray_color", "fn ray_color", AboveAs("sky"))] },
+        Chapter::Normals => &[COLOR, ROOT],
         // Both draw normals, so only what hits the sphere is typed again.
-        Chapter::HalfBSphere => &[
-            ("ray_color", "fn ray_color", Instead),
-            ("hit_sphere", "fn hit_sphere", AboveAsComment),
-        ],
-        Chapter::HittableList => &[
-            ("ray_color", "fn ray_color", AboveAsComment),
-            ("hit_sphere", "pub fn hit(", AboveAsComment),
-        ],
+        Chapter::HalfBSphere => const { &[put("ray_color", "fn ray_color", Instead), ROOT] },
+        Chapter::HittableList => {
+            const { &[COLOR, put("hit_sphere", "pub fn hit(", AboveAsComment)] }
+        }
         _ => &[],
-    };
-    let carried = |&(name, item, place)| CarriedFunction { name, item, place };
-    functions.iter().map(carried).collect()
+    }
 }
 
 /// The Rust text of a function `sky` with `todo!()` in it, for a reader who types the prelude

@@ -5,14 +5,11 @@ use std::fmt;
 use std::fs::File;
 use std::io;
 use std::path::Path;
-use std::sync::mpsc::{self, RecvTimeoutError};
-use std::thread;
 use std::time::Duration;
 
 use check::names;
 use check::reading::Cause;
 
-use crate::misuse::complain;
 use crate::subprocess;
 
 /// The place that a picture is read from.
@@ -36,13 +33,9 @@ impl<'a> PictureInput<'a> {
     }
 
     /// Reads all bytes, up to one more than a picture may have. A program is ended after `limit`.
-    ///
-    /// # Errors
-    /// If the input can't be read, or if the program does not start, fails, or takes longer than
-    /// `limit`.
     pub(crate) fn read(&self, limit: Duration) -> Result<Vec<u8>, Cause> {
         match self {
-            Self::File(path) => opened(path)
+            Self::File(path) => File::open(path)
                 .and_then(subprocess::read_picture_bytes)
                 .map_err(|cause| {
                     let problem = format!("the file can't be read: {cause}");
@@ -68,21 +61,4 @@ impl fmt::Display for PictureInput<'_> {
             }
         }
     }
-}
-
-/// Opens the file. Prints to standard error, after a second, that a pipe waits for a program.
-fn opened(path: &Path) -> io::Result<File> {
-    const PATIENCE: Duration = Duration::from_secs(1);
-    let (opened, ends) = mpsc::channel::<()>();
-    let name = names::escaped_name(path);
-    thread::spawn(move || {
-        if ends.recv_timeout(PATIENCE) == Err(RecvTimeoutError::Timeout) {
-            complain(&format!(
-                "{name} is a pipe: rtrace waits until a program writes into it"
-            ));
-        }
-    });
-    let file = File::open(path);
-    drop(opened);
-    file
 }

@@ -11,6 +11,7 @@ use check::context::Context;
 use check::names;
 use check::reading::{self, Reading};
 use check::task::Task;
+use check::text::MOST_LINES;
 use check::verdict::Verdict;
 use check::{guess, judge, judge_guessed};
 use slips::{Chapter, PROBES, Probe};
@@ -70,7 +71,7 @@ fn try_check(words: &Words) -> Result<(u8, String), Box<dyn Error>> {
         flaw,
         ..Attempt::new(task, &context)
     };
-    Ok((code, lay_out(&attempt.answer(verdict))))
+    Ok((code, lay_out(&attempt.answer(verdict), MOST_LINES)))
 }
 
 /// Returns the chapter that is named, or whose crate the reader is in, and the place that the
@@ -112,9 +113,6 @@ fn guessed(reading: &Reading, probe: Option<Probe>) -> Result<Task, Box<dyn Erro
 }
 
 /// Returns the task of a chapter, with a probe or without.
-///
-/// # Errors
-/// If the chapter has no place for the spheres of the probe; the message lists those it has.
 pub(crate) fn find_task(chapter: Chapter, probe: Option<Probe>) -> Result<Task, Box<dyn Error>> {
     Task::new(chapter, probe).ok_or_else(|| {
         let fitting = PROBES.iter().filter(|probe| probe.fits(chapter));
@@ -127,9 +125,6 @@ pub(crate) fn find_task(chapter: Chapter, probe: Option<Probe>) -> Result<Task, 
 }
 
 /// Parses a number of seconds above 0, such as `60` or `0.5`.
-///
-/// # Errors
-/// If the text is no such number; the message names one.
 pub(crate) fn seconds(text: &str) -> Result<Duration, String> {
     let seconds = text.parse::<f64>().ok().filter(|&seconds| seconds > 0.0);
     seconds
@@ -138,9 +133,6 @@ pub(crate) fn seconds(text: &str) -> Result<Duration, String> {
 }
 
 /// Finds the probe of this name: a small scene that shows what a chapter's own picture hides.
-///
-/// # Errors
-/// If there is none; the message lists all names.
 pub(crate) fn probe(name: &str) -> Result<Probe, String> {
     let found = slips::find_probe(name);
     found.ok_or_else(|| choose_one_of(name, PROBES.iter().map(|probe| probe.name)))

@@ -58,13 +58,11 @@ const MOST_BYTES: u64 = 200;
 impl Dialogue {
     /// Starts a program, given by its name and its arguments, which may take `limit` for an answer
     /// and twenty times `limit` for all.
-    ///
-    /// # Errors
-    /// If the program does not start.
     pub(super) fn start(words: &[OsString], limit: Duration) -> io::Result<Self> {
         let mut command = subprocess::reader_command(words);
         command.stdin(Stdio::piped()).stdout(Stdio::piped());
-        let mut program = RunningProgram::start(command.stderr(Stdio::piped()))?;
+        command.stderr(Stdio::piped());
+        let mut program = RunningProgram::start(command)?;
         let piped = "it is piped";
         let errors = program.errors.take().expect(piped);
         Ok(Self {

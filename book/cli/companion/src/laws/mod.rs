@@ -10,17 +10,19 @@ use std::ffi::OsString;
 use std::time::Duration;
 
 use ::laws::record::RecordedHit;
-use ::laws::verdict::rows_as_text;
 use ::laws::{Case, Complaint, IntervalCase, Question, Report, Trial};
+use check::answer::{Answer, Grade, Row, RowKind};
 use check::any_language::{self, FunctionKind, FunctionVerdict};
 use check::lawful;
 use check::names;
+use check::sentences::law_rows;
 use common::rtweekend::*;
 use slips::{Chapter, Languages};
 
 use crate::check::seconds;
 use crate::command_line::Words;
 use crate::reader_crates::shell_word;
+use crate::wrap::lay_out;
 use dialogue::{Dialogue, DialogueFailure};
 
 /// How the words say that a program is to be asked.
@@ -34,9 +36,6 @@ struct Arguments {
 
 /// Asks a reader's program where rays hit spheres, and returns which law its answers break, after
 /// the exit code: 0 if all laws hold, 1 if one is broken, and 2 if the program can't be asked.
-///
-/// # Errors
-/// If a word is missing, or is not what it should be.
 pub(crate) fn laws(words: &Words) -> Result<(u8, String), Box<dyn Error>> {
     let chapter = words.required_chapter()?;
     if words.program.is_empty() {
@@ -48,20 +47,22 @@ pub(crate) fn laws(words: &Words) -> Result<(u8, String), Box<dyn Error>> {
         program: words.program.clone(),
         timeout: timeout.unwrap_or(Duration::from_secs(5)),
     };
-    Ok(
-        match Dialogue::start(&arguments.program, arguments.timeout) {
-            Ok(dialogue) => Interview::new(&arguments, dialogue).judge(),
-            Err(cause) => (2, not_started(&arguments.program, &cause.to_string())),
-        },
-    )
+    let (code, answer) = match Dialogue::start(&arguments.program, arguments.timeout) {
+        Ok(dialogue) => Interview::new(&arguments, dialogue).judge(),
+        Err(cause) => {
+            let next =
+                "is the program built, and is its path right? A program in this folder is ./NAME";
+            let headline = ("your program does not start", format!(": {cause}"));
+            (2, answer(Grade::NoPicture, headline).then(next))
+        }
+    };
+    // What is to be typed by hand is never left out.
+    Ok((code, lay_out(&answer, usize::MAX)))
 }
 
-fn not_started(program: &[OsString], cause: &str) -> String {
-    format!(
-        "{} does not start: {cause}\n\
-         to do:    is the program built, and is its path right? A program in this folder is ./NAME\n",
-        names::escaped_name(&program[0])
-    )
+/// Makes an answer of a headline: a verdict on the program, and the rest of the sentence.
+fn answer(grade: Grade, (verdict, rest): (&str, String)) -> Answer {
+    Answer::of(grade, "", verdict, rest)
 }
 
 /// The time to wait after the first answers for lines that nobody has asked for.
@@ -101,8 +102,8 @@ impl<'a> Interview<'a> {
         }
     }
 
-    /// Asks the program all questions, and returns the exit code and the text of the answer.
-    fn judge(&self) -> (u8, String) {
+    /// Asks the program all questions, and returns the exit code and the answer.
+    fn judge(&self) -> (u8, Answer) {
         let trial = Trial {
             answers: None,
             ..Trial::default()
@@ -182,35 +183,15 @@ impl<'a> Interview<'a> {
         self.function == FunctionKind::Root && !answers.values().any(|it| it.said == "miss")
     }
 
-    fn obeyed(&self, verdict: &FunctionVerdict) -> String {
-        let (program, all) = (self.program(), self.answers.borrow().len());
-        let manners = verdict.manners.iter().map(|manner| {
+    fn obeyed(&self, verdict: &FunctionVerdict) -> Answer {
+        let all = self.answers.borrow().len();
+        let besides = verdict.manners.iter().map(|manner| {
             let says = manner.description();
-            format!("besides:  {says}; no picture of these chapters shows that\n")
+            let says = format!("{says}; no picture of these chapters shows that");
+            Row::new(RowKind::Besides, says)
         });
-        format!(
-            "The laws hold: {program} gave {all} answers, each as it should be.\n{}",
-            manners.collect::<String>()
-        )
-    }
-
-    /// Writes the rows of the report, with a reason that all answers are wrong, if one is seen, or
-    /// else with the mistakes that give the same answers.
-    fn rows(&self, report: &Report) -> String {
-        let mut report = report.clone();
-        let besides = self.printed_short();
-        if besides.is_none() {
-            report
-                .answers
-                .given
-                .retain(|it| !self.may_be_both(&it.question));
-            lawful::explain(&mut report, self.arguments.chapter, Languages::Both);
-        }
-        let mut rows = report.rows();
-        if let Some(besides) = &besides {
-            rows.insert(rows.len() - 1, ("besides", besides));
-        }
-        rows_as_text(rows)
+        let rest = format!(": your program gave {all} answers, each as it should be.");
+        answer(Grade::Right, ("the laws hold", rest)).with(besides)
     }
 
     /// Returns true if the program's answer to `question` may be a miss or a root: -1.
@@ -223,23 +204,32 @@ impl<'a> Interview<'a> {
         self.says_minus_one() && answer.is_some_and(|it| it.said.parse() == Ok(-1.0))
     }
 
-    fn broken(&self, report: &Report, last: &[IntervalCase]) -> String {
+    /// Shows the law that is broken, with a reason that all answers are wrong, if one is seen, or
+    /// else with the mistakes that give the same answers.
+    fn broken(&self, report: &Report, last: &[IntervalCase]) -> Answer {
+        let mut report = report.clone();
+        let besides = self.printed_short();
+        if besides.is_none() {
+            let given = &mut report.answers.given;
+            given.retain(|it| !self.may_be_both(&it.question));
+            lawful::explain(&mut report, self.arguments.chapter, Languages::Both);
+        }
+        let mut rows = law_rows(&report);
+        let place = rows.len() - 1;
+        rows.splice(
+            place..place,
+            besides.map(|it| Row::new(RowKind::Besides, it)),
+        );
         let answers = self.answers.borrow();
-        let by_hand = last.iter().map(|asked| {
+        let by_hand = last.iter().flat_map(|asked| {
             let line = self.question_line(asked);
             let said = answers.get(&line).map_or("", |answer| &answer.said);
-            format!(
-                "{}\nanswer:   {}\n",
-                self.by_hand(&line),
-                names::escape_for_terminal(said)
-            )
+            let said = names::escape_for_terminal(said);
+            [self.by_hand(&line), printed("answer", &said)]
         });
-        format!(
-            "{} breaks a law, which should hold for every ray and every sphere.\n\n{}\n{}",
-            self.program(),
-            self.rows(report),
-            by_hand.collect::<String>()
-        )
+        let rest = ", which should hold for every ray and every sphere.".to_owned();
+        let broken = answer(Grade::Wrong, ("your program breaks a law", rest));
+        broken.with(rows).with(by_hand)
     }
 
     /// Returns a complaint that all answers have too few digits, if they have: of so many, one
@@ -271,34 +261,34 @@ impl<'a> Interview<'a> {
         is_single.then(|| "every answer is a number of single precision: use double".to_owned())
     }
 
-    fn failed(&self, failure: &DialogueFailure, line: &str) -> String {
+    fn failed(&self, failure: &DialogueFailure, line: &str) -> Answer {
         let answers = self.answers.borrow().len();
         let (problem, to_do) = advice::explain(failure, self.arguments, answers);
         let by_hand = match failure {
             DialogueFailure::Ended(_)
             | DialogueFailure::TooMuch(_)
-            | DialogueFailure::NoAnswer(..) => self.by_hand(line) + "\n",
+            | DialogueFailure::NoAnswer(..) => Some(self.by_hand(line)),
             // By hand, its input ends at once: that shows another thing.
             DialogueFailure::Tardy
             | DialogueFailure::Late
             | DialogueFailure::Silent
-            | DialogueFailure::Slow(_) => String::new(),
+            | DialogueFailure::Slow(_) => None,
         };
-        format!(
-            "{} {problem}.\nto do:    {to_do}\n{by_hand}",
-            self.program()
-        )
+        let rest = format!(" {problem}.");
+        let failed = answer(Grade::NoPicture, ("your program", rest));
+        failed.with(by_hand).then(to_do)
     }
 
     /// Writes the command by which the reader asks this question in a shell.
-    fn by_hand(&self, line: &str) -> String {
-        format!("by hand:  echo '{line}' | {}", self.program())
-    }
-
-    fn program(&self) -> String {
+    fn by_hand(&self, line: &str) -> Row {
         let words: Vec<String> = self.arguments.program.iter().map(shell_word).collect();
-        words.join(" ")
+        printed("by hand", &format!("echo '{line}' | {}", words.join(" ")))
     }
+}
+
+/// Makes a row that is shown in one line, however long it is.
+fn printed(label: &str, text: &str) -> Row {
+    Row::new(RowKind::Printed, format!("{label:<11}{text}"))
 }
 
 /// Counts the digits of a decimal number from the first that is not 0, without those of the

@@ -4,9 +4,8 @@ mod carry;
 mod settings;
 
 use std::error::Error;
-use std::fs::{self, File};
-use std::hash::{BuildHasher, Hasher, RandomState};
-use std::io::{self, Write};
+use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 
 use carry::EarlierCrate;
@@ -22,10 +21,6 @@ use crate::reader_crates::ReaderCrates;
 use crate::wrap::wrap_hanging;
 
 /// Makes a crate for the reader to type a chapter in, and returns where it is and what comes next.
-///
-/// # Errors
-/// If a word is missing, or is not what it should be; if the crate exists already, if the workspace
-/// is gone, or if a file can't be written.
 pub(crate) fn start(words: &Words) -> Result<String, Box<dyn Error>> {
     let chapter = words.required_chapter()?;
     let crates = ReaderCrates::find(words.path("--into").as_deref());
@@ -57,8 +52,6 @@ pub(crate) fn start(words: &Words) -> Result<String, Box<dyn Error>> {
 /// A crate of a reader that is about to be written.
 struct NewCrate {
     chapter: Chapter,
-    /// The reader's crate of the nearest earlier chapter, if there is one.
-    before: Option<PathBuf>,
     /// Files to be copied from there as they are, each with its path in the new crate.
     copies: Vec<(PathBuf, PathBuf)>,
     /// The other files, in the order in which they are typed. One of the same name replaces a copy.
@@ -101,7 +94,6 @@ impl NewCrate {
         });
         Ok(Self {
             chapter,
-            before: before.map(Path::to_owned),
             copies,
             files: files.filter(|file| !file.text.is_empty()).collect(),
             carried: carried.said,
@@ -122,7 +114,7 @@ impl NewCrate {
         made
     }
 
-    /// Writes all files into the folder, with no more rights for others than in the crate before.
+    /// Writes all files into the folder.
     fn write(&self, folder: &Path) -> io::Result<()> {
         let place = |name: &Path| {
             let path = folder.join(name);
@@ -133,34 +125,8 @@ impl NewCrate {
             fs::copy(file, place(name)?)?;
         }
         for SourceFile { name, text } in &self.files {
-            let mut file = File::create(place(name.as_ref())?)?;
-            self.keep_private(&file, name)?;
-            file.write_all(text.as_bytes())?;
+            fs::write(place(name.as_ref())?, text)?;
         }
-        #[cfg(unix)]
-        self.keep_private(&File::open(folder)?, "")?;
-        Ok(())
-    }
-
-    /// Takes the rights away from `file` that the file `name` of the crate before does not give,
-    /// or, if there is none, that its `src/lib.rs` does not give.
-    #[cfg(unix)]
-    fn keep_private(&self, file: &File, name: &str) -> io::Result<()> {
-        use std::os::unix::fs::PermissionsExt;
-        let Some(before) = &self.before else {
-            return Ok(());
-        };
-        let names = [name, "src/lib.rs"].map(|it| before.join(it));
-        let old = names.iter().find_map(|it| fs::metadata(it).ok());
-        let may = file.metadata()?.permissions().mode();
-        let may_before = old.map_or(may, |it| it.permissions().mode());
-        file.set_permissions(fs::Permissions::from_mode(may & (may_before | 0o700)))
-    }
-
-    #[cfg(not(unix))]
-    fn keep_private(&self, _file: &File, _name: &str) -> io::Result<()> {
-        // Who may read it is said for the folder that it is in.
-        let _ = &self.before;
         Ok(())
     }
 
@@ -190,9 +156,7 @@ impl NewCrate {
 fn given(chapter: Chapter, own: bool, folder: &Path, workspace: &Path) -> [SourceFile; 6] {
     let ours = settings::workspace_from_crate(folder, workspace);
     let path = settings::with_slashes(&ours);
-    // The standard library asks the system for a random number to seed its hash tables.
-    let number = RandomState::new().build_hasher().finish();
-    let manifest = skeletons::manifest(chapter, own, &path, number);
+    let manifest = skeletons::manifest(chapter, own, &path, output::random());
     let lock = fs::read_to_string(workspace.join("Cargo.lock"));
     [
         ("src/main.rs", skeletons::main(chapter, own)),

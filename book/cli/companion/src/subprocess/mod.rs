@@ -5,12 +5,9 @@
 
 pub(crate) mod guard;
 mod running;
-#[cfg_attr(windows, path = "tree_windows.rs")]
-#[cfg_attr(not(windows), path = "tree_unix.rs")]
-mod tree;
 
 use std::ffi::OsString;
-use std::io::{self, IsTerminal, Read};
+use std::io::{self, IsTerminal, Read, Write};
 use std::process::{ChildStderr, Command, ExitStatus, Stdio};
 use std::sync::mpsc::{self, Receiver, TryRecvError};
 use std::thread;
@@ -25,9 +22,6 @@ pub(crate) use running::RunningProgram;
 
 /// Runs a program to its end and returns all that it prints to standard output, up to one byte more
 /// than a picture may have. Shows its standard error as it comes.
-///
-/// # Errors
-/// If the program does not start, fails, or takes longer than `limit`.
 pub(crate) fn output_of(words: &[OsString], limit: Duration) -> Result<Vec<u8>, Cause> {
     let ran = run(reader_command(words), limit, show_errors, &mut || false);
     let name = names::escaped_name(&words[0]);
@@ -36,9 +30,6 @@ pub(crate) fn output_of(words: &[OsString], limit: Duration) -> Result<Vec<u8>, 
 
 /// Returns the standard output of the program `name` that has ended well, or that printed too much
 /// for a picture.
-///
-/// # Errors
-/// If the program did not start, failed, or was ended after `limit`.
 pub(crate) fn printed_or_cause(
     name: &str,
     end: io::Result<ProgramEnd>,
@@ -94,9 +85,6 @@ const FAREWELL: Duration = Duration::from_secs(1);
 /// true: then its result is no longer wanted. A thread calls `listen` with its standard error.
 /// Returns how the program ended, and what `listen` returned, or an empty text if that takes too
 /// long.
-///
-/// # Errors
-/// If the program does not start, or its output can't be read.
 pub(crate) fn run(
     mut command: Command,
     limit: Duration,
@@ -108,7 +96,7 @@ pub(crate) fn run(
         command.stdin(Stdio::null());
     }
     command.stdout(Stdio::piped()).stderr(Stdio::piped());
-    let mut running = RunningProgram::start(&mut command)?;
+    let mut running = RunningProgram::start(command)?;
     let piped = "it is piped";
     let printed = running.printed.take().expect(piped);
     let printed = in_a_thread(move || read_picture_bytes(printed));
@@ -168,25 +156,33 @@ pub(crate) fn in_a_thread<T: Send + 'static>(
 
 /// Reads to the end, but at most one byte more than a picture may have, so that the parser can
 /// refuse it.
-///
-/// # Errors
-/// If the input can't be read.
 pub(crate) fn read_picture_bytes(input: impl Read) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     input.take(MOST_BYTES as u64 + 1).read_to_end(&mut bytes)?;
     Ok(bytes)
 }
 
-/// Copies a program's standard error to ours as it comes, up to a megabyte, and drops the rest.
-/// Returns an empty text.
+/// Copies a program's standard error to ours as it comes, up to a megabyte, and drops the rest. Ends
+/// the last line, which may be one of a progress that is written over and over. Returns an empty
+/// text.
 pub(crate) fn show_errors(mut errors: ChildStderr) -> String {
-    const MOST: u64 = 1 << 20;
-    let copied = io::copy(&mut (&mut errors).take(MOST), &mut io::stderr());
-    if copied.is_ok_and(|length| length == MOST) {
+    const MOST: usize = 1 << 20;
+    let mut piece = [0; 1 << 12];
+    let (mut shown, mut last, mut says_more) = (0, b'\n', false);
+    while let Ok(length @ 1..) = errors.read(&mut piece) {
+        // It need not notice that nothing is shown any more.
+        says_more |= shown >= MOST;
+        if !says_more {
+            let _ = io::stderr().write_all(&piece[..length]);
+            (shown, last) = (shown + length, piece[length - 1]);
+        }
+    }
+    if last != b'\n' {
+        let _ = writeln!(io::stderr());
+    }
+    if says_more {
         complain("rtrace: … the program says more, which is not shown");
     }
-    // It need not notice that nothing is shown any more.
-    let _ = io::copy(&mut errors, &mut io::sink());
     String::new()
 }
 

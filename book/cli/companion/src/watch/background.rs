@@ -35,7 +35,7 @@ impl BackgroundBuild {
         let mut cargo = build::cargo_command(folder, &["build", "--tests", "--keep-going"]);
         cargo.stdout(Stdio::null()).stderr(Stdio::piped());
         // Without it, the laws are built when they are asked.
-        self.running = RunningProgram::start(&mut cargo).ok();
+        self.running = RunningProgram::start(cargo).ok();
         if let Some(running) = &mut self.running {
             running.lower_priority();
             let errors = running.errors.take().expect("it is piped");

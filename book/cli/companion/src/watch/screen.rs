@@ -58,10 +58,7 @@ fn head(title: &str, took: Duration) -> String {
 
 /// Returns the number of the terminal's lines, but for the one with the cursor.
 fn height() -> usize {
-    let size = terminal_size::terminal_size();
-    size.map_or(usize::MAX, |(_, height)| {
-        usize::from(height.0).saturating_sub(1)
-    })
+    terminal::size().map_or(usize::MAX, |(_, lines)| lines.saturating_sub(1) as usize)
 }
 
 /// Returns lines with both pictures: the reader's at the left, the right one at the right.

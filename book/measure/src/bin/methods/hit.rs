@@ -12,9 +12,6 @@ use launcher::command_line::Words;
 
 /// Returns where a ray hits a sphere, by exact arithmetic and by each method of chapter 6, with its
 /// error.
-///
-/// # Errors
-/// If a word is missing, or is not what it should be.
 pub(crate) fn hit(words: &Words) -> Result<String, Box<dyn Error>> {
     let missing = || {
         let needed = ["--origin", "--direction", "--center", "--radius"];

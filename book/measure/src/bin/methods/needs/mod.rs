@@ -24,9 +24,6 @@ const WITHIN: f64 = 0.001;
 
 /// Draws the scene of a file by every method of chapter 6, and returns a text that names the cheapest
 /// one that draws every pixel right, in each precision.
-///
-/// # Errors
-/// If a word is missing, or is not what it should be; if the file can't be read, or is no scene.
 pub(crate) fn needs(words: &Words) -> Result<String, Box<dyn Error>> {
     let width = |typed: &str| {
         let width = typed.parse().ok().filter(|it| (1..=WIDEST).contains(it));
@@ -79,9 +76,6 @@ fn progress() -> impl Fn(usize, usize) + Sync {
 }
 
 /// Reads the scene in the file at `path`, and names it after the file.
-///
-/// # Errors
-/// If the file can't be read; or else the first mistake in it, with line and column.
 fn read(path: &Path) -> Result<Scene, Box<dyn Error>> {
     let shown = names::escaped_name(path);
     let text = limited::read_text(path).map_err(|cause| {

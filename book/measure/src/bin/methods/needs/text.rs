@@ -21,18 +21,7 @@ pub(super) fn answer(
     found: &[PrecisionNeeds],
     with_acne: usize,
 ) -> String {
-    let camera = Camera::new(scene.width);
-    let (width, height) = (camera.image_width, camera.image_height);
-    let spheres = match scene.spheres.len() {
-        1 => "1 sphere".to_owned(),
-        count => format!("{count} spheres"),
-    };
-    let sun = scene.sun.map_or("", |_| " and a sun");
-    let name = names::escape_for_terminal(&scene.name);
-    let mut text = paragraph(&advice(scene, found, with_acne));
-    text += &format!("\n{name}: {spheres}{sun}, {width} × {height} pixels\n");
-    text += &assumed(scene);
-    text += &warnings(scene);
+    let mut text = paragraph(&advice(scene, found, with_acne)) + "\n" + &described(scene);
     let mut rows = found.iter().flat_map(|found| &found.rows);
     if rows.all(|row| row.view.off.is_none()) {
         text += "No ray meets a sphere: the picture shows only sky.\n";
@@ -45,6 +34,48 @@ pub(super) fn answer(
         }
     }
     text + "\n" + &paragraph(&standing(place))
+}
+
+/// Describes the scene, the ranges of t, and which errors count as right; warns of a range that
+/// begins too late for the scene.
+fn described(scene: &Scene) -> String {
+    let camera = Camera::new(scene.width);
+    let [eye, sun] = scene.t_min;
+    let (with_sun, shadows) = match scene.sun {
+        Some(_) => (
+            " and a sun",
+            format!(", and above {sun:?} on the way to the sun"),
+        ),
+        None => ("", String::new()),
+    };
+    let about = format!(
+        "{}: {}{with_sun}, {} × {} pixels. A hit counts at t above {eye:?}{shadows}. A distance is right if at \
+         most {WITHIN:?} of t is wrong.",
+        names::escape_for_terminal(&scene.name),
+        counted(scene.spheres.len(), "sphere"),
+        camera.image_width,
+        camera.image_height
+    );
+    let radii = scene.spheres.iter().map(|(_, radius)| *radius);
+    let least = radii.fold(f64::INFINITY, f64::min);
+    let of_eye = (eye, "things are seen only from t =");
+    let of_sun = (sun, "things cast a shadow only from a distance of");
+    let ranges = [Some(of_eye), scene.sun.map(|_| of_sun)];
+    let late = ranges
+        .into_iter()
+        .flatten()
+        .filter(|(t_min, _)| *t_min > least);
+    let warnings = late.map(|(t_min, what)| {
+        paragraph(&format!(
+            "WARNING: {what} {t_min:?} on, and the smallest radius is {least:?}. Set a t_min that is \
+             small beside it."
+        ))
+    });
+    paragraph(&about) + &warnings.collect::<String>()
+}
+
+fn counted(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 
 /// Writes where the scene stands on the book's map, and whose times were taken.
@@ -72,30 +103,13 @@ fn standing(place: &Place) -> String {
     )
 }
 
-/// Writes the assumptions: the ranges of t, and which errors count as right.
-fn assumed(scene: &Scene) -> String {
-    let [eye, sun] = scene.t_min;
-    let shadows = match scene.sun {
-        Some(_) => format!(", and above {sun:?} on the way to the sun"),
-        None => String::new(),
-    };
-    paragraph(&format!(
-        "A hit counts at t above {eye:?}{shadows}. A distance is right if at most {WITHIN:?} of t is wrong. \
-         Another width asks other rays, and may show what this one does not. Rays that mirrors or \
-         glass would send on are not asked: they start on a surface, as those to the sun do."
-    ))
-}
-
 /// Names the method to take and why, or other help if no method draws every pixel right.
 fn advice(scene: &Scene, found: &[PrecisionNeeds], with_acne: usize) -> String {
     if with_acne > 0 {
         let [_, t_min] = scene.t_min;
-        let pixels = match with_acne {
-            1 => "1 pixel is".to_owned(),
-            count => format!("{count} pixels are"),
-        };
+        let pixels = counted(with_acne, "pixel");
         return format!(
-            "Raise t_min: above {t_min:?}, {pixels} in the shadow of the surface seen there, also by \
+            "Raise t_min: above {t_min:?}, the surface casts its shadow on itself in {pixels}, also by \
              exact arithmetic. Rays to the sun start at rounded points there, and hit at once."
         );
     }
@@ -117,28 +131,6 @@ fn advice(scene: &Scene, found: &[PrecisionNeeds], with_acne: usize) -> String {
     }
 }
 
-/// Warns of a range of t that begins too late for the scene; empty if none does.
-fn warnings(scene: &Scene) -> String {
-    let radii = scene.spheres.iter().map(|(_, radius)| *radius);
-    let least = radii.fold(f64::INFINITY, f64::min);
-    let [eye, sun] = scene.t_min;
-    let late = |t_min: f64, what: &str| {
-        let text = format!(
-            "WARNING: {what} {t_min:?} on, and the smallest radius is {least:?}. Set a t_min that is \
-             small beside it."
-        );
-        if t_min > least {
-            paragraph(&text)
-        } else {
-            String::new()
-        }
-    };
-    let of_sun = scene
-        .sun
-        .map(|_| late(sun, "things cast a shadow only from a distance of"));
-    late(eye, "things are seen only from t =") + &of_sun.unwrap_or_default()
-}
-
 /// Returns true if a pixel is wrong although t is as exact as it can be: two spheres are too near
 /// to each other.
 fn needs_order(culprit: &Culprit) -> bool {
@@ -146,8 +138,7 @@ fn needs_order(culprit: &Culprit) -> bool {
 }
 
 fn one_precision(found: &PrecisionNeeds) -> String {
-    let mut text = paragraph(&verdict(found)) + &paragraph(&distances(found));
-    text += TABLE_HEAD;
+    let mut text = paragraph(&verdict(found)) + TABLE_HEAD;
     for (n, row) in found.rows.iter().enumerate() {
         text += &line(row, found.least == Some(n));
     }
@@ -158,37 +149,30 @@ fn one_precision(found: &PrecisionNeeds) -> String {
     text
 }
 
-/// Names the method to take for colors, in a sentence or two.
+/// Names the methods to take for colors and for distances, and the error of t by the one for
+/// colors.
 fn verdict(found: &PrecisionNeeds) -> String {
     let precision = found.precision.name();
-    let name = |n: &usize| found.rows[*n].view.method.name;
-    let Some(least) = &found.least else {
-        return format!("In {precision}, no method draws every pixel right.");
+    let row = |n: usize| &found.rows[n].view;
+    let colors = match found.least {
+        None => format!("In {precision}, no method draws every pixel right."),
+        Some(n) => format!(
+            "In {precision}, the least for colors is {}.",
+            row(n).method.name
+        ),
     };
-    let mut text = format!("In {precision}, the least for colors is {}.", name(least));
-    if found.failing.is_none() {
-        text += " Nothing cheaper fails.";
-    }
-    text
-}
-
-/// Names the method to take for distances, and the error of t by the method to take for colors.
-fn distances(found: &PrecisionNeeds) -> String {
-    let precision = found.precision.name();
-    let name = |n: usize| found.rows[n].view.method.name;
-    let mut text = match found.least_of_t {
-        Some(least) => format!("For distances, the least is {}.", name(least)),
-        None => format!("For distances, no method in {precision} suffices."),
+    let distances = match found.least_of_t {
+        None => "For distances, no method suffices.".to_owned(),
+        Some(n) => format!("For distances, it is {}.", row(n).method.name),
     };
-    let colors = found.least.map(|n| (name(n), found.rows[n].view.off));
-    if let Some((name, Some(off))) = colors.filter(|(_, off)| off.is_some_and(|off| off.t > WITHIN))
-    {
-        text += &format!(
-            " By {name}, which has the colors, t is off by {} of itself.",
+    let off = found.least.and_then(|n| row(n).off);
+    match off.filter(|off| off.t > WITHIN) {
+        None => format!("{colors} {distances}"),
+        Some(off) => format!(
+            "{colors} {distances} By the first, t is off by {} of itself.",
             part(off.t)
-        );
+        ),
     }
-    text
 }
 
 fn part(part: f64) -> String {
