@@ -58,6 +58,13 @@ pub fn size() -> Option<(u32, u32)> {
     Some((columns.0.into(), lines.0.into()))
 }
 
+/// Returns the width of text in characters: as wide as the terminal, but at least 30 and at most
+/// 96.
+pub fn text_width() -> usize {
+    let columns = size().map_or(80, |(columns, _)| columns);
+    columns.clamp(30, 96) as usize
+}
+
 /// Writes `picture` to `out` as lines of [`picture_lines`], reduced to the columns of the terminal
 /// and to its lines less one, or to 80 columns and 23 lines if its size is unknown.
 ///
@@ -129,11 +136,4 @@ fn average(picture: &Picture, columns: Range<u32>, rows: Range<u32>) -> [u8; 3] 
         ((sum + count / 2) / count) as u8
     };
     [0, 1, 2].map(component)
-}
-
-/// Returns the width of text in characters: as wide as the terminal, but at least 30 and at most
-/// 96.
-pub fn text_width() -> usize {
-    let columns = terminal_size::terminal_size().map_or(80, |(width, _)| usize::from(width.0));
-    columns.clamp(30, 96)
 }

@@ -18,8 +18,8 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     figure: figure!("arrows"),
     handles: &[point!(BOTH, u), point!(BOTH, v)],
     actions: &[
-        ("A right angle", |it| {
-            (it.u, it.v) = (xy(1.5, 0.5), xy(-0.25, 0.75));
+        ("A right angle", |chosen| {
+            (chosen.u, chosen.v) = (xy(1.5, 0.5), xy(-0.25, 0.75));
         }),
         ("Apart", |it| (it.u, it.v) = (xy(1.5, 0.5), xy(-1.0, 0.25))),
         ("v on u", |it| (it.u, it.v) = (xy(1.5, 0.5), xy(1.5, 0.5))),

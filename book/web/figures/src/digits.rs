@@ -60,11 +60,11 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     answer,
 };
 
-fn answer(it: &Parameters) -> DrawnFigure {
-    let case = it.case();
-    let (_, method, discriminant) = it.eye();
+fn answer(chosen: &Parameters) -> DrawnFigure {
+    let case = chosen.case();
+    let (_, method, discriminant) = chosen.eye();
     let found = Numbers::of(&case, *method, discriminant(&case));
-    let away = power_of_ten(it.exponent as i32);
+    let away = power_of_ten(chosen.exponent as i32);
     let of_terms = match &found.discriminant {
         Whole(_) => String::new(),
         Difference(terms) => {
@@ -80,7 +80,7 @@ fn answer(it: &Parameters) -> DrawnFigure {
     let digits = if agreeing == 1 { "digit" } else { "digits" };
     let agree = format!("{agreeing} {digits}");
     let says = [("distance", away), ("agree", agree)];
-    DrawnFigure::new(draw(it, &found), sentence, says)
+    DrawnFigure::new(draw(chosen, &found), sentence, says)
 }
 
 /// Says how many digits of a `discriminant` are right.
@@ -182,19 +182,19 @@ impl Parameters {
 }
 
 /// Draws the star by the chosen method and exactly, the axis of distances, and the digits of the chosen ray.
-fn draw(it: &Parameters, numbers: &Numbers) -> Svg {
+fn draw(chosen: &Parameters, numbers: &Numbers) -> Svg {
     let mut svg = LIVE.figure.sheet(410.0);
-    for (sky, (name, method, _)) in SKIES.into_iter().zip([it.eye(), &EYES[4]]) {
+    for (sky, (name, method, _)) in SKIES.into_iter().zip([chosen.eye(), &EYES[4]]) {
         svg.label("ink", spot(sky.origin.x, 14.0), Middle, name);
         let corner = sky.origin - 0.5 * SIDE * f64::from(PIXELS);
-        PixelGrid { corner, side: SIDE }.draw(&mut svg, &it.picture(*method));
-        let chosen = sky.point(it.pixel) - 0.5 * SIDE;
-        svg.rect("black line", chosen, DVec2::splat(SIDE));
+        PixelGrid { corner, side: SIDE }.draw(&mut svg, &chosen.picture(*method));
+        let pixel = sky.point(chosen.pixel) - 0.5 * SIDE;
+        svg.rect("black line", pixel, DVec2::splat(SIDE));
     }
     let powers = [0.0, 4.0, 8.0, 12.0, 16.0].into_iter();
     AXIS.draw(&mut svg, &ticks(powers, |it| power_of_ten(it as i32)));
     svg.small_label("ink", spot(200.0, 272.0), Middle, "distance in radii");
-    svg.circle("ray solid", AXIS.point(it.exponent), 4.5);
+    svg.circle("ray solid", AXIS.point(chosen.exponent), 4.5);
     numbers.draw(&mut svg);
     svg
 }

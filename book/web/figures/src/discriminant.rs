@@ -73,20 +73,20 @@ impl Parameters {
     }
 }
 
-fn answer(it: &Parameters) -> DrawnFigure {
-    let roots = it.roots();
+fn answer(chosen: &Parameters) -> DrawnFigure {
+    let roots = chosen.roots();
     let at = listed(&roots);
     let in_words = match roots.len() {
         0 => "there is no root".to_owned(),
         1 => format!("there is one root, {at}"),
         _ => format!("the roots are {at}"),
     };
-    let mut says = red_sphere_lines(it.c, it.radius, &it.ray());
+    let mut says = red_sphere_lines(chosen.c, chosen.radius, &chosen.ray());
     says.insert("roots", in_words);
-    let [a, b, c] = it.coefficients();
+    let [a, b, c] = chosen.coefficients();
     let discriminant = printed(b * b - 4.0 * a * c);
     let sentence = format!("*b*² − 4*ac* = {discriminant}{}", meaning(&roots));
-    DrawnFigure::new(draw(it, &roots), sentence, says)
+    DrawnFigure::new(draw(chosen, &roots), sentence, says)
 }
 
 /// Says what the number and the signs of the roots mean.
@@ -127,13 +127,13 @@ const AXIS: Axis = Axis::new(23.0, 342.0, 357.0, -2.5, 6.0);
 const ROOM: [f64; 2] = [96.0, 40.0];
 
 /// Draws the scene, and the parabola over the axis, with a mark for each root on both.
-fn draw(it: &Parameters, roots: &[f64]) -> Svg {
+fn draw(chosen: &Parameters, roots: &[f64]) -> Svg {
     let mut svg = LIVE.figure.sheet(AXIS.start.y + ROOM[1] + 4.0);
-    draw_scene(&mut svg, it);
+    draw_scene(&mut svg, chosen);
     draw_axis(&mut svg, roots);
-    draw_parabola(&mut svg, it);
+    draw_parabola(&mut svg, chosen);
     for (&t, n) in roots.iter().zip(1..) {
-        let point = PLANE.point(it.ray().at(t));
+        let point = PLANE.point(chosen.ray().at(t));
         let name = format!("*t*_{{{n}}}");
         if point.clamp(DVec2::ZERO, SIZE) == point {
             svg.circle("ink hollow", point, 5.0);
@@ -147,12 +147,12 @@ fn draw(it: &Parameters, roots: &[f64]) -> Svg {
     svg
 }
 
-fn draw_scene(svg: &mut Svg, it: &Parameters) {
-    let [middle, foot] = [it.c, it.foot()].map(|it| PLANE.point(it));
-    svg.circle("sphere area", middle, PLANE.scale * it.radius);
+fn draw_scene(svg: &mut Svg, chosen: &Parameters) {
+    let [middle, foot] = [chosen.c, chosen.foot()].map(|it| PLANE.point(it));
+    svg.circle("sphere area", middle, PLANE.scale * chosen.radius);
     svg.line("sphere dashed", middle, foot);
-    PLANE.draw_line(svg, &it.ray(), SIZE, f64::INFINITY);
-    PLANE.draw_ray(svg, &it.ray());
+    PLANE.draw_line(svg, &chosen.ray(), SIZE, f64::INFINITY);
+    PLANE.draw_ray(svg, &chosen.ray());
     svg.dot("sphere", middle, UpperRight, "**C**");
     svg.label("sphere", 0.5 * (middle + foot), Right, "*l*");
 }
@@ -171,10 +171,10 @@ fn draw_axis(svg: &mut Svg, roots: &[f64]) {
 }
 
 /// Draws *at*² + *bt* + *c* over the axis, as far as there is room.
-fn draw_parabola(svg: &mut Svg, it: &Parameters) {
-    let [a, b, c] = it.coefficients();
+fn draw_parabola(svg: &mut Svg, chosen: &Parameters) {
+    let [a, b, c] = chosen.coefficients();
     let above = |t: f64| UNIT * ((a * t + b) * t + c);
-    let lowest = nearest(&it.ray(), it.c);
+    let lowest = nearest(&chosen.ray(), chosen.c);
     // So far to each side it stays below the upper rim.
     let wide = ((ROOM[0] - above(lowest)) / (UNIT * a)).max(0.0).sqrt();
     let [from, to] = [lowest - wide, lowest + wide].map(|t| t.clamp(AXIS.least, AXIS.most));

@@ -102,8 +102,8 @@ impl Parameters {
     }
 }
 
-fn answer(it: &Parameters) -> DrawnFigure {
-    let turns = it.turns();
+fn answer(chosen: &Parameters) -> DrawnFigure {
+    let turns = chosen.turns();
     let held = turns.iter().map(Turn::closest_so_far);
     let held = [f64::INFINITY].into_iter().chain(held).map(in_digits);
     let held: Vec<String> = held.collect();
@@ -118,7 +118,7 @@ fn answer(it: &Parameters) -> DrawnFigure {
         ),
         None => "No sphere is hit ahead of **Q**.".to_owned(),
     };
-    DrawnFigure::new(draw(it, &turns), sentence, [("held", held.join(", "))])
+    DrawnFigure::new(draw(chosen, &turns), sentence, [("held", held.join(", "))])
 }
 
 /// Writes the t of a hit, or the end of an interval, which may be infinite, in three digits.
@@ -144,22 +144,22 @@ fn bar(row: usize) -> Axis {
 }
 
 /// Draws the spheres and the ray, a bar for each step of the search, and a last bar for its result.
-fn draw(it: &Parameters, turns: &[Turn]) -> Svg {
+fn draw(chosen: &Parameters, turns: &[Turn]) -> Svg {
     let mut svg = LIVE.figure.sheet(352.0);
-    for ((center, radius), name) in it.centers().iter().zip(RADII).zip(1..) {
+    for ((center, radius), name) in chosen.centers().iter().zip(RADII).zip(1..) {
         let middle = PLANE.point(*center);
         svg.circle("sphere area", middle, PLANE.scale * radius);
         svg.label("sphere", middle.down(5.0), Middle, &format!("{name}"));
     }
-    PLANE.draw_line(&mut svg, &it.ray(), SIZE, f64::INFINITY);
-    PLANE.draw_ray(&mut svg, &it.ray());
+    PLANE.draw_line(&mut svg, &chosen.ray(), SIZE, f64::INFINITY);
+    PLANE.draw_ray(&mut svg, &chosen.ray());
     let mut closest = f64::INFINITY;
     for (turn, row) in turns.iter().zip(0..) {
         draw_row(&mut svg, row, "sphere", &turn.in_words(), turn.t_max);
         if let Some(t) = turn.hit.filter(|&t| t < MOST) {
             svg.circle("ray hollow", bar(row).point(t), 5.0);
         }
-        let point = turn.hit.map(|t| PLANE.point(it.ray().at(t)));
+        let point = turn.hit.map(|t| PLANE.point(chosen.ray().at(t)));
         if let Some(point) = point.filter(|it| it.cmple(SIZE).all()) {
             svg.circle("ray hollow", point, 5.0);
         }

@@ -20,12 +20,12 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     figure: figure!("normal"),
     handles: &[point!(PLANE, d from q), point!(PLANE, q)],
     actions: &[
-        ("At the center", |it| {
-            (it.q, it.d) = (xy(-3.1, 0.0), Vec3::X);
+        ("At the center", |chosen| {
+            (chosen.q, chosen.d) = (xy(-3.1, 0.0), Vec3::X);
         }),
         ("Past it", |it| (it.q, it.d) = (xy(-3.1, 1.75), Vec3::X)),
-        ("From inside", |it| {
-            (it.q, it.d) = (xy(-0.6, 0.5), xy(1.0, 0.25));
+        ("From inside", |chosen| {
+            (chosen.q, chosen.d) = (xy(-0.6, 0.5), xy(1.0, 0.25));
         }),
     ],
     answer,

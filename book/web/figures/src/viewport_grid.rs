@@ -35,8 +35,8 @@ pub(crate) static LIVE: Live<Parameters> = Live {
     answer,
 };
 
-fn answer(it: &Parameters) -> DrawnFigure {
-    let grid = Grid::of(it);
+fn answer(chosen: &Parameters) -> DrawnFigure {
+    let grid = Grid::of(chosen);
     let Camera {
         image_width: width,
         image_height: height,
@@ -90,8 +90,8 @@ struct Grid {
 
 impl Grid {
     /// Makes the grid of the chapter's camera for these parameters.
-    fn of(it: &Parameters) -> Self {
-        let camera = Camera::new(it.width as u32);
+    fn of(chosen: &Parameters) -> Self {
+        let camera = Camera::new(chosen.width as u32);
         let u = f64::from(camera.image_width) * camera.pixel_delta_u;
         let v = f64::from(camera.image_height) * camera.pixel_delta_v;
         let corner = camera.center - Vec3::Z - 0.5 * u - 0.5 * v;
@@ -99,7 +99,7 @@ impl Grid {
         let origin = CORNER - scale * spot(corner.x, -corner.y);
         Self {
             camera,
-            pixel: [it.pixel.x, it.pixel.y].map(|it| it as u32),
+            pixel: [chosen.pixel.x, chosen.pixel.y].map(|it| it as u32),
             edges: [u, v],
             corner,
             plane: Plane { origin, scale },

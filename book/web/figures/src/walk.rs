@@ -67,41 +67,41 @@ impl Parameters {
     }
 }
 
-fn answer(it: &Parameters) -> DrawnFigure {
-    let roots = it.roots();
-    let way = |t: f64| it.length * t;
-    let l = (it.c - it.ray().at(it.foot())).length();
-    let half = roots.last().map_or(0.0, |t| way(t - it.foot()));
-    let [h, l_said, r, half] = [way(it.foot()), l, it.radius, half].map(spoken);
+fn answer(chosen: &Parameters) -> DrawnFigure {
+    let roots = chosen.roots();
+    let way = |t: f64| chosen.length * t;
+    let l = (chosen.c - chosen.ray().at(chosen.foot())).length();
+    let half = roots.last().map_or(0.0, |t| way(t - chosen.foot()));
+    let [h, l_said, r, half] = [way(chosen.foot()), l, chosen.radius, half].map(spoken);
     let walk = format!("After a walk of {h} the center is *l* = {l_said} away");
     let at = listed(&roots);
     let sentence = match roots.len() {
         0 => format!("{walk}, more than *r* = {r}: the line misses."),
         1 => format!("{walk}, as far as *r*: the line touches, at *t* = {at}."),
-        _ if it.length == 1.0 => {
+        _ if chosen.length == 1.0 => {
             format!("{walk}, and half of the chord is {half}: *t* = {at}.")
         }
         _ => format!(
             "{walk}, and half of the chord is {half}. **d** is {} long, so *t* = {at}.",
-            spoken(it.length)
+            spoken(chosen.length)
         ),
     };
-    let lines = half_b_lines(it.c, it.radius, &it.ray());
-    DrawnFigure::new(draw(it, &roots), sentence, lines)
+    let lines = half_b_lines(chosen.c, chosen.radius, &chosen.ray());
+    DrawnFigure::new(draw(chosen, &roots), sentence, lines)
 }
 
 /// The place of the scene on the sheet.
 const PLANE: Plane = Plane::new(34.0, 176.0, 140.0);
 
-fn draw(it: &Parameters, roots: &[f64]) -> Svg {
+fn draw(chosen: &Parameters, roots: &[f64]) -> Svg {
     let mut svg = LIVE.figure.sheet(290.0);
-    let ray = it.ray();
-    let [q, c, foot] = [ray.origin, it.c, ray.at(it.foot())].map(|it| PLANE.point(it));
-    svg.circle("sphere area", c, PLANE.scale * it.radius);
+    let ray = chosen.ray();
+    let [q, c, foot] = [ray.origin, chosen.c, ray.at(chosen.foot())].map(|it| PLANE.point(it));
+    svg.circle("sphere area", c, PLANE.scale * chosen.radius);
     svg.arrow("ray line", q, PLANE.point(xy(2.55, 0.0)));
     svg.arrow("ray bold", q, PLANE.point(ray.direction));
     svg.line("sphere thin", q, c);
-    if it.c.y > 0.0 {
+    if chosen.c.y > 0.0 {
         svg.right_angle(foot, DVec2::X, DVec2::NEG_Y);
         svg.line("sphere dashed", c, foot);
         svg.label("sphere", 0.5 * (c + foot), Right, "*l*");
@@ -119,9 +119,15 @@ fn draw(it: &Parameters, roots: &[f64]) -> Svg {
     svg.label("ray", PLANE.point(ray.direction), Below, "**d**");
     if let &[nearer, farther] = roots {
         let words = "√(*r*² − *l*²) to each side";
-        measure(&mut svg, &ray, &[nearer, it.foot(), farther], 50.0, words);
+        measure(
+            &mut svg,
+            &ray,
+            &[nearer, chosen.foot(), farther],
+            50.0,
+            words,
+        );
     }
-    measure(&mut svg, &ray, &[0.0, it.foot()], 86.0, "*h*");
+    measure(&mut svg, &ray, &[0.0, chosen.foot()], 86.0, "*h*");
     svg
 }
 

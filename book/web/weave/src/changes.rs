@@ -38,15 +38,15 @@ pub(crate) fn changes(name: &str) -> Result<String, String> {
     let chapters = found.ok_or_else(|| format!("no chapter `{name}` changes a picture"))?;
     let [(old, before), (new, after)] =
         chapters.map(|(chapter, draw)| (draw(chapter.book_width()), chapter));
-    let (Comparison::Pixels(it), Some(changed)) =
+    let (Comparison::Pixels(difference), Some(changed)) =
         (Comparison::of(&old, &new), difference_picture(&old, &new))
     else {
         return Err(format!("`{name}` changes no pixels, or all"));
     };
-    let [count, total] = [it.count, it.total].map(|it| as_printed(&it.to_string()));
+    let [count, total] = [difference.count, difference.total].map(|it| as_printed(&it.to_string()));
     let sentence = format!(
         "{count} of {total} pixels change, in columns {} to {} and rows {} to {}.",
-        it.columns[0], it.columns[1], it.rows[0], it.rows[1]
+        difference.columns[0], difference.columns[1], difference.rows[0], difference.rows[1]
     );
     let file = |of: Chapter| format!("pictures/{}.snap.png", of.name());
     let png = BASE64_STANDARD.encode(png::encode(&changed));

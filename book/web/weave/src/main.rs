@@ -1,5 +1,6 @@
-//! `weave SOURCE FOLDER`: weaves the book in the folder SOURCE, and then puts it in the place of an
-//! older one in FOLDER. Without arguments it serves mdBook's own program as a preprocessor.
+//! `weave SOURCE FOLDER`: weaves the book in the folder SOURCE, and then puts it into FOLDER, which is
+//! new or empty, or `target/book` beside SOURCE: an older book there goes. Without
+//! arguments it serves mdBook's own program as a preprocessor.
 //!
 //! `cargo rtrace book` has cargo build this program and runs it, so that the command itself builds
 //! without mdBook.
@@ -17,9 +18,11 @@ fn main() -> ExitCode {
         [] => weave::preprocess(io::stdin(), io::stdout()),
         // mdBook asks before whether its renderer of this name is supported: each is.
         [supports, _] if supports == "supports" => Ok(()),
-        [source, folder] => weave::folder::replace(Path::new(folder), |new| {
-            weave::weave(Path::new(source), new)
-        }),
+        [source, folder] => {
+            let (source, folder) = (Path::new(source), Path::new(folder));
+            let ours = source.with_file_name("target").join("book");
+            weave::folder::replace(folder, &ours, |new| weave::weave(source, new))
+        }
         _ => Err(misuse("two folders are needed: weave SOURCE FOLDER")),
     };
     exit_code(done.map(|()| ExitCode::SUCCESS))

@@ -1,6 +1,7 @@
 //! What the pages show of mistakes: each wrong picture, and beside it the mistakes that draw it.
 
-use std::fs;
+use std::collections::BTreeMap;
+use std::fs::{self, DirEntry};
 
 use common::rtweekend::Picture;
 use difference::png;
@@ -12,7 +13,7 @@ use crate::looks::Look;
 
 /// The parts of the page, each with the look of its pictures, and with the mistakes or the chapter
 /// whose pictures these are, or nothing. A picture stands in the first part that fits.
-const PARTS: [(&str, Look, &str); 16] = [
+const PARTS: [(&str, Look, &str); 15] = [
     ("only-sky", Look::Gone, ""),
     ("no-sky", Look::Flooded, ""),
     (
@@ -39,57 +40,48 @@ const PARTS: [(&str, Look, &str); 16] = [
     ("all-colors", Look::OtherSky, "build_test"),
     ("sky", Look::OtherSky, ""),
     ("right", Look::Faint, ""),
-    ("unseen", Look::Right, ""),
 ];
 
 /// Compares the parts of the page of mistakes and their pictures with what the book has.
 pub(crate) fn assert_shown(seen: &[(Seen, Picture)]) {
-    let mut parts = PARTS.map(|(part, ..)| (part, String::new()));
-    for (wrong @ (look, chapter, names), picture) in seen {
-        let is_meant = |words: &str| {
-            let mut words = words.split(' ');
-            words.any(|word| word == chapter.name() || names.contains(&word))
-        };
-        let fits =
-            |(_, of, words): &(_, Look, &str)| of == look && (words.is_empty() || is_meant(words));
-        let part = PARTS.iter().position(fits).expect("a part for each look");
-        parts[part].1 += &tile(wrong, picture, seen);
-        shown_in("slips").bind(|| {
-            let file = format!("{}.png", id(names[0], wrong, seen));
-            assert_binary_snapshot!(&file, png::encode(picture));
-        });
+    let mut texts: BTreeMap<&str, String> = PARTS.map(|(part, ..)| (part, String::new())).into();
+    for row @ (part, ..) in PARTS {
+        let of_part = seen.iter().filter(|(wrong, _)| row_of(wrong) == row);
+        let tiles = of_part.map(|(wrong, picture)| tile(wrong, picture, seen));
+        *texts.entry(part).or_default() += &tiles.collect::<String>();
     }
-    let is_unseen = |slip: &&Slip| {
-        !seen
-            .iter()
+    let is_seen = |slip: &&Slip| {
+        seen.iter()
             .any(|((.., names), _)| names.contains(&slip.name))
     };
-    parts[PARTS.len() - 1].1 = slips::all().filter(is_unseen).map(shown_by).collect();
-    for (n, (part, text)) in parts.iter().enumerate() {
-        assert!(!text.is_empty(), "no picture of {:?}", PARTS[n]);
-        if !parts[..n].iter().any(|(other, _)| other == part) {
-            let same = parts.iter().filter(|(other, _)| other == part);
-            let text: String = same.map(|(_, text)| &text[..]).collect();
-            shown_in("slips").bind(|| assert_snapshot!(*part, text));
-        }
-    }
+    let unseen = slips::all().filter(|slip| !is_seen(slip)).map(shown_by);
+    texts.insert("unseen", unseen.collect());
     let mut names: Vec<&str> = slips::all().map(|slip| slip.name).collect();
     names.sort_unstable();
-    let links: Vec<String> = names
-        .iter()
-        .map(|it| format!("<a href=\"#{it}\">{it}</a>"))
-        .collect();
-    let names = format!("<p>{}</p>", links.join(" · "));
-    shown_in("slips").bind(|| assert_snapshot!("names", names));
+    let link = |name: &&str| format!("<a href=\"#{name}\">{name}</a>");
+    let links: Vec<String> = names.iter().map(link).collect();
+    texts.insert("names", format!("<p>{}</p>", links.join(" · ")));
+    for (part, text) in texts {
+        assert!(!text.is_empty(), "nothing is in {part}");
+        shown_in("slips").bind(|| assert_snapshot!(part, text));
+    }
+    for (wrong, picture) in seen {
+        let file = format!("{}.png", id(wrong.2[0], wrong, seen));
+        shown_in("slips").bind(|| assert_binary_snapshot!(&file, png::encode(picture)));
+    }
     let folder = fs::read_dir(notes("slips")).expect("the folder of the pictures");
-    let pictures = folder
-        .flatten()
-        .filter(|it| it.path().extension().is_some_and(|it| it == "png"));
-    assert_eq!(
-        pictures.count(),
-        seen.len(),
-        "pictures of slips that are gone stay behind"
-    );
+    let is_picture = |it: &DirEntry| it.path().extension().is_some_and(|it| it == "png");
+    let pictures = folder.flatten().filter(is_picture).count();
+    assert_eq!(pictures, seen.len(), "pictures of slips that are gone");
+}
+
+/// Returns the row of [`PARTS`] in which a wrong picture stands: the first that fits.
+fn row_of((look, chapter, names): &Seen) -> (&'static str, Look, &'static str) {
+    let fits = |(_, of, words): &(_, Look, &str)| {
+        let is_meant = |word| word == chapter.name() || names.contains(&word);
+        of == look && (words.is_empty() || words.split(' ').any(is_meant))
+    };
+    PARTS.into_iter().find(fits).expect("a part for each look")
 }
 
 /// The pages of the chapters show some mistakes and half-finished pictures.

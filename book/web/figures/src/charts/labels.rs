@@ -1,8 +1,6 @@
 //! Label placement by backtracking: names beside their marks, over no other name and no line.
 
-use glam::DVec2;
-
-use crate::svg::{Anchor, Shift, Svg, spot};
+use crate::prelude::*;
 use crate::text::{SMALL, width};
 
 /// A rectangle of the sheet, by its upper left and lower right corner.
@@ -73,7 +71,7 @@ pub(super) fn write(
         if let Some(leader) = place.leader {
             svg.path("faint thin", &leader);
         }
-        svg.small_label(names[n].idea, place.text, Anchor::Start, &names[n].words);
+        svg.small_label(names[n].idea, place.text, Start, &names[n].words);
     }
     Ok(())
 }

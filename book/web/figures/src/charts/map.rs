@@ -1,14 +1,11 @@
 //! A map of methods: the cheapest one that suffices, by where a ray starts and what it passes.
 
-use glam::DVec2;
 use speed_vs_accuracy::{Method, Precision};
 
 use super::chart::{Chart, DrawnChart, table};
 use super::spot::{MAPPED, Spot};
-use crate::axis::{Axis, ticks};
-use crate::number::power_of_ten;
+use crate::prelude::*;
 use crate::records::{MapCell, Timing};
-use crate::svg::{Anchor, Shift, Svg, spot};
 use crate::table::{Record, Table};
 use crate::text::{SMALL, width};
 
@@ -125,7 +122,7 @@ const GAP: f64 = 8.0;
 fn draw_map(svg: &mut Svg, map: &Map, digits: i32, precision: Precision, corner: DVec2) {
     let last = Spot::last(precision);
     let title = format!("**{}**, {digits} digits", precision.name());
-    svg.label("ink", spot(4.0, corner.y - 11.0), Anchor::Start, &title);
+    svg.label("ink", spot(4.0, corner.y - 11.0), Start, &title);
     let place = |spot: Spot| {
         let column = match spot {
             Spot::Above(_) => -2.0 - GAP / CELL.x,
@@ -165,7 +162,7 @@ fn draw_name<'a>(svg: &mut Svg, name: &str, cells: impl Iterator<Item = &'a Cell
     let wide: Vec<&[DVec2]> = wide.collect();
     if let Some([first, .., last]) = wide.get(wide.len() / 2) {
         let middle = spot(0.5 * (first.x + last.x + CELL.x), first.y + 11.0);
-        svg.small_label("ink", middle, Anchor::Middle, name);
+        svg.small_label("ink", middle, Middle, name);
     }
 }
 
@@ -187,16 +184,16 @@ fn draw_axes(svg: &mut Svg, last: i32, corner: DVec2) {
     };
     rows.draw_ticks(svg, "faint thin", spot(-4.0, 0.0), &powers(-1));
     for (x, y, words) in [(-2.0, 15.0, "above"), (8.0, 29.0, "inside")] {
-        svg.small_label("faint", left + spot(x, far.y + y), Anchor::Start, words);
+        svg.small_label("faint", left + spot(x, far.y + y), Start, words);
     }
     let words = if last > 7 {
         "the ray starts so many radii away →"
     } else {
         "radii away →"
     };
-    svg.small_label("faint", low + spot(far.x, 34.0), Anchor::End, words);
+    svg.small_label("faint", low + spot(far.x, 34.0), End, words);
     let words = "↓ nearer to the rim, or to the surface, in radii";
-    svg.small_label("faint", spot(396.0, corner.y - 11.0), Anchor::End, words);
+    svg.small_label("faint", spot(396.0, corner.y - 11.0), End, words);
 }
 
 /// Draws the rules as dashed lines: u·k² and u·k radii are 10 to the power −`digits`, and where
@@ -232,7 +229,7 @@ fn draw_key(svg: &mut Svg, precision: Precision, corner: DVec2) {
         let at = corner.down(18.0 * f64::from(n));
         svg.rect(color(method.copied()), at, CELL);
         let words = method.map_or("none suffices", |it| it.name);
-        svg.small_label("ink", at + spot(26.0, 11.0), Anchor::Start, words);
+        svg.small_label("ink", at + spot(26.0, 11.0), Start, words);
     }
 }
 

@@ -1,10 +1,9 @@
 //! Marks: the color and the shape of each method in the charts, and its number of right digits.
 
-use glam::DVec2;
 use speed_vs_accuracy::Precision::{self, Double, Single};
 use speed_vs_accuracy::{Method, find};
 
-use crate::svg::{Svg, spot};
+use crate::prelude::*;
 
 /// Returns the class of a method's color and mark in all charts.
 pub(super) fn idea(method: &str) -> &'static str {

@@ -1,15 +1,13 @@
 //! Small multiples: what each method costs and how exact it is, a panel for each situation.
 
-use glam::DVec2;
 use speed_vs_accuracy::{Method, Precision, REGIMES, Regime};
 
 use super::chart::{Chart, DrawnChart, table};
 use super::labels::{self, Bounds, Name};
 use super::marks::{cross, digits, idea, mark, ring};
-use crate::axis::{Axis, ticks};
-use crate::number::{number, printed};
+use crate::number::number;
+use crate::prelude::*;
 use crate::records::{Accuracy, Timing};
-use crate::svg::{Anchor, Shift, Svg, spot};
 use crate::table::{Record, Table};
 
 /// The chart of speed against accuracy: a key, and a panel for each of [`REGIMES`].
@@ -113,60 +111,55 @@ const DIGITS: Axis = Axis {
 /// Methods that the chart leaves out: they are so slow that the others would lie in one heap.
 const SLOW: [Method; 2] = [Method::DOUBLE_DOUBLE, Method::EXACT];
 
-/// Draws a situation: its names, the axes, and the method's marks.
+/// Draws a situation: its names, the axes, and the methods' marks with their names.
 fn draw_panel(svg: &mut Svg, place: usize, rows: &[Measured]) -> Result<(), String> {
-    let Regime { name, shows, .. } = REGIMES[place];
-    let [advised, condition] = ADVICE[place];
-    svg.label(
-        "ink",
-        spot(4.0, 15.0),
-        Anchor::Start,
-        &format!("**{name}** {shows}"),
-    );
-    ring(svg, spot(12.0, 32.0), 6.0);
-    let advice = format!("take {advised}{condition}");
-    svg.small_label("certain", spot(24.0, 36.0), Anchor::Start, &advice);
-    let grid = spot(0.0, TOP - LEAST);
-    let times = [1.0, 2.0, 5.0, 10.0, 20.0, 40.0];
-    TIMES.draw_ticks(svg, "grid thin", grid, &ticks(times.into_iter(), number));
-    let digits = (0..=16).step_by(4).map(f64::from);
-    DIGITS.draw_ticks(svg, "grid thin", spot(366.0, 0.0), &ticks(digits, number));
-    let foot = FOOT + 18.0;
-    svg.small_label(
-        "faint",
-        spot(4.0, foot),
-        Anchor::Start,
-        "↑ digits of *t* that are right",
-    );
-    svg.small_label(
-        "faint",
-        spot(396.0, foot),
-        Anchor::End,
-        "time, if half_b takes 1 →",
-    );
+    draw_frame(svg, place);
     let is_drawn = |(row, _): &&Measured| SLOW.iter().all(|slow| slow.name != row.method);
     let drawn: Vec<&Measured> = rows.iter().filter(is_drawn).collect();
+    let is_advised = |row: &Measured| row.0.method == ADVICE[place][0];
     let front = front(&drawn);
     svg.path("front line", &front);
     for row in &drawn {
-        draw_method(svg, row, row.0.method == advised);
+        draw_method(svg, row, is_advised(row));
     }
-    let stretches = front
-        .windows(2)
-        .map(|ends| Bounds::around(ends[0], ends[1], 1.5));
-    let obstacles = drawn.iter().flat_map(|row| {
+    let stretches = front.windows(2);
+    let stretches = stretches.map(|ends| Bounds::around(ends[0], ends[1], 1.5));
+    let marks = drawn.iter().flat_map(|row| {
         let [at, low] = ends(row);
-        let around = if row.0.method == advised { 10.0 } else { 6.5 };
+        let around = if is_advised(row) { 10.0 } else { 6.5 };
         [
             Bounds::around(at, at, around),
             Bounds::around(at, low, 2.0),
             Bounds::around(low.right(-4.0), low.right(4.0), 1.5),
         ]
     });
-    let obstacles: Vec<Bounds> = stretches.chain(obstacles).collect();
+    let obstacles: Vec<Bounds> = stretches.chain(marks).collect();
     let names: Vec<Name<'_>> = drawn.iter().map(|row| named(row)).collect();
     let sheet = Bounds(spot(28.0, TOP), spot(399.0, LEAST));
     labels::write(svg, &names, &obstacles, &sheet)
+}
+
+/// Draws what a situation is called, what to take there, and the axes.
+fn draw_frame(svg: &mut Svg, place: usize) {
+    let Regime { name, shows, .. } = REGIMES[place];
+    let [advised, condition] = ADVICE[place];
+    svg.label(
+        "ink",
+        spot(4.0, 15.0),
+        Start,
+        &format!("**{name}** {shows}"),
+    );
+    ring(svg, spot(12.0, 32.0), 6.0);
+    let advice = format!("take {advised}{condition}");
+    svg.small_label("certain", spot(24.0, 36.0), Start, &advice);
+    let grid = spot(0.0, TOP - LEAST);
+    let times = [1.0, 2.0, 5.0, 10.0, 20.0, 40.0];
+    TIMES.draw_ticks(svg, "grid thin", grid, &ticks(times.into_iter(), number));
+    let digits = (0..=16).step_by(4).map(f64::from);
+    DIGITS.draw_ticks(svg, "grid thin", spot(366.0, 0.0), &ticks(digits, number));
+    let [left, right] = [4.0, 396.0].map(|x| spot(x, FOOT + 18.0));
+    svg.small_label("faint", left, Start, "↑ digits of *t* that are right");
+    svg.small_label("faint", right, End, "time, if half_b takes 1 →");
 }
 
 /// Returns the places of a method's mark, at half of the hits, and of the end of its whisker.
@@ -233,38 +226,31 @@ fn front(rows: &[&Measured]) -> Vec<DVec2> {
 }
 
 /// Draws what the marks mean, in three columns.
-pub(super) fn draw_key(svg: &mut Svg, top: f64) {
-    let row = |n: u8| top + 24.0 * f64::from(n);
-    let mut entry = |at: DVec2, words: &str| {
-        svg.small_label("ink", at + spot(14.0, 4.0), Anchor::Start, words);
-    };
+fn draw_key(svg: &mut Svg, top: f64) {
+    let at = |x: f64, row: u8| spot(x, top + 24.0 * f64::from(row));
     let [left, middle, end] = [12.0, 140.0, 252.0];
-    for (x, n, words) in [
-        (left, 0, "half of the hits"),
-        (left, 1, "999 of 1000 hits"),
-        (left, 2, "take this"),
-        (middle, 0, "chapter 5"),
-        (middle, 1, "certified"),
-        (middle, 2, "in f32"),
-        (end, 0, "wrong decisions"),
-        (end + 12.0, 1, "nothing beats these"),
+    for (place, words) in [
+        (at(left, 0), "half of the hits"),
+        (at(left, 1), "999 of 1000 hits"),
+        (at(left, 2), "take this"),
+        (at(middle, 0), "chapter 5"),
+        (at(middle, 1), "certified"),
+        (at(middle, 2), "in f32"),
+        (at(end, 0), "wrong decisions"),
+        (at(end + 12.0, 1), "nothing beats these"),
     ] {
-        entry(spot(x, row(n)), words);
+        svg.small_label("ink", place + spot(14.0, 4.0), Start, words);
     }
-    let whisker = spot(left, row(1));
-    mark(svg, "ink", Precision::Double, spot(left, row(0)));
-    svg.line("ink line", spot(left, row(0)), whisker);
-    svg.line("ink line", whisker.right(-4.0), whisker.right(4.0));
-    ring(svg, spot(left, row(2)), 8.0);
-    mark(svg, "reference", Precision::Double, spot(middle, row(0)));
-    mark(svg, "certain", Precision::Double, spot(middle, row(1)));
-    mark(svg, "ink", Precision::Single, spot(middle, row(2)));
-    cross(svg, spot(end, row(0)));
-    svg.line(
-        "front line",
-        spot(end - 10.0, row(1)),
-        spot(end + 12.0, row(1)),
-    );
+    let [half, nearly_all] = [at(left, 0), at(left, 1)];
+    mark(svg, "ink", Precision::Double, half);
+    svg.line("ink line", half, nearly_all);
+    svg.line("ink line", nearly_all.right(-4.0), nearly_all.right(4.0));
+    ring(svg, at(left, 2), 8.0);
+    mark(svg, "reference", Precision::Double, at(middle, 0));
+    mark(svg, "certain", Precision::Double, at(middle, 1));
+    mark(svg, "ink", Precision::Single, at(middle, 2));
+    cross(svg, at(end, 0));
+    svg.line("front line", at(end - 10.0, 1), at(end + 12.0, 1));
 }
 
 /// Returns the number of right digits of t in half of the hits, in 999 of 1000, and in all.
