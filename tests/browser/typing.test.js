@@ -20,7 +20,7 @@ inBrowsers("a chapter is typed in its page", async (page) => {
     assert.deepEqual(await page.evaluate(faults), []);
 
     // A wrong sign, with the reader's own line and the chapter's.
-    assert.match(await typeOver(page, "-2.0", "2.0"), /^Wrong: [^]*let b = 2\.0[^]*let b = -2\.0/);
+    assert.match(await typeOver(page, "-2.0", "2.0"), /^Wrong: [^]*b = 2\.0[^]*b = -2\.0/);
     assert.match(await typeOver(page, "return None;", "return false;"), /^The program does not compile\.[^]*expected `Option`, found `bool`/);
     assert.equal(await page.$eval(".typing .faults mark", (it) => it.textContent), "false");
     assert.match(await typeOver(page, "return false;", "loop {}"), /takes too many turns of loops and calls/);

@@ -83,6 +83,14 @@ function judgeMethods(rust, { bytes, text, give }) {
     };
 }
 
+// Starts a worker with this script.
+function workerOf(code) {
+    const url = URL.createObjectURL(new Blob([code]));
+    const worker = new Worker(url);
+    URL.revokeObjectURL(url);
+    return worker;
+}
+
 // A worker that answers questions by methods of `work`. A worker that has crashed or takes too long
 // is replaced by a new one, so a hostile file spoils only its own answer.
 class RustWorker {

@@ -97,6 +97,25 @@ fn a_line_of_the_chapter_that_is_typed_in_part_is_unfinished_though_it_draws() {
     }
 }
 
+/// The caret stands at the end of a line above the fault, and is there for nothing.
+#[test]
+fn a_fault_below_a_finished_line_is_told() {
+    let mut draft = Draft::complete(Chapter::Normals);
+    let text = &mut draft.files[0].text;
+    *text = text.replace("/ (2.0 * a))", "/ (2.0 * a))x");
+    let fault = text.lines().position(|it| it.ends_with('x'));
+    let line = fault.expect("it is there");
+    for rests in [false, true] {
+        draft.caret = Some(Caret {
+            file: 0,
+            line,
+            rests,
+        });
+        let said = drawn(&draft).expect_err("it is no Rust");
+        assert_eq!(said.grade, Grade::Wrong, "{said:?}");
+    }
+}
+
 /// A reader may stop to think, and has then typed neither a mistake nor a line.
 #[test]
 fn what_cannot_be_read_yet_is_unfinished_though_the_reader_rests() {

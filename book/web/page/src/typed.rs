@@ -241,7 +241,8 @@ impl Draft {
             FaultKind::Unread => {
                 let number = fault.place().map_or(0, |it| it.line);
                 let what = &fault.message;
-                let said = format!("This page cannot read line {number} ({what}); cargo may.");
+                let may = if habit.is_some() { "" } else { "; cargo may" };
+                let said = format!("This page cannot read line {number} ({what}){may}.");
                 let habit = habit.map(|rust| row(place + &rust));
                 Feedback::new(&Answer::sentence(Grade::OnTheWay, said).with(habit))
             }
