@@ -100,7 +100,8 @@ impl Draft {
         }
     }
 
-    /// Returns a draft that has the chapter's own files, complete, and no caret.
+    /// Returns a draft that has the files of the chapter, complete and without comments, and no
+    /// caret.
     pub fn complete(chapter: Chapter) -> Self {
         let mut draft = Self::skeleton(chapter);
         for file in &mut draft.files {
