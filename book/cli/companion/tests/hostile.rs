@@ -1,7 +1,6 @@
 //! Hostile input: how much memory each kind of it takes, and what lies just above a limit.
 
 use std::fs::{self, File};
-use std::io::{BufRead, BufReader};
 use std::os::unix::fs::symlink;
 use std::process::{Command, Stdio};
 use std::thread;
@@ -127,31 +126,6 @@ fn peak(command: &mut Command) -> (u64, String) {
     let output = ended.join().expect("it is read");
     assert!(output.status.code().is_some(), "{:?}", output.status);
     (most >> 10, text(&output.stdout) + &text(&output.stderr))
-}
-
-/// Returns the first line of errors of a command, and then kills that.
-fn first_complaint(command: &mut Command) -> String {
-    let mut child = command.stderr(Stdio::piped()).spawn().expect("it starts");
-    let mut first = String::new();
-    let errors = child.stderr.take().expect("it is piped");
-    let read = BufReader::new(errors).read_line(&mut first);
-    child.kill().expect("it runs");
-    child.wait().expect("it ends");
-    read.expect("a line");
-    first
-}
-
-#[test]
-fn a_pipe_into_which_no_program_writes_is_waited_for_and_that_is_said() {
-    let desk = Desk::default();
-    let mut mkfifo = Command::new("mkfifo");
-    let made = mkfifo.arg(desk.path("pipe")).status();
-    assert!(made.expect("it starts").success());
-    let first = first_complaint(&mut desk.command("rtrace check normals pipe"));
-    assert_eq!(
-        first,
-        "pipe is a pipe: rtrace waits until a program writes into it\n"
-    );
 }
 
 /// A file up to its limit is read, and one that is a byte longer is refused.

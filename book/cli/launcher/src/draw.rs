@@ -6,7 +6,6 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use course::chapter::Chapter;
-use course::names::name_from_here;
 
 use crate::cargo::{self, Package};
 use crate::drawing::drawn_by;
@@ -90,10 +89,4 @@ fn draw_one(
         line += &format!("  .{} {kilobytes:6.1} kB", format.extension());
     }
     Ok(Ok(line))
-}
-
-/// Prints where the pictures are that [`draw()`] draws.
-pub(crate) fn say_where() -> Result<(), Box<dyn Error>> {
-    let folder = name_from_here(&pictures_folder()?);
-    Ok(output::print(&format!("The pictures are in {folder}\n"))?)
 }

@@ -30,25 +30,30 @@ use command_line::{Request, Words};
 /// that is not the launcher's own. An error is printed to standard error.
 pub fn main(companion: impl FnOnce(&Words) -> Result<ExitCode, Box<dyn Error>>) -> ExitCode {
     let request = Request::read(env::args_os().skip(1));
-    misuse::exit_code(request.and_then(|request| match request {
-        Request::Nothing => run_without_command(),
-        Request::Help(text) => done(output::print(&text)?),
-        Request::Run(words) => match words.command.name() {
-            "book" => book::book(&words),
-            "show" => done(show::show(&words)?),
-            _ => companion(&words),
-        },
-    }))
+    misuse::exit_code(request.and_then(|request| run(request, companion)))
 }
 
-fn done((): ()) -> Result<ExitCode, Box<dyn Error>> {
+fn run(
+    request: Request,
+    companion: impl FnOnce(&Words) -> Result<ExitCode, Box<dyn Error>>,
+) -> Result<ExitCode, Box<dyn Error>> {
+    match request {
+        Request::Nothing => return run_without_command(),
+        Request::Help(text) => output::print(&text)?,
+        Request::Run(words) => match words.command.name() {
+            "book" => return book::book(&words),
+            "show" => show::show(&words)?,
+            _ => return companion(&words),
+        },
+    }
     Ok(ExitCode::SUCCESS)
 }
 
 /// Draws the book's pictures, then that of chapter 6, whose methods the book is built with, and
 /// weaves the book into `target/book`. Returns the exit code of the weaver.
 fn run_without_command() -> Result<ExitCode, Box<dyn Error>> {
-    draw::say_where()?;
+    let folder = names::name_from_here(&draw::pictures_folder()?);
+    output::print(&format!("The pictures are in {folder}\n"))?;
     draw::draw(&Chapter::OF_THE_BOOK)?;
     let weaver = cargo::weaver()?;
     draw::draw(&[Chapter::SpeedVsAccuracy])?;
