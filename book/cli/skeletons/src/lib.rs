@@ -9,9 +9,9 @@ use interpreter::SourceFile;
 
 /// Lists the files that a reader types in a chapter, in the order in which they are typed. Each has
 /// `todo!()` in place of the body of each function to be typed; those of chapter 5 are as
-/// [`on_the_first_stair`](course::typed::on_the_first_stair). They use the reader's own prelude (vectors, rays and the rendering: see
-/// [`own_prelude()`]) if `own_prelude` is true, or else that of the package `common`. Empty for
-/// [`Chapter::SpeedVsAccuracy`].
+/// [`on_the_first_stair`](course::typed::on_the_first_stair). They use the reader's own prelude
+/// (vectors, rays and the rendering: see [`own_prelude()`]) if `own_prelude` is true, or else that
+/// of the package `common`. Empty for [`Chapter::SpeedVsAccuracy`].
 pub fn files(chapter: Chapter, own_prelude: bool) -> Vec<SourceFile> {
     let import = |name| match (own_prelude, name) {
         (false, _) => PRELUDE,

@@ -164,7 +164,7 @@ impl ChapterProgram {
 /// Returns true if a chapter uses a function of the prelude.
 fn uses(chapter: Chapter, function: &str) -> bool {
     match function {
-        // Beside a vector stand a number, a sum, a difference.
+        // No chapter multiplies vectors by components, or divides one.
         "DVec3::mul" | "DVec3::div" | "DVec3::rem" => false,
         "DVec3::neg" => chapter == Chapter::HittableList,
         // The first chapter with rays has no function for its sky.
