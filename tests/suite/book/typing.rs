@@ -217,6 +217,33 @@ fn the_next_line_is_that_of_the_function_with_the_caret() {
     }
 }
 
+/// All that is white is the first step of chapter 1, and only sky that of chapter 2.
+#[test]
+fn a_wrong_line_is_told_though_its_picture_is_a_steps() {
+    let rows = [
+        (Chapter::Gradient, ".y + 1.0", ".y - 1.0"),
+        (Chapter::Gradient, "(1.0 - a)", "(1.0 + a)"),
+        (Chapter::RedSphere, "- radius * radius", "+ radius * radius"),
+    ];
+    for (chapter, right, wrong) in rows {
+        let mut draft = Draft::complete(chapter);
+        let file = &mut draft.files[0].text;
+        *file = file.replacen(right, wrong, 1);
+        let program = draft.read().expect("it is Rust");
+        let picture = draft.draw(&program, 400).expect("it draws");
+        let said = draft.judged(program, &picture);
+        let is_told = said.grade == Grade::Wrong && said.rest.contains("<dt>why</dt>");
+        assert!(is_told, "{wrong}: {said:?}");
+    }
+    let mut draft = Draft::complete(Chapter::Gradient);
+    let file = &mut draft.files[0].text;
+    *file = file.replacen("(1.0 - a) * white + a * blue", "white", 1);
+    let program = draft.read().expect("it is Rust");
+    let picture = draft.draw(&program, 400).expect("it draws");
+    let said = draft.judged(program, &picture);
+    assert!(said.headline.contains("Step 1 of 4"), "{said:?}");
+}
+
 /// Each row has a mistake in chapter 3, and what is told of it before the reader's own line: what the
 /// picture shows, or the ray with which the function breaks a law.
 #[test]

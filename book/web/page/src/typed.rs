@@ -178,7 +178,9 @@ impl Draft {
         self.answer_under(laws_of(&asked).as_ref(), &asked, program, picture)
     }
 
-    /// Judges the draft with the outcome of the laws, which were tried on `asked`.
+    /// Judges the draft with the outcome of the laws, which were tried on `asked`. A picture of one of
+    /// the chapter's steps is not called right if a line of the draft is wrong: many a mistake draws
+    /// white, or only sky.
     fn answer_under(
         &self,
         laws: Option<&LawsStatus>,
@@ -193,34 +195,48 @@ impl Draft {
         };
         let can_be_made =
             |slip: &Slip| slip.is_possible_in_rust() && slip.is_typed_in(self.chapter);
-        let context = Context {
-            languages: Languages::Rust,
-            can_be_made: Some(&can_be_made),
-            sources: Sources::of_chapter(self.files.clone(), self.chapter),
-            typed: Some(TypedText {
-                files: &self.files,
-                program,
-            }),
-            answers: laws.is_some().then_some(&compare),
-            warnings: Vec::new(),
-            steps: vec![false; steps::of_chapter(self.chapter).len()],
-        };
-        let (name, companion) = (self.chapter.name(), companion_command());
-        let attempt = Attempt {
-            laws,
-            commands: Commands {
-                judge: Box::new(|probe| {
-                    let probe = probe.map_or("", |probe| probe.name);
-                    format!("{companion} watch {name} --probe {probe}, at home")
-                }),
-                // A button below the answer leads on.
-                start: None,
-                test: "",
-            },
-            ..Attempt::new(task, &context)
-        };
         let reading = Reading::of(picture);
-        attempt.answer(judge(&task, &reading, 0, &context))
+        let answer = |steps: usize| {
+            let context = Context {
+                languages: Languages::Rust,
+                can_be_made: Some(&can_be_made),
+                sources: Sources::of_chapter(self.files.clone(), self.chapter),
+                typed: Some(TypedText {
+                    files: &self.files,
+                    program,
+                }),
+                answers: laws.is_some().then_some(&compare),
+                warnings: Vec::new(),
+                steps: vec![false; steps],
+            };
+            let attempt = Attempt {
+                laws,
+                commands: self.commands(),
+                ..Attempt::new(task, &context)
+            };
+            attempt.answer(judge(&task, &reading, 0, &context))
+        };
+        let with_steps = answer(steps::of_chapter(self.chapter).len());
+        if with_steps.is_right() || with_steps.done.is_empty() {
+            return with_steps;
+        }
+        let whole = answer(0);
+        let is_wrong_there = whole.rows.iter().any(|it| it.kind == RowKind::Yours);
+        if is_wrong_there { whole } else { with_steps }
+    }
+
+    /// Returns what the reader can do next, beside the buttons of the page.
+    fn commands(&self) -> Commands<'_> {
+        let (name, companion) = (self.chapter.name(), companion_command());
+        Commands {
+            judge: Box::new(move |probe| {
+                let probe = probe.map_or("", |probe| probe.name);
+                format!("{companion} watch {name} --probe {probe}, at home")
+            }),
+            // A button below the answer leads on.
+            start: None,
+            test: "",
+        }
     }
 
     /// Returns the feedback on a text that can't be run: calm, if the reader is still typing the
