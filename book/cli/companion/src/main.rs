@@ -4,6 +4,7 @@ mod check;
 mod done;
 mod laws;
 mod reader_crates;
+mod repair;
 mod sources;
 mod start;
 mod subprocess;

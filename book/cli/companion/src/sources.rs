@@ -10,8 +10,12 @@ use crate::limited;
 
 /// Reads the files of a crate that `start` made for `chapter`, beside the chapter's own.
 pub(crate) fn of_crate(folder: &Path, chapter: Chapter) -> Sources {
-    let files = all_in(folder, Path::new("src"));
-    Sources::of_chapter(texts(folder, &files), chapter)
+    Sources::of_chapter(rust_files(folder), chapter)
+}
+
+/// Reads the files in Rust below `src` of a crate.
+pub(crate) fn rust_files(folder: &Path) -> Vec<SourceFile> {
+    texts(folder, &all_in(folder, Path::new("src")))
 }
 
 /// The endings of the names of source files.

@@ -9,6 +9,7 @@ mod commands;
 #[cfg(unix)]
 mod hostile;
 mod laws_command;
+mod repairs;
 mod start;
 #[cfg(unix)]
 mod stops;

@@ -42,12 +42,13 @@ fn chapter_3_is_typed_step_by_step_with_three_mistakes() {
     type_next();
     keep("gray", &watch.see("Step 2 of 3 is right."));
     type_next();
-    keep("wrong", &watch.see("Wrong:"));
+    watch.see("looking for the line that makes it right");
+    keep("wrong", &watch.see("with this change"));
     type_next();
     watch.see("The laws hold.");
     type_next();
-    let screen = plain(&watch.see("Wrong:"));
-    assert!(screen.contains("should be  let b = -2.0"), "{screen}");
+    let screen = plain(&watch.see("with this change"));
+    assert!(screen.contains("should be  b = -2.0"), "{screen}");
     type_next();
     keep("right", &watch.see("The laws hold."));
     assert!(typed.next().is_none());

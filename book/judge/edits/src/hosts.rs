@@ -114,7 +114,8 @@ fn bare_parts<'e>(it: &'e Expr, text: &str) -> Vec<&'e Expr> {
         Expr::Field(it) => if_place(&it.base),
         Expr::Match(it) => if_place(&it.expr),
         Expr::Let(it) => if_place(&it.expr),
-        Expr::Index(it) => vec![&it.expr],
+        // A number in brackets has its type from there.
+        Expr::Index(it) => vec![&it.expr, &it.index],
         Expr::Assign(it) => vec![&it.left],
         Expr::Call(it) => vec![&it.func],
         Expr::Unary(it) if matches!(it.op, UnOp::Deref(_)) => vec![&it.expr],

@@ -107,7 +107,7 @@ impl<'a> Maker<'a> {
         let sign = self.source(&binary.op);
         if ["-", "/", "%", "<", ">"].contains(&sign) {
             let [left, right] = [&binary.left, &binary.right].map(|it| self.unit(it));
-            self.put_operator(it, sign, format!("{right} {sign} {left}"), 3);
+            self.put_operator(it, sign, format!("{right} {sign} {left}"), 2);
         }
         if let (Expr::Binary(one), Expr::Binary(other)) = (&*binary.left, &*binary.right)
             && self.source(&one.op) == self.source(&other.op)

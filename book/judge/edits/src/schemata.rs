@@ -64,6 +64,18 @@ pub struct Written {
 }
 
 impl Written {
+    /// Puts a text before all that is written.
+    pub fn prepend(&mut self, text: &str) {
+        let length = text.len();
+        let shifted = |at: &Range<usize>| at.start + length..at.end + length;
+        self.text.insert_str(0, text);
+        self.alternatives
+            .iter_mut()
+            .for_each(|it| it.0 = shifted(&it.0));
+        self.choices.iter_mut().for_each(|it| it.0 = shifted(&it.0));
+        self.copied.iter_mut().for_each(|it| it.0 += length);
+    }
+
     /// Returns the byte of the first text from which a byte of this one comes.
     pub fn origin(&self, byte: usize) -> usize {
         let part = self.copied.iter().rev().find(|it| it.0 <= byte);

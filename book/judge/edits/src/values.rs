@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use syn::{Expr, ExprLit, Lit};
+use syn::{Expr, ExprIndex, ExprLit, Lit};
 
 use crate::hosts::{bytes, is_place};
 use crate::maker::Maker;
@@ -59,6 +59,13 @@ impl Maker<'_> {
             self.put(it, name, rank);
         }
         self.put_signed(it, format!("-{text}"), 4);
+        self.forgotten(it);
+    }
+
+    /// Puts another element in the place of one.
+    pub(crate) fn indexed(&mut self, it: &Expr, index: &ExprIndex) {
+        self.other_words(bytes(&index.index), self.source(&index.index));
+        self.put_signed(it, format!("-{}", self.source(it)), 4);
         self.forgotten(it);
     }
 

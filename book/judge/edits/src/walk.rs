@@ -64,6 +64,7 @@ impl Maker<'_> {
             Expr::Unary(unary) => self.unary(it, unary),
             Expr::Lit(literal) => self.literal(it, literal),
             Expr::Path(_) | Expr::Field(_) if is_place(it) => self.place(it),
+            Expr::Index(index) => self.indexed(it, index),
             Expr::Call(call) => self.call(it, call),
             Expr::MethodCall(call) => self.method_call(it, call),
             Expr::Array(list) => self.list(&list.elems.iter().collect::<Vec<_>>(), 4),

@@ -93,7 +93,7 @@ pub(super) fn build_laws_test(
 
 /// Makes the command that runs cargo with the arguments `words` in `folder`, without input and
 /// color.
-pub(super) fn cargo_command(folder: &Path, words: &[&str]) -> Command {
+pub(crate) fn cargo_command(folder: &Path, words: &[&str]) -> Command {
     let mut command = Command::new(cargo::program_name());
     command.args(words).current_dir(folder);
     command
@@ -213,7 +213,7 @@ const UNWRAP: &str =
     "do not wrap the number: take t out of the Option, as in `if let Some(t) = … && t > 0.0`";
 
 /// Returns the path of the program that was built for a target of this kind, such as `bin`.
-fn executable(messages: &[Value], kind: &str) -> Option<OsString> {
+pub(crate) fn executable(messages: &[Value], kind: &str) -> Option<OsString> {
     let of_kind = |message: &&Value| message["target"]["kind"][0] == kind;
     let program = |message: &Value| Some(message["executable"].as_str()?.into());
     messages.iter().filter(of_kind).find_map(program)

@@ -22,6 +22,17 @@ pub(super) struct FolderChanges {
     last_look: Instant,
 }
 
+/// Why a wait has ended.
+#[derive(Clone, Copy)]
+pub(super) enum Waited {
+    /// The reader has saved a file.
+    Saved,
+    /// What was waited for beside that has ended.
+    Ended,
+    /// The folder is gone.
+    Gone,
+}
+
 /// The time and the length of each file.
 type FileStamps = HashMap<PathBuf, (Option<SystemTime>, u64)>;
 
@@ -56,24 +67,26 @@ impl FolderChanges {
     }
 
     /// Waits until the reader saves a file, or `has_ended` returns true. Returns at once if there
-    /// was a save since the program was started. Returns false if the folder is gone, and else
-    /// true.
-    pub(super) fn wait_for_save(&mut self, has_ended: &mut dyn FnMut() -> bool) -> bool {
+    /// was a save since the program was started.
+    pub(super) fn wait_for_save(&mut self, has_ended: &mut dyn FnMut() -> bool) -> Waited {
         let now = files_in(&self.folder);
-        let mut again = changed(&self.judged, &now).any(|path| self.is_the_readers(path));
+        let mut is_saved = changed(&self.judged, &now).any(|path| self.is_the_readers(path));
         self.judged = now;
-        while !again {
+        while !is_saved {
             thread::sleep(LOOK);
             let now = settled(&self.folder);
             if now.is_empty() && !self.folder.is_dir() {
-                return false;
+                return Waited::Gone;
             }
             let saved: Vec<PathBuf> = changed(&self.judged, &now).cloned().collect();
-            again = !saved.is_empty() || has_ended();
+            is_saved = !saved.is_empty();
             self.edited.extend(saved);
             self.judged = now;
+            if !is_saved && has_ended() {
+                return Waited::Ended;
+            }
         }
-        true
+        Waited::Saved
     }
 
     fn is_the_readers(&self, path: &Path) -> bool {

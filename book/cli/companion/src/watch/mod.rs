@@ -1,7 +1,7 @@
 //! `watch`: a loop from each save to a verdict, one screen long.
 
 mod background;
-mod build;
+pub(crate) mod build;
 mod changes;
 mod laws;
 mod no_picture;
@@ -15,7 +15,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-use check::answer::{Answer, Row, RowKind};
+use check::answer::{Answer, Grade, Row, RowKind};
 use check::attempt::{Attempt, Commands, LawsStatus};
 use check::context::Context;
 use check::judge_file;
@@ -34,11 +34,12 @@ use crate::done::Done;
 use crate::misuse::misuse;
 use crate::output;
 use crate::reader_crates::{ReaderCrates, chapter_here, shell_word};
+use crate::repair::{self, RightPictures, Search, WrongCrate};
 use crate::sources;
 use crate::subprocess::{self, ProgramEnd};
 use background::BackgroundBuild;
 use build::{BuiltCrate, NoVerdict};
-use changes::FolderChanges;
+use changes::{FolderChanges, Waited};
 use laws::LawsResult;
 
 /// The arguments of `cargo rtrace watch`.
@@ -99,34 +100,120 @@ pub(crate) fn watch(words: &Words) -> Result<ExitCode, Box<dyn Error>> {
         }
         let waits = arguments.once || laws.is_done();
         let mut is_old = || !arguments.once && (changes.has_a_save() || screen::is_output_closed());
-        let answer = match subject.judge(waits, &mut is_old) {
-            Ok(answer) => Some(answer),
-            Err(NoVerdict::NotBuilt(problem)) => Some(no_picture::not_built(&problem)),
+        let judged = match subject.judge(waits, &mut is_old) {
+            Ok(judged) => Some(judged),
+            Err(NoVerdict::NotBuilt(problem)) => Some(no_picture::not_built(&problem).into()),
             Err(NoVerdict::NewerSave) => None,
         };
-        if let Some(answer) = &answer {
-            let news = subject.done.add_all(&answer.done);
-            let news = news.unwrap_or_else(|problem| vec![problem.to_string()]);
-            let screen = screen::compose(&subject.title(), answer, &news, start.elapsed());
-            output::to_stdout(|out| out.write_all(screen.as_bytes()))?;
-        }
+        let mut shown = judged.map(|it| Shown::new(&subject, it, start.elapsed()));
         if arguments.once {
-            let is_right = answer.is_some_and(|it| it.is_right());
+            let is_right = shown.as_ref().is_some_and(|it| it.answer.is_right());
+            shown.iter_mut().try_for_each(Shown::show_whole)?;
             return Ok(ExitCode::from(u8::from(!is_right)));
         }
-        if answer.is_some() && subject.program.is_empty() {
+        shown.iter().try_for_each(Shown::show)?;
+        if shown.is_some() && subject.program.is_empty() {
             laws.go_on(&subject.folder);
         }
+        if !wait(&subject, &mut changes, &mut laws, &mut shown)? {
+            return Ok(ExitCode::SUCCESS);
+        }
+    }
+}
+
+/// Waits until the program has to be judged again: for a save, or for the laws if they were missed.
+/// Shows a repair as soon as it is found. Returns false if nobody reads the answers any more.
+fn wait(
+    subject: &WatchedProgram,
+    changes: &mut FolderChanges,
+    laws: &mut BackgroundBuild,
+    shown: &mut Option<Shown>,
+) -> Result<bool, Box<dyn Error>> {
+    loop {
+        let mut is_repaired = false;
         // Once they are built, they are asked if they were missed.
-        let mut has_ended =
-            || screen::is_output_closed() || laws.has_ended() && subject.misses_laws.take();
-        if !changes.wait_for_save(&mut has_ended) {
-            return Err(
-                format!("{} is not there any more", name_from_here(&subject.folder)).into(),
-            );
+        let mut has_ended = || {
+            is_repaired = shown.as_mut().is_some_and(Shown::has_news);
+            let asks = laws.has_ended() && subject.misses_laws.take();
+            is_repaired || asks || screen::is_output_closed()
+        };
+        let waited = changes.wait_for_save(&mut has_ended);
+        if let Waited::Gone = waited {
+            let folder = name_from_here(&subject.folder);
+            return Err(format!("{folder} is not there any more").into());
         }
         if screen::is_output_closed() {
-            return Ok(ExitCode::SUCCESS);
+            return Ok(false);
+        }
+        if !matches!(waited, Waited::Ended) || !is_repaired {
+            return Ok(true);
+        }
+        shown.iter().try_for_each(Shown::show)?;
+    }
+}
+
+/// An answer on the screen, and the search for a repair that may join it.
+struct Shown {
+    title: String,
+    answer: Answer,
+    news: Vec<String>,
+    took: Duration,
+    search: Option<Search>,
+}
+
+impl Shown {
+    /// Takes an answer, adds what is done to the reader's list, and starts the search.
+    fn new(subject: &WatchedProgram, judged: Judged, took: Duration) -> Self {
+        let news = subject.done.add_all(&judged.answer.done);
+        Self {
+            title: subject.title(),
+            news: news.unwrap_or_else(|problem| vec![problem.to_string()]),
+            answer: judged.answer,
+            took,
+            search: judged.wrong.map(Search::start),
+        }
+    }
+
+    /// Prints the screen.
+    fn show(&self) -> Result<(), Box<dyn Error>> {
+        let is_searched = self.search.is_some();
+        let (answer, news) = (&self.answer, &self.news);
+        let screen = screen::compose(&self.title, answer, is_searched, news, self.took);
+        Ok(output::to_stdout(|out| out.write_all(screen.as_bytes()))?)
+    }
+
+    /// Prints the screen once the search has ended.
+    fn show_whole(&mut self) -> Result<(), Box<dyn Error>> {
+        if let Some(search) = self.search.take() {
+            search.wait().join(&mut self.answer);
+        }
+        self.show()
+    }
+
+    /// Returns true if the search has ended since this was asked last; then the answer has what it
+    /// found.
+    fn has_news(&mut self) -> bool {
+        let outcome = self.search.as_ref().and_then(Search::outcome);
+        let has_news = outcome.is_some();
+        if let Some(outcome) = outcome {
+            outcome.join(&mut self.answer);
+            self.search = None;
+        }
+        has_news
+    }
+}
+
+/// An answer, and the crate to be searched for a repair.
+struct Judged {
+    answer: Answer,
+    wrong: Option<WrongCrate>,
+}
+
+impl From<Answer> for Judged {
+    fn from(answer: Answer) -> Self {
+        Self {
+            answer,
+            wrong: None,
         }
     }
 }
@@ -195,7 +282,7 @@ impl WatchedProgram {
     ///
     /// # Errors
     /// If the crate can't be built, or if `is_old` returns true meanwhile: there is a newer save.
-    fn judge(&self, waits: bool, is_old: &mut dyn FnMut() -> bool) -> Result<Answer, NoVerdict> {
+    fn judge(&self, waits: bool, is_old: &mut dyn FnMut() -> bool) -> Result<Judged, NoVerdict> {
         self.misses_laws.set(false);
         let is_crate = self.program.is_empty();
         let built = is_crate.then(|| build::build_crate(&self.folder, is_old));
@@ -223,9 +310,9 @@ impl WatchedProgram {
             (Err(_), Some(place)) => {
                 let asks = is_crate && self.task.chapter != Chapter::RedSphere;
                 let asked = if asks { ask()? } else { None };
-                Ok(no_picture::not_written(self.task.chapter, place, asked))
+                Ok(no_picture::not_written(self.task.chapter, place, asked).into())
             }
-            (Err(cause), None) => Ok(no_picture::stopped(&cause, &errors)),
+            (Err(cause), None) => Ok(no_picture::stopped(&cause, &errors).into()),
         }
     }
 
@@ -265,9 +352,10 @@ impl WatchedProgram {
         bytes: &[u8],
         built: Option<BuiltCrate>,
         ask: &mut dyn FnMut() -> Result<Option<LawsResult>, NoVerdict>,
-    ) -> Result<Answer, NoVerdict> {
+    ) -> Result<Judged, NoVerdict> {
         let chapter = self.task.chapter;
         let is_crate = built.is_some();
+        let program = built.as_ref().map(|it| it.program.clone());
         let has_own_prelude = self.folder.join("src/rtweekend.rs").exists();
         let can_be_made = |slip: &Slip| {
             let is_typed = has_own_prelude || slip.is_typed_in(chapter);
@@ -311,7 +399,44 @@ impl WatchedProgram {
         if answer.is_right() && !is_crate && Chapter::WITH_SPHERES.contains(&chapter) {
             answer.rows.push(laws_hint(chapter));
         }
-        Ok(answer)
+        let is_wrong = answer.headline.grade == Grade::Wrong && !self.misses_laws.get();
+        let wrong = program.filter(|_| is_wrong).map(|program| WrongCrate {
+            folder: self.folder.clone(),
+            program,
+            chapter,
+            right: self.right_pictures(&answer),
+        });
+        Ok(Judged { answer, wrong })
+    }
+
+    /// Draws the pictures that a repaired crate may draw: that of the task, or that of the step
+    /// after the last one that was done.
+    ///
+    /// Without a step done before, a step counts for nothing: to leave out all that was typed
+    /// "repairs" many a program.
+    fn right_pictures(&self, answer: &Answer) -> RightPictures {
+        let chapter = self.task.chapter;
+        let drawn = answer.pictures.as_ref();
+        if let (Some(_), Some(it)) = (self.task.probe, drawn) {
+            let whole = vec![repair::numbers(&it.right)];
+            return RightPictures {
+                whole,
+                small: Vec::new(),
+            };
+        }
+        let steps = steps::of_chapter(chapter);
+        let done = self.done_steps().iter().rposition(|it| *it);
+        let next = done.and_then(|it| steps[..steps.len() - 1].get(it + 1));
+        let next = next.map(|it| it.applied_to(&ChapterProgram::right(chapter)));
+        let at = |width| {
+            let next = next.as_ref().map(|it| it.run(width).picture());
+            let right = [chapter.picture(width)].into_iter().chain(next);
+            right.map(|it| repair::numbers(&it)).collect()
+        };
+        RightPictures {
+            whole: at(drawn.map_or(chapter.book_width(), |it| it.yours.width())),
+            small: at(repair::SMALL),
+        }
     }
 
     /// Returns for each step of the chapter true if it is on the list of done things; empty for a

@@ -10,19 +10,30 @@ use check::text::{MOST_LINES, answer_lines};
 use crate::terminal::{self, Palette};
 use crate::wrap::{style, text_width, wrap_hanging};
 
+/// The line to show while a repair is searched.
+const SEARCHED: &str = "looking for the line that makes it right …";
+
 /// The width and the height of each picture, in characters.
 const PICTURE: (u32, u32) = (32, 9);
 
-/// Writes a screen: the title, both pictures small, the answer, and the `news` on the list of done
-/// things. On a terminal, it begins with the codes that clear the last one.
-pub(super) fn compose(title: &str, answer: &Answer, news: &[String], took: Duration) -> String {
+/// Writes a screen: the title, both pictures small, the answer, a line while a repair `is_searched`,
+/// and the `news` on the list of done things. On a terminal, it begins with the codes that clear the
+/// last one.
+pub(super) fn compose(
+    title: &str,
+    answer: &Answer,
+    is_searched: bool,
+    news: &[String],
+    took: Duration,
+) -> String {
     let above: Vec<String> = iter::once(head(title, took))
         .chain(pictures(answer))
         .collect();
     let done = news
         .iter()
         .map(|thing| wrap_hanging(&format!("{:<9}  {thing}", "done"), 11));
-    let done: Vec<String> = done.collect();
+    let searched = is_searched.then(|| style().dim(SEARCHED));
+    let done: Vec<String> = searched.into_iter().chain(done).collect();
     let room = height().saturating_sub(above.len() + done.len());
     let answer = answer_lines(answer, style(), text_width(), room.min(MOST_LINES));
     let clear = if is_cleared() { "\x1b[2J\x1b[H" } else { "" };
