@@ -178,18 +178,11 @@ impl Pictures {
     /// Takes the two pictures of a verdict. `None` if it has none, or if the picture is right only
     /// within a tolerance.
     pub(crate) fn of(verdict: Verdict) -> Option<Self> {
-        let finding = match verdict {
-            Verdict::Right(right) => {
-                let picture = || right.task.right_picture(right.width, right.height);
-                return (right.levels == 0).then(|| Self {
-                    yours: picture(),
-                    right: picture(),
-                });
-            }
-            Verdict::AlmostRight(finding) | Verdict::Wrong(finding) => finding,
-            Verdict::WrongShape { finding, .. } | Verdict::NotAPicture { finding, .. } => *finding?,
-            Verdict::Another { .. } => return None,
-        };
+        let is_right = verdict.is_right();
+        let finding = verdict.finding?;
+        if is_right && finding.levels() > 0 {
+            return None;
+        }
         Some(Self {
             yours: finding.yours,
             right: finding.right,

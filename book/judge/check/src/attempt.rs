@@ -9,7 +9,7 @@ use crate::context::Context;
 use crate::reading::Cause;
 use crate::sentences::{law_rows, refused};
 use crate::task::Task;
-use crate::verdict::{Finding, Verdict};
+use crate::verdict::{Finding, RefusalKind, Verdict};
 
 /// The outcome of the laws, the properties that a function must have, for the functions that a
 /// reader typed.
@@ -68,8 +68,8 @@ impl Commands<'_> {
     /// for the chapter of the task, `start` is `None` and `test` empty.
     pub fn of_pictures(task: Task) -> Self {
         let judge = move |probe: Option<Probe>| match probe {
-            Some(probe) => task.command_with_probe(probe),
-            None => task.whole_chapter().command(),
+            Some(_) => Task { probe, ..task }.command(),
+            None => Task::of(task.chapter).command(),
         };
         Self {
             judge: Box::new(judge),
@@ -120,29 +120,17 @@ impl<'a> Attempt<'a> {
 
     /// Puts the verdict into an answer, for a picture that is recognized.
     fn judged(&self, verdict: &Verdict) -> Answer {
-        match verdict {
-            Verdict::Right(right) => self.right(right),
-            Verdict::AlmostRight(finding) => {
-                let unexplained = finding.almost_right.unwrap_or_default();
-                match finding.task.step() {
-                    Some(step) if unexplained.is_nothing() => self.step(step, finding),
-                    _ => self.nearly_right(finding, &unexplained),
-                }
-            }
-            Verdict::Wrong(finding) => self.wrong(finding),
-            Verdict::Another { cause, .. } => refused(&self.name, "wrong", cause),
-            Verdict::WrongShape { cause, finding } => {
-                let answer = refused(&self.name, "wrong", cause);
-                self.with_pixels(answer, finding.as_deref())
-            }
-            Verdict::NotAPicture { cause, finding } => {
-                let verdict = match finding {
-                    Some(_) => "not a valid picture",
-                    None => "not a picture",
+        match (&verdict.refusal, verdict.finding()) {
+            (None, Some(finding)) => (finding.rule.says)(self, finding),
+            (Some(refusal), finding) => {
+                let verdict = match (refusal.kind, finding) {
+                    (RefusalKind::NotAPicture, Some(_)) => "not a valid picture",
+                    (RefusalKind::NotAPicture, None) => "not a picture",
+                    _ => "wrong",
                 };
-                let answer = refused(&self.name, verdict, cause);
-                self.with_pixels(answer, finding.as_deref())
+                self.with_pixels(refused(&self.name, verdict, &refusal.cause), finding)
             }
+            (None, None) => Answer::default(),
         }
     }
 

@@ -28,7 +28,7 @@ pub struct NextPicture {
 /// Slips that change no picture and break no law are left out: a program with one of them is
 /// right.
 pub fn hidden_slips(task: &Task, width: u32) -> Vec<&'static Slip> {
-    let own = task.whole_chapter();
+    let own = Task::of(task.chapter);
     let can_be_wrong =
         |slip: &&Slip| !matches!(slip.why_unseen_in(own.chapter), Some(Unseen::Equivalent(_)));
     let sample = (width != own.chapter.book_width()).then(|| Sample::new(own, width));
@@ -48,7 +48,7 @@ pub fn next_picture(
     width: u32,
     may_be: impl Fn(&Slip) -> bool,
 ) -> Option<NextPicture> {
-    let (own, book) = (task.whole_chapter(), task.chapter.book_width());
+    let (own, book) = (Task::of(task.chapter), task.chapter.book_width());
     let drawn = if task.probe.is_some() { book } else { width };
     let mut left = hidden_slips(&own, drawn);
     left.retain(|slip| may_be(slip));
@@ -68,7 +68,7 @@ pub fn next_picture(
 fn most_telling(own: &Task, drawn: u32, hidden: &[&'static Slip]) -> Option<NextPicture> {
     let book = own.chapter.book_width();
     let larger = (drawn < book).then_some((*own, book));
-    let probes = PROBES.map(|probe| Some((own.with_probe(probe)?, probe.width)));
+    let probes = PROBES.map(|probe| Some((Task::new(own.chapter, Some(probe))?, probe.width)));
     let all = larger.into_iter().chain(probes.into_iter().flatten());
     let nexts = all.filter_map(|(task, width)| {
         let shows = |slip: &&'static Slip| match (task.probe, slip.revealing_probes(own.chapter)) {

@@ -1,10 +1,8 @@
-//! The causes for which a picture is refused before its pixels are judged: its shape, its numbers,
-//! and what it shows.
+//! The causes for which a picture is refused before its pixels are judged: its shape and its numbers.
 
-use slips::{ChapterProgram, Languages, Slip};
+use slips::{ChapterProgram, Slip};
 
 use crate::reading::{Cause, Reading};
-use crate::sentences::by;
 use crate::task::Task;
 
 /// The most pixels that a picture of a wrong shape may have to be explained. To draw the right
@@ -54,9 +52,7 @@ pub(crate) fn not_as_wide(task: &Task, reading: &Reading) -> Option<Cause> {
 /// Refuses a picture of a size that the task does not draw, and names the slips that do; `None` if
 /// the task draws it.
 pub(crate) fn wrong_shape(task: &Task, width: u32, height: u32) -> Option<Cause> {
-    if !task.fitting(width, height).has_another_shape() {
-        return None;
-    }
+    task.fitting(width, height).size?;
     let name = task.chapter.name();
     let expected = task.height(width);
     let slips: Vec<&str> = slips_giving(task, width, height)
@@ -117,62 +113,4 @@ pub(crate) fn invalid_levels(reading: &Reading) -> Option<Cause> {
         ),
         fix,
     ))
-}
-
-/// Names the other task whose right picture this is, of `others`, at least one of one chapter.
-pub(crate) fn another(wanted: &Task, others: &[Task], languages: Languages) -> Cause {
-    match others[0].chapter == wanted.chapter {
-        true => another_probe(wanted, others, languages),
-        false => another_chapter(wanted, &others[0]),
-    }
-}
-
-/// Names the chapter whose picture this is.
-fn another_chapter(wanted: &Task, other: &Task) -> Cause {
-    let (own, name) = (wanted.chapter.name(), other.chapter.name());
-    let by = by(other);
-    let missing = match other.chapter < wanted.chapter {
-        true => format!("What {own} adds is not seen: is it called, and is its answer used? "),
-        false => String::new(),
-    };
-    Cause::new(
-        "another-chapter",
-        format!("this is a picture of the chapter {name}{by}, not of {own}"),
-        format!("{missing}If you meant {name}: {}", other.command()),
-    )
-}
-
-/// Names the probe whose picture this is, or the chapter itself, where a probe's was asked for.
-fn another_probe(wanted: &Task, others: &[Task], languages: Languages) -> Cause {
-    let own = wanted.chapter.name();
-    let (problem, fix) = match (wanted.probe, others[0].probe) {
-        (Some(probe), None) => (
-            format!(
-                "this is the picture of the chapter itself, {own}: the change for the probe {} is not in it",
-                probe.name
-            ),
-            format!(
-                "change your program: {}; then {}",
-                wanted
-                    .change_lines(probe.width, languages)
-                    .replace('\n', "; "),
-                wanted.command()
-            ),
-        ),
-        (wanted, _) => {
-            let probes = others.iter().filter_map(|task| Some(task.probe?.name));
-            let probes = probes.collect::<Vec<_>>().join(" or ");
-            (
-                format!(
-                    "this is the picture of the probe {probes}, not of {}",
-                    wanted.map_or("the chapter itself", |wanted| wanted.name)
-                ),
-                format!(
-                    "Is the change still in your program? For the probe, the picture is right: {}",
-                    others[0].command()
-                ),
-            )
-        }
-    };
-    Cause::new("another-scene", problem, fix)
 }

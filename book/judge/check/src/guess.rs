@@ -2,12 +2,12 @@
 
 use slips::{Chapter, PROBES};
 
-use crate::candidate::Candidate;
-use crate::candidates::{programs_with_one_slip, right_programs};
-use crate::context::{Context, Evidence};
-use crate::pixels::{distance, spread};
+use crate::candidate::{Candidate, Conversion};
+use crate::context::Context;
+use crate::pixels::spread;
 use crate::reading::Reading;
 use crate::task::Task;
+use crate::work::Work;
 
 /// How many pixels of the picture are compared.
 const LOOK: u32 = 400;
@@ -17,15 +17,16 @@ const NEAR: u16 = 2;
 
 /// Guesses the task of a picture: the one whose right program, or program with one slip (known
 /// mistake), draws most of its pixels alike. Of tasks that draw the same, as chapters 3 and 4 do,
-/// the first in the book; chapter 1 if no program draws a picture of this size.
+/// the first in the book; chapter 1 if no program draws a picture of this size, or the work that may
+/// be spent is spent.
 pub fn guess_task(reading: &Reading) -> Task {
     let mut nearest = (usize::MAX, Task::of(Chapter::Gradient));
+    let places: Vec<u32> = spread(LOOK, reading.pixels.len() as u32).collect();
+    let work = Work::new();
     for candidates in [right_ones, wrong_ones] {
-        for task in Chapter::OF_THE_BOOK.map(Task::of) {
-            let context = Context::default();
-            let evidence = Evidence::new(&task, reading, &context);
-            for (task, it) in candidates(&evidence) {
-                let off = off(&it, reading, nearest.0);
+        for chapter in Chapter::OF_THE_BOOK {
+            for (task, it) in candidates(chapter, reading) {
+                let off = off(&it, reading, &places, &work, nearest.0);
                 if off < nearest.0 {
                     nearest = (off, task);
                 }
@@ -37,37 +38,30 @@ pub fn guess_task(reading: &Reading) -> Task {
 
 /// Returns the right programs of the chapter by each version, and of its probes by version 4, each
 /// with the task that is guessed if it is the nearest.
-fn right_ones(evidence: &Evidence) -> Vec<(Task, Candidate)> {
-    let (task, reading) = (evidence.task, evidence.reading);
+fn right_ones(chapter: Chapter, reading: &Reading) -> Vec<(Task, Candidate)> {
+    let own = Task::of(chapter);
+    let versions = Context::default().versions(&own, reading.width, reading.height);
     let probes = PROBES.iter().filter(|probe| probe.spheres.is_some());
-    let probes = probes.filter_map(|&probe| Task::new(task.chapter, Some(probe)));
-    let probes = probes.map(|task| task.fitting(reading.width, reading.height));
-    let own = right_programs(evidence);
-    let plain = own[0].clone();
-    let probed = probes.map(|probed| {
-        let it = Candidate {
-            task: probed,
-            ..plain.clone()
-        };
-        (Task::new(task.chapter, probed.probe).unwrap_or(task), it)
-    });
-    let all = own.into_iter().map(|it| (task, it));
-    all.chain(probed).collect()
+    let probes = probes.filter_map(|&probe| Task::new(chapter, Some(probe)));
+    let probes = probes.map(|task| (task, task.fitting(reading.width, reading.height)));
+    let all = versions.into_iter().map(|task| (own, task)).chain(probes);
+    all.map(|(guessed, task)| (guessed, Candidate::right(task, Conversion::Clamped)))
+        .collect()
 }
 
 /// Returns the programs of the chapter with one slip, each with the chapter's task.
-fn wrong_ones(evidence: &Evidence) -> Vec<(Task, Candidate)> {
-    let all = programs_with_one_slip(evidence).flatten();
-    all.map(|it| (evidence.task, it)).collect()
+fn wrong_ones(chapter: Chapter, reading: &Reading) -> Vec<(Task, Candidate)> {
+    let own = Task::of(chapter);
+    let right = own.fitting(reading.width, reading.height);
+    let right = Candidate::right(right, Conversion::Clamped);
+    own.slips()
+        .map(|slip| (own, right.with(vec![slip])))
+        .collect()
 }
 
 /// Counts the pixels of a sample that are not alike in the program's picture, up to `most`; `most`
-/// if the sizes differ.
-fn off(it: &Candidate, reading: &Reading, most: usize) -> usize {
-    let Some(output) = it.output(reading) else {
-        return most;
-    };
-    let places = spread(LOOK, reading.pixels.len() as u32);
-    let far = |n: &u32| distance(it.pixel(&output, *n), reading.pixels[*n as usize]) > NEAR;
-    places.filter(far).take(most).count()
+/// if the sizes differ or no work is left.
+fn off(it: &Candidate, reading: &Reading, places: &[u32], work: &Work, most: usize) -> usize {
+    let drawn = it.drawn(reading, work);
+    drawn.map_or(most, |it| it.count(places, NEAR, most))
 }

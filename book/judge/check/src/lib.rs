@@ -1,8 +1,9 @@
 //! The judge of a picture, ours or a reader's.
 //!
 //! A file passes through these modules in turn: [`reading`] reads a picture from bytes that may
-//! be anything. [`judge()`] asks which program draws the picture; `search` makes those with a single
-//! edit. An [`attempt`] puts the [`verdict`] into an [`answer`], in the words of [`sentences`], and
+//! be anything. [`judge()`] makes a case of it and asks the [`rules`] which one holds; these ask for
+//! the [`explanation`]s of the picture, programs that draw it, within a budget of work. An
+//! [`attempt`] puts the [`verdict`] into an [`answer`], in the words of [`sentences`], and
 //! [`text`] or [`html`] lays it out.
 //!
 //! Beside them, [`blind_spots`] finds the mistakes that a right picture hides, [`guess`] the
@@ -14,16 +15,20 @@ pub mod any_language;
 pub mod attempt;
 pub mod blind_spots;
 mod candidate;
-mod candidates;
+mod case;
 mod causes;
 pub mod context;
+pub mod explanation;
+mod generated;
 pub mod guess;
 pub mod html;
 mod judge;
 pub mod lawful;
 mod pixels;
+mod programs;
 pub mod reading;
-mod search;
+mod repair;
+pub mod rules;
 pub mod seen;
 pub mod sentences;
 pub mod sources;
@@ -31,10 +36,12 @@ pub mod task;
 mod telling;
 pub mod text;
 pub mod verdict;
+mod work;
 pub mod workspace;
 
-pub use candidate::{Conversion, Unexplained};
+pub use candidate::{Candidate, Conversion, Unexplained};
 pub use course::names;
-pub use judge::{judge, judge_file, judge_guessed};
-pub use search::{FileEdit, Repair, TypedText, edits_everywhere};
+pub use generated::Generated;
+pub use judge::{judge, judge_file, judge_guessed, rules_that_hold};
+pub use repair::{Repair, TypedText};
 pub use sentences::mistake_name;

@@ -82,6 +82,15 @@ fn stopped(message: &str) -> Fault {
 }
 
 impl Canvas {
+    /// Returns the picture whose pixels one [mutant](Program::with_mutant) computes. `picture` is not
+    /// called again: what a mutant changes there is not seen.
+    pub fn with_mutant(&self, number: u32) -> Self {
+        Self {
+            program: self.program.with_mutant(number),
+            ..self.clone()
+        }
+    }
+
     /// Returns the width and the height of the picture, in this order, in pixels.
     pub fn size(&self) -> (u32, u32) {
         self.size

@@ -32,5 +32,5 @@ mod value;
 pub use canvas::Canvas;
 pub use fault::{Fault, FaultKind, Span};
 pub use machine::TracedValue;
-pub use program::{Program, SourceFile, read};
+pub use program::{PRELUDE_TEXT, Program, SourceFile, read};
 pub use value::{Value, format_number};

@@ -14,10 +14,10 @@ use crate::syntax::parse;
 use crate::value::{Target, Value};
 
 /// The texts that every program has: the standard library's types, and the lesson's prelude.
-const TEXTS: [&str; 2] = [
-    include_str!("texts/std.rs"),
-    include_str!("texts/prelude.rs"),
-];
+const TEXTS: [&str; 2] = [include_str!("texts/std.rs"), PRELUDE_TEXT];
+
+/// The text of the lesson's prelude: vectors, rays, camera and sky.
+pub const PRELUDE_TEXT: &str = include_str!("texts/prelude.rs");
 
 /// A file of a program as its author typed it.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -2,6 +2,7 @@
 //! that they draw, compiled.
 
 use common::rtweekend::Picture;
+use texts::rtweekend::{Camera, Color};
 
 use crate::chapter::Chapter;
 
@@ -27,6 +28,13 @@ pub trait ChapterCode {
     /// # Panics
     /// For [`Chapter::SpeedVsAccuracy`], of which no reader makes mistakes.
     fn picture(self, width: u32) -> Picture;
+
+    /// Makes the chapter's right picture in any shape, of `width` × `height` pixels (neither 0), with
+    /// a viewport of that shape. Its pixels are traced when they are first read.
+    ///
+    /// # Panics
+    /// For [`Chapter::SpeedVsAccuracy`].
+    fn picture_of_size(self, width: u32, height: u32) -> Picture;
 }
 
 /// Embeds files: the name that each has for a reader, and its path from the folder of the texts.
@@ -67,9 +75,38 @@ impl ChapterCode for Chapter {
             Self::HittableList => texts::hittable_list::picture(width),
             Self::SpeedVsAccuracy => unimplemented!("no mistake of a reader is in chapter 6"),
         };
-        let (width, height) = (picture.width, picture.height);
-        Picture::from_levels(width, height, move |i, j| picture.levels(i, j).map(stored))
+        of_text(picture)
     }
+
+    fn picture_of_size(self, width: u32, height: u32) -> Picture {
+        let camera = Camera::with_size(width, height);
+        let world = texts::hittable_list::world();
+        let last = [width, height].map(|side| f64::from((side - 1).max(1)));
+        of_text(texts::rtweekend::Picture::paint(
+            width,
+            height,
+            move |i, j| {
+                let ray = &camera.ray(i, j);
+                match self {
+                    Self::BuildTest => {
+                        Color::new(f64::from(i) / last[0], f64::from(j) / last[1], 0.0)
+                    }
+                    Self::Gradient => texts::gradient::ray_color(ray),
+                    Self::RedSphere => texts::red_sphere::ray_color(ray),
+                    Self::Normals => texts::normals::ray_color(ray),
+                    Self::HalfBSphere => texts::half_b_sphere::ray_color(ray),
+                    Self::HittableList => texts::hittable_list::ray_color(ray, &world),
+                    Self::SpeedVsAccuracy => unimplemented!("no reader draws chapter 6"),
+                }
+            },
+        ))
+    }
+}
+
+/// Makes a picture whose pixels those of a text are.
+fn of_text(picture: texts::rtweekend::Picture) -> Picture {
+    let (width, height) = (picture.width, picture.height);
+    Picture::from_levels(width, height, move |i, j| picture.levels(i, j).map(stored))
 }
 
 /// Returns a printed level as a picture stores it, from 0 to 255.

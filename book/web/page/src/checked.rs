@@ -75,7 +75,7 @@ impl CheckRequest {
             (None, Some(reading)) => guess::guess_task(reading),
             (chapter, _) => Task::of(chapter.unwrap_or(Chapter::BuildTest)),
         };
-        let probed = self.probe.and_then(|probe| plain.with_probe(probe));
+        let probed = self.probe.and_then(|probe| Task::new(plain.chapter, Some(probe)));
         probed.unwrap_or(plain)
     }
 
@@ -105,12 +105,9 @@ impl CheckRequest {
             (wanted, judge(&wanted, &reading, 0, &context))
         };
         let facts = facts(&task, &verdict, &reading);
-        let mistakes = verdict.finding().and_then(|it| it.mistakes.as_ref());
-        let mistake = mistakes.map(|it| it.all[0].clone());
-        let judged_by = match &verdict {
-            Verdict::Right(right) => right.task,
-            other => other.finding().map_or(task, |finding| finding.task),
-        };
+        let mistakes = verdict.finding().map_or(Vec::new(), |it| it.mistakes());
+        let mistake = mistakes.first().map(|it| it.to_vec());
+        let judged_by = verdict.finding().map_or(task, |finding| finding.task);
         let attempt = Attempt {
             is_guessed,
             name: self.name,

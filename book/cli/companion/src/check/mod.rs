@@ -60,8 +60,7 @@ fn try_check(words: &Words) -> Result<(u8, String), Box<dyn Error>> {
         }
         (named, Err(cause)) => {
             let task = named.map_or_else(|| find_task(Chapter::BuildTest, None), Ok)?;
-            let finding = None;
-            (task, Verdict::NotAPicture { cause, finding }, None)
+            (task, Verdict::not_a_picture(cause), None)
         }
     };
     let code = verdict.exit_code();
@@ -107,7 +106,7 @@ fn guessed(reading: &Reading, probe: Option<Probe>) -> Result<Task, Box<dyn Erro
     let guessed = guess::guess_task(reading);
     let task = find_task(guessed.chapter, probe)?;
     Ok(match (probe, guessed.probe) {
-        (None, Some(probe)) => task.with_probe(probe).unwrap_or(task),
+        (None, probe) => Task::new(task.chapter, probe).unwrap_or(task),
         _ => task,
     })
 }

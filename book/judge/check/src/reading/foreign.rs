@@ -59,7 +59,7 @@ const FORMATS: [(&[u8], &str); 14] = [
 type FileFault = (fn(&[u8]) -> bool, &'static str, &'static str, &'static str);
 
 /// Usual beginnings of files that are no pictures.
-const FAULTS: [FileFault; 4] = [
+const FAULTS: [FileFault; 5] = [
     (
         |text| text.is_empty(),
         "empty",
@@ -79,6 +79,12 @@ const FAULTS: [FileFault; 4] = [
         "Write P3, with a capital P.",
     ),
     (
+        |text| text.starts_with(b"data:image/"),
+        "other-format",
+        "this is a data URL: the picture stands behind its comma, in base64",
+        "Decode what stands behind the comma, such as with base64 -d, or save the picture as a file.",
+    ),
+    (
         |text| text[0].is_ascii_digit() || text[0] == b'-',
         "missing-header",
         "the file begins with a number: its first line is missing",
@@ -88,7 +94,9 @@ const FAULTS: [FileFault; 4] = [
 
 /// Names what keeps bytes from being a picture that begin neither with P3 or P6 nor as a PNG does.
 pub(super) fn cause(bytes: &[u8]) -> Cause {
-    if let Some((_, format)) = FORMATS.iter().find(|(magic, _)| bytes.starts_with(magic)) {
+    let format = FORMATS.iter().find(|(magic, _)| bytes.starts_with(magic));
+    let format = format.map(|it| it.1).or(is_tga(bytes).then_some("TGA"));
+    if let Some(format) = format {
         return Cause::new(
             "other-format",
             format!("this is {format}"),
@@ -99,10 +107,10 @@ pub(super) fn cause(bytes: &[u8]) -> Cause {
         return Cause::new(
             "other-format",
             format!(
-                "P{} is another kind of picture, without the three colors of P3",
+                "P{} is another kind of picture than P3 and P6",
                 char::from(*kind)
             ),
-            "Write P3 in the first line, and three numbers a pixel.",
+            "Write P3 in the first line and three numbers a pixel, or P6 and three bytes a pixel.",
         );
     }
     let text = bytes.trim_ascii_start();
@@ -114,11 +122,27 @@ pub(super) fn cause(bytes: &[u8]) -> Cause {
         .take_while(|letter| !letter.is_control())
         .take(40)
         .collect();
+    let first = match &*line {
+        "" => {
+            let bytes = bytes.iter().take(4).map(|byte| format!("{byte:02x}"));
+            format!("with the bytes {}", bytes.collect::<Vec<_>>().join(" "))
+        }
+        line => format!("with {line:?}"),
+    };
     Cause::new(
         "not-a-picture",
         format!(
-            "the first line begins with {line:?}, and a picture begins with P3, P6 or the mark of a PNG"
+            "the first line begins {first}, and a picture begins with P3, P6 or the mark of a PNG"
         ),
         "Send only the picture to standard output, the header first. Messages go to standard error.",
     )
+}
+
+/// Returns true for the header of a TGA file, which has no mark: no or one color map, a type of
+/// image, and 8 to 32 bits a pixel.
+fn is_tga(bytes: &[u8]) -> bool {
+    let Some(&[_, map, kind, .., bits, _]) = bytes.first_chunk::<18>() else {
+        return false;
+    };
+    map <= 1 && matches!(kind, 1..=3 | 9..=11) && matches!(bits, 8 | 16 | 24 | 32)
 }

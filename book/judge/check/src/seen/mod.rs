@@ -20,6 +20,8 @@ use side_by_side::SideBySide;
 
 /// A picture is nearly of one color if at most one in so many pixels has another.
 const ODD: usize = 32;
+/// The largest block of equal pixels that is looked for.
+const BLOCK: u32 = 8;
 /// Two neighboring pixels make an edge if they are more than so many levels apart.
 const EDGE: u16 = 16;
 
@@ -40,6 +42,8 @@ pub fn observe(task: &Task, reading: &Reading, right: &Picture) -> (Vec<String>,
         pictures.only_sky(),
         pictures.rows_alike(),
         pictures.gray(),
+        pictures.blocks(),
+        pictures.one_component(),
         pictures.disc(),
         edges.or_else(|| pictures.where_it_differs()),
     ];
@@ -93,6 +97,62 @@ impl SideBySide<'_> {
         is_it.then(|| said.to_owned())
     }
 
+    /// Notes that the picture is made of blocks of equal pixels.
+    fn blocks(&self) -> Option<String> {
+        let (width, height) = (self.reading.width, self.reading.height);
+        let is_made_of = |size: u32| {
+            let first = |n: u32| {
+                let (i, j) = (n % width, n / width);
+                j / size * size * width + i / size * size
+            };
+            let is_first = |n: u32| self.found(n) == self.found(first(n));
+            width % size == 0 && height % size == 0 && self.places.iter().all(|n| is_first(*n))
+        };
+        let has_edges = self.places.iter().any(|n| self.found(*n) != self.found(0));
+        let size = (2..=BLOCK).rev().find(|size| is_made_of(*size));
+        let said = |size| {
+            format!(
+                "The picture is made of blocks of {size} × {size} equal pixels: is each pixel written {size} times?"
+            )
+        };
+        size.filter(|_| has_edges).map(said)
+    }
+
+    /// Notes which components are right in every pixel, if not all are, and whether a wrong one
+    /// equals one of these.
+    fn one_component(&self) -> Option<String> {
+        const COLORS: [&str; 3] = ["red", "green", "blue"];
+        let is_everywhere = |is_it: &dyn Fn([i16; 3], [i16; 3]) -> bool| {
+            let mut places = self.places.iter();
+            places.all(|&n| is_it(self.expected(n), self.found(n)))
+        };
+        let is_right = |c: &usize| is_everywhere(&|right, found| right[*c] == found[*c]);
+        let (right, wrong): (Vec<usize>, Vec<usize>) = (0..3).partition(is_right);
+        let names = |all: &[usize]| {
+            all.iter()
+                .map(|c| COLORS[*c])
+                .collect::<Vec<_>>()
+                .join(" and ")
+        };
+        let equals = |&c: &usize| {
+            let equal =
+                |other: &usize| *other != c && is_everywhere(&|_, found| found[c] == found[*other]);
+            let other = (0..3).find(equal)?;
+            Some(format!(" {} equals {}.", COLORS[c], COLORS[other]))
+        };
+        let equal = wrong.first().filter(|_| wrong.len() == 1).and_then(equals);
+        let verb = if wrong.len() == 1 { "is" } else { "are" };
+        (!right.is_empty() && !wrong.is_empty()).then(|| {
+            format!(
+                "Only {} {verb} wrong: {} {} right in every pixel.{}",
+                names(&wrong),
+                names(&right),
+                if right.len() == 1 { "is" } else { "are" },
+                equal.unwrap_or_default()
+            )
+        })
+    }
+
     /// Notes that all levels are 0 or 1, as of components that are not scaled.
     fn unscaled(&self) -> Option<String> {
         let most = self.reading.pixels.iter().flatten().max()?;
@@ -100,8 +160,12 @@ impl SideBySide<'_> {
         (0..=1).contains(most).then_some(said)
     }
 
-    /// Notes that only pixels at edges are wrong, as with several rays through a pixel.
+    /// Notes that only pixels at edges are wrong, and these are few, as with several rays through a
+    /// pixel.
     fn only_at_edges(&self) -> Option<String> {
+        if 4 * self.wrong.len() > self.places.len() {
+            return None;
+        }
         let (width, count) = (self.reading.width as usize, self.reading.pixels.len());
         let is_at_edge = |&n: &u32| {
             let n = n as usize;

@@ -14,7 +14,14 @@ impl SideBySide<'_> {
         };
         let (i, j) = (n % self.reading.width, n / self.reading.width);
         let (should, is) = (self.expected(n), self.found(n));
-        let first = format!("column {i}, row {j}: should be {should:?}, yours is {is:?}");
+        // What 16 bits can't hold was cut off.
+        let is = is.map(|level| match level {
+            i16::MIN => format!("{level} or less"),
+            i16::MAX => format!("{level} or more"),
+            _ => level.to_string(),
+        });
+        let is = is.join(", ");
+        let first = format!("column {i}, row {j}: should be {should:?}, yours is [{is}]");
         let numbers = self.output().trace(n).into_iter();
         let numbers = numbers.filter(|it| TELLING.contains(&&*it.label));
         let numbers: Vec<_> = numbers

@@ -39,7 +39,7 @@ const MISTAKES: [(Chapter, &str, &str); 12] = [
         "0.5 * (normal + Vec3::ONE)",
         "0.5 * (normal - Vec3::ONE)",
     ),
-    (HALF_B, "h * h - a * c", "-(h * h - a * c)"),
+    (HALF_B, "h * h - a * c", "h * h - c"),
     (
         HALF_B,
         "ray.direction.length_squared()",

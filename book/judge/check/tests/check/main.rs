@@ -5,6 +5,7 @@ mod blind_spots;
 mod drawn;
 mod pictures;
 mod reading;
+mod rules;
 mod spoiled;
 mod typed;
 mod unwritten;

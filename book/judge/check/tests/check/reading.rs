@@ -160,7 +160,7 @@ fn text_that_a_shell_has_put_into_another_encoding_is_read() {
 }
 
 /// Files that are no pictures, each with the name of its cause.
-const CAUSES: [(&[u8], &str); 45] = [
+const CAUSES: [(&[u8], &str); 48] = [
     (b"", "empty"),
     (b" \r\n\t", "empty"),
     (
@@ -170,6 +170,12 @@ const CAUSES: [(&[u8], &str); 45] = [
     (b"\xff\xd8\xff\xe0 JFIF", "other-format"),
     (b"P2\n1 1\n255\n0\n", "other-format"),
     (b"\x1f\x8b\x08\0", "other-format"),
+    (b"data:image/png;base64,iVBORw0KGgo=", "other-format"),
+    (
+        b"\0\0\x02\0\0\0\0\0\0\0\0\0\x10\0\x09\0\x18\x20",
+        "other-format",
+    ),
+    (b"\x01\x02\x03\x04", "not-a-picture"),
     (b"P\0\0\x003\0\0\0\n\0\0\0", "other-format"),
     (b"\0\0\xfe\xff\0\0\0P\0\0\x003", "other-format"),
     (b"\nP3\n1 1\n255\n0 0 0\n", "header"),
@@ -224,6 +230,8 @@ const CAUSES: [(&[u8], &str); 45] = [
 fn every_other_cause_has_its_name() {
     let swollen_png = with_crlf(&png::encode(&Chapter::Gradient.picture(16)));
     let swollen: (&[u8], &str) = (&swollen_png, "line-endings");
+    let bytes = read(b"\x01\x02\x03\x04").expect_err("bytes");
+    assert!(bytes.problem.contains("the bytes 01 02 03 04"), "{bytes}");
     for (bytes, expected) in CAUSES.into_iter().chain([swollen]) {
         let shown = String::from_utf8_lossy(bytes);
         assert_eq!(cause(bytes), expected, "{shown:?}");
