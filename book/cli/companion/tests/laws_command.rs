@@ -176,7 +176,7 @@ fn a_program_that_can_not_be_asked_is_told_what_to_do() {
     ] {
         desk.write(file, script);
     }
-    assert_snapshot!(desk.transcript(
+    assert_snapshot!(desk.transcript_at_once(
         "rtrace laws normals -- sh none.sh
          rtrace laws normals -- sh comma.sh
          rtrace laws normals --timeout 0.4 -- sh slow.sh
