@@ -2,5 +2,6 @@
 
 mod caught;
 mod causes;
+mod edits;
 mod slips;
 mod truth;

@@ -11,7 +11,7 @@ use slips::{Chapter, ChapterCode};
 #[test]
 fn a_right_picture_is_followed_by_what_it_can_not_show() {
     let desk = Desk::default();
-    desk.write_picture("right.ppm", &Chapter::Normals.picture(400));
+    desk.write_picture("right.ppm", &Chapter::Normals.picture(100));
     let utf_16 = text(&p3(&Chapter::Normals.picture(100)));
     let utf_16: Vec<u8> = utf_16.encode_utf16().flat_map(u16::to_le_bytes).collect();
     desk.write("utf-16.ppm", utf_16);
@@ -31,7 +31,7 @@ fn a_wrong_picture_is_shown_with_the_mistake() {
     let desk = Desk::default();
     desk.write_slip("sign.png", "minus-h", Chapter::HalfBSphere);
     desk.write_slip("half.ppm", "normal-only-shifted", Chapter::Normals);
-    desk.write_picture("list.ppm", &Chapter::HittableList.picture(200));
+    desk.write_picture("list.ppm", &Chapter::HittableList.picture(100));
     let mut noise = b"P6 64 36 255\n".to_vec();
     noise.extend((0..64 * 36 * 3_u32).map(|n| (n * n % 65_521) as u8));
     desk.write("noise.ppm", noise);
@@ -41,15 +41,13 @@ fn a_wrong_picture_is_shown_with_the_mistake() {
          rtrace check normals list.ppm
          rtrace check noise.ppm"
     ));
-    let named = text(&desk.run("rtrace check normals noise.ppm").stdout);
-    assert!(named.starts_with("noise.ppm is wrong"), "{named}");
 }
 
 #[test]
 fn a_probe_is_checked_with_its_own_scene() {
     let desk = Desk::default();
     desk.write_picture("list.ppm", &Chapter::HittableList.picture(128));
-    desk.write_picture("ball.ppm", &Chapter::Normals.picture(200));
+    desk.write_picture("ball.ppm", &Chapter::Normals.picture(100));
     assert_snapshot!(desk.transcript(
         "rtrace check hittable_list list.ppm --probe reversed
          rtrace check hittable_list list.ppm --probe odd-width
@@ -116,7 +114,7 @@ fn a_picture_may_come_from_a_program_which_ends_within_its_time() {
     desk.write("counts.sh", "printf '\\r1 row left' >&2; cat right.ppm");
     desk.write("starts-another.sh", "cat right.ppm; sleep 9 2>&- &");
     desk.write("closes-it.sh", "exec >&-; exec sleep 60");
-    assert_snapshot!(desk.transcript(
+    assert_snapshot!(desk.transcript_at_once(
         "rtrace check normals -- cat right.ppm
          rtrace check gradient -- cat right.ppm
          rtrace check normals -- false

@@ -162,7 +162,7 @@ fn a_program_that_can_not_be_asked_is_told_what_to_do() {
     for (file, script) in [
         ("none.sh", "while read line; do echo None; done"),
         ("comma.sh", "while read line; do echo 0,5; done"),
-        ("slow.sh", "sleep 1; while read line; do echo miss; done"),
+        ("slow.sh", "sleep 1.3; while read line; do echo miss; done"),
         ("empty.sh", "while read line; do echo; done"),
         ("twice.sh", r"while read line; do printf '1.5\n2.5\n'; done"),
         ("at_end.sh", "cat > numbers; echo 1.5"),
@@ -176,10 +176,10 @@ fn a_program_that_can_not_be_asked_is_told_what_to_do() {
     ] {
         desk.write(file, script);
     }
-    assert_snapshot!(desk.transcript(
+    assert_snapshot!(desk.transcript_at_once(
         "rtrace laws normals -- sh none.sh
          rtrace laws normals -- sh comma.sh
-         rtrace laws normals --timeout 0.4 -- sh slow.sh
+         rtrace laws normals --timeout 1 -- sh slow.sh
          rtrace laws red_sphere -- sh empty.sh
          rtrace laws normals -- sh twice.sh
          rtrace laws normals --timeout 0.4 -- sh at_end.sh
