@@ -85,6 +85,7 @@ impl Maker<'_> {
             return;
         }
         self.put_operator(it, "*", format!("{unit} * {unit}"), 5);
+        self.put_operator(it, "/", format!("1.0 / {unit}"), 6);
         for name in self.unused() {
             self.put_operator(it, "*", format!("{name} * {unit}"), 4);
             self.put_operator(it, "-", format!("{unit} - {name}"), 4);
