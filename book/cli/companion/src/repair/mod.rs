@@ -67,6 +67,8 @@ pub(crate) struct Repairs {
     count: usize,
     /// What holds with each of them.
     holds: &'static str,
+    /// True if laws, too, hold with each of them: a picture alone can come from a wrong repair.
+    is_lawful: bool,
 }
 
 /// How many repairs are shown.
@@ -137,17 +139,17 @@ impl Repairs {
         let mut seen = HashSet::new();
         let is_other = |edit: &&Edit| seen.insert((edit.file, line_of(own, edit).number));
         let all: Vec<&Edit> = good.map(|it| &edits[it.0]).filter(is_other).collect();
-        let holds = match (is_hidden, best) {
+        let is_lawful = is_hidden || best == Some(Grade::Lawful) && !own.laws.is_empty();
+        let holds = match (is_hidden, is_lawful) {
             (true, _) => "all laws hold",
-            (_, Some(Grade::Lawful)) if !own.laws.is_empty() => {
-                "your program draws the picture, and the laws hold"
-            }
+            (_, true) => "your program draws the picture, and the laws hold",
             _ => "your program draws the picture",
         };
         Self {
             lines: all.iter().take(SHOWN).map(|it| shown(own, it)).collect(),
             count: all.len(),
             holds,
+            is_lawful,
         }
     }
 
@@ -173,10 +175,10 @@ impl Repairs {
         let tried = Row::new(RowKind::Tried, format!("{with} {}", self.holds));
         let mut rows = Vec::new();
         for (n, mut lines) in self.lines.into_iter().enumerate() {
-            if self.count > TELLING && n == 0 {
-                lines[0].kind = RowKind::Perhaps;
-            } else if n > 0 {
+            if n > 0 {
                 lines[0].kind = RowKind::Or;
+            } else if self.count > TELLING || !self.is_lawful {
+                lines[0].kind = RowKind::Perhaps;
             }
             rows.append(&mut lines);
         }
