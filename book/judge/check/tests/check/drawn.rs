@@ -45,7 +45,7 @@ const MISTAKES: [(Chapter, &str, &str); 12] = [
         "ray.direction.length_squared()",
         "ray.direction.length()",
     ),
-    (LIST, "ray.direction.dot(oc)", "oc.dot(oc)"),
+    (LIST, "oc.length_squared()", "oc.length()"),
     (
         LIST,
         "(record.normal + Vec3::ONE)",
