@@ -28,9 +28,8 @@ pub struct ExactCase {
     // Integers: lengths are counted in one power of two, `d` in another.
     a: IBig,
     h: IBig,
-    c: IBig,
     discriminant: IBig,
-    /// |oc|² + r², in the unit of `c`.
+    /// |oc|² + r², in squares of the unit of lengths.
     extent: IBig,
     /// The roots are (h ∓ √D) / a times 2 to this power, since lengths and `d` have different
     /// units.
@@ -76,7 +75,6 @@ impl ExactCase {
             extent: oc_squared + r_squared,
             a,
             h,
-            c,
             exponent: unit_of_length - unit_of_direction,
         })
     }
@@ -96,15 +94,6 @@ impl ExactCase {
     /// in [`ExactCase::discriminant`].
     pub fn discriminant_margin(&self) -> f64 {
         ratio(&self.discriminant, &(&self.a * &self.extent))
-    }
-
-    /// Returns c / M with M = oc·oc + r², rounded to nearest: how far the ray's origin is from the
-    /// surface, on the scale that rounding errors have.
-    ///
-    /// The result is from −1 to 1, and 0 if M is 0. It is negative if the ray starts inside the
-    /// sphere.
-    pub fn origin_margin(&self) -> f64 {
-        ratio(&self.c, &self.extent)
     }
 
     /// Returns the lesser of the two roots, which is negative if it lies behind the ray's origin.

@@ -53,8 +53,8 @@ const WRITERS: [Writer; 3] = [
         },
     },
     Writer {
-        line: "weave source book",
-        target: "book",
+        line: "weave source target/book",
+        target: "target/book",
         // Between two renames there is no book.
         is_whole: |before, now, after| now.is_empty() || now == before || now == after,
     },
