@@ -2,7 +2,7 @@
 
 use common::rtweekend::*;
 
-use crate::case::{numbers_of_ray, point_at, vector};
+use crate::case::{numbers_of_ray, point_at, ray_from, vector};
 use crate::question::nearly_equal;
 use crate::verdict::{BrokenLaw, LawResult};
 
@@ -47,7 +47,7 @@ impl CameraPixel {
         let height = f64::from(height(self.width));
         let (u, v) = ((i + 0.5) / width, (j + 0.5) / height);
         let center = Point3::new(2.0 * width / height * (u - 0.5), 2.0 * (0.5 - v), -1.0);
-        Ray::new(Point3::ZERO, center)
+        ray_from(Point3::ZERO, center)
     }
 
     /// Writes the body of a test that asks about this pixel again.

@@ -69,7 +69,7 @@ impl Case {
 
     /// Returns the case of the same sphere and another ray, from `origin` along `direction`.
     pub fn with_ray(&self, origin: Point3, direction: Vec3) -> Self {
-        Self::new(self.center, self.radius, Ray::new(origin, direction))
+        Self::new(self.center, self.radius, ray_from(origin, direction))
     }
 
     /// Returns the ten numbers of the case, each vector as x, y, z: the center, the radius, the
@@ -83,7 +83,7 @@ impl Case {
 
     /// Makes a case from its ten numbers, in the order of [`Case::numbers`].
     pub fn from_numbers([cx, cy, cz, r, qx, qy, qz, dx, dy, dz]: [f64; 10]) -> Self {
-        let ray = Ray::new(Point3::new(qx, qy, qz), Vec3::new(dx, dy, dz));
+        let ray = ray_from(Point3::new(qx, qy, qz), Vec3::new(dx, dy, dz));
         Self::new(Point3::new(cx, cy, cz), r, ray)
     }
 }
@@ -153,7 +153,12 @@ pub fn numbers_of_ray(ray: Ray) -> Vec<f64> {
     [ray.origin.to_array(), ray.direction.to_array()].concat()
 }
 
-/// Computes the point of a ray at the parameter `t`. Laws use no function that they may judge.
+/// Makes the ray from `origin` along `direction`. Laws use no function that they may judge.
+pub(crate) const fn ray_from(origin: Point3, direction: Vec3) -> Ray {
+    Ray { origin, direction }
+}
+
+/// Computes the point of a ray at the parameter `t`, by no function that laws may judge.
 pub(crate) fn point_at(ray: &Ray, t: f64) -> Point3 {
     ray.origin + t * ray.direction
 }

@@ -2,6 +2,7 @@
 
 use common::rtweekend::*;
 
+use crate::case::ray_from;
 use crate::record::SET_FACE_NORMAL;
 use crate::verdict::{BrokenLaw, LawResult};
 
@@ -27,7 +28,7 @@ pub fn the_normal_is_turned_against_the_ray(
     direction: Vec3,
     outward: Vec3,
 ) -> LawResult {
-    let ray = Ray::new(Point3::ZERO, direction);
+    let ray = ray_from(Point3::ZERO, direction);
     let along = direction.dot(outward);
     let front_face = along < 0.0;
     let normal = if front_face { outward } else { -outward };

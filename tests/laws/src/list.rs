@@ -2,7 +2,7 @@
 
 use common::rtweekend::*;
 
-use crate::case::{Case, IntervalCase, code, numbers_of_ray, vector};
+use crate::case::{Case, IntervalCase, code, numbers_of_ray, ray_from, vector};
 use crate::nearer_root::said;
 use crate::record::RecordSolver;
 use crate::verdict::{BrokenLaw, LawResult};
@@ -83,7 +83,7 @@ impl World {
         let sphere = |&[x, y, z, radius]: &[f64; 4]| (Point3::new(x, y, z), radius);
         Some(Self {
             spheres: spheres.iter().map(sphere).collect(),
-            ray: Ray::new(Point3::new(x, y, z), Vec3::new(dx, dy, dz)),
+            ray: ray_from(Point3::new(x, y, z), Vec3::new(dx, dy, dz)),
             t_min,
             t_max,
         })

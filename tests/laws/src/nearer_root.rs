@@ -26,7 +26,7 @@
 use common::rtweekend::*;
 use proptest::strategy::Strategy;
 
-use crate::case::Case;
+use crate::case::{Case, ray_from};
 use crate::oracle::ExactCase;
 use crate::question::{Question, telling_cases};
 use crate::strategies::{any_case, in_front, integers, ordinary};
@@ -244,7 +244,7 @@ fn a_scene_in_another_unit_and_a_mirror_has_the_same_digits(
     let seen = Case {
         center: 8.0 * mirror * case.center,
         radius: 8.0 * case.radius,
-        ray: Ray::new(
+        ray: ray_from(
             8.0 * mirror * case.ray.origin,
             mirror * case.ray.direction / 16.0,
         ),

@@ -4,7 +4,7 @@
 use common::rtweekend::*;
 use proptest::prelude::*;
 
-use crate::case::{code, numbers_of_ray, point_at, vector};
+use crate::case::{code, numbers_of_ray, point_at, ray_from, vector};
 use crate::nearer_root::U;
 use crate::strategies::{ahead_if_zero, samples, whole_vector};
 use crate::verdict::{BrokenLaw, LawResult};
@@ -192,7 +192,7 @@ pub static PRELUDE_FUNCTIONS: [PreludeFunction; 10] = {
         }),
         function("ray(u, v)", 0.0, |it, a| numbers_of_ray((it.ray)(a.u, a.v))),
         function("at(Ray::new(u, v), t)", 0.0, |it, a| {
-            numbers((it.at)(Ray::new(a.u, a.v), a.t))
+            numbers((it.at)(ray_from(a.u, a.v), a.t))
         }),
     ]
 };

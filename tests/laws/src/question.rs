@@ -7,7 +7,7 @@ use common::rtweekend::*;
 use proptest::strategy::Strategy;
 
 use crate::camera::CameraPixel;
-use crate::case::{Case, IntervalCase};
+use crate::case::{Case, IntervalCase, ray_from};
 use crate::list::World;
 use crate::oracle::ExactCase;
 use crate::prelude::{PRELUDE_FUNCTIONS, PreludeQuestion};
@@ -96,7 +96,7 @@ impl Question {
             }),
             ("nearest", _) => Self::Nearest(World::read(numbers)?),
             ("ray_color", &[x, y, z, dx, dy, dz]) => {
-                Self::RayColor(Ray::new(Vec3::new(x, y, z), Vec3::new(dx, dy, dz)))
+                Self::RayColor(ray_from(Vec3::new(x, y, z), Vec3::new(dx, dy, dz)))
             }
             ("pixel_ray", numbers) => {
                 let numbers: [f64; 3] = numbers.try_into().ok()?;

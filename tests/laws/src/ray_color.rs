@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use proptest::sample::select;
 
 use crate::camera::{CameraPixel, height};
-use crate::case::{Case, code, numbers_of_ray, point_at};
+use crate::case::{Case, code, numbers_of_ray, point_at, ray_from};
 use crate::nearer_root::{BAND, U};
 use crate::oracle::ExactCase;
 use crate::record::normal_bound;
@@ -170,7 +170,7 @@ pub fn rays() -> impl Strategy<Value = Ray> {
     let lengths = vec![1.0, -1.0, 3.0, 0.25, -0.5, 2.0, f64::exp2(-12.0)];
     (select(from), select(to), select(lengths))
         // A sum with 0 is no −0, which would be hard to read.
-        .prop_map(|(from, to, length)| Ray::new(from, Vec3::ZERO + length * (to - from)))
+        .prop_map(|(from, to, length)| ray_from(from, Vec3::ZERO + length * (to - from)))
 }
 
 #[cfg(test)]

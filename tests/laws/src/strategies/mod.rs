@@ -16,9 +16,13 @@ use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, RngSeed, TestRunner};
 
 use crate::camera::{CameraPixel, height};
-use crate::case::{Case, IntervalCase};
+use crate::case::{Case, IntervalCase, ray_from};
 use crate::list::World;
 use crate::oracle::ExactCase;
+
+mod numbers;
+
+pub use numbers::{ahead_if_zero, number, ordinary_sphere, unit, whole_vector};
 
 /// Returns the configuration of every property test: each run makes equal cases, so that a failure
 /// is never luck. The environment variable `PROPTEST_RNG_SEED` chooses other cases, and
@@ -123,7 +127,7 @@ pub fn in_front() -> impl Strategy<Value = Case> {
                 direction if direction.dot(oc) > 0.0 => direction,
                 _ => oc,
             };
-            let ray = Ray::new(origin, direction);
+            let ray = ray_from(origin, direction);
             Case::new(origin + oc, f64::from(radius).min(outside), ray)
         },
     )
@@ -134,7 +138,7 @@ pub fn in_front() -> impl Strategy<Value = Case> {
 pub fn integers() -> impl Strategy<Value = Case> {
     (whole_vector(9), 1..=9, whole_vector(9), whole_vector(9)).prop_map(
         |(oc, radius, origin, direction)| {
-            let ray = Ray::new(origin, ahead_if_zero(direction));
+            let ray = ray_from(origin, ahead_if_zero(direction));
             // So made, proptest may shrink the origin alone, and the answer stays.
             Case::new(origin + oc, f64::from(radius), ray)
         },
@@ -149,7 +153,7 @@ pub fn with_h_zero() -> impl Strategy<Value = Case> {
         let direction = ahead_if_zero(direction);
         let oc = direction.cross(turn);
         let radius = oc.length().ceil() + f64::from(depth);
-        Case::new(origin + oc, radius, Ray::new(origin, direction))
+        Case::new(origin + oc, radius, ray_from(origin, direction))
     })
 }
 
@@ -180,7 +184,7 @@ fn aimed(
             let closest = center + radius * miss_by * sideways;
             let origin = closest - radius * away * forward;
             let direction = SQRT_2.powf(exponent) * forward;
-            Case::new(center, radius, Ray::new(origin, direction))
+            Case::new(center, radius, ray_from(origin, direction))
         },
     )
 }
@@ -201,7 +205,7 @@ fn from(away: impl Strategy<Value = f64>) -> impl Strategy<Value = Case> {
     (away, ordinary_sphere(), unit(), unit()).prop_map(
         |(away, (center, radius), normal, direction)| {
             let origin = center + radius * away * normal;
-            Case::new(center, radius, Ray::new(origin, direction))
+            Case::new(center, radius, ray_from(origin, direction))
         },
     )
 }
@@ -221,7 +225,7 @@ pub fn above_the_ground(k: RangeInclusive<f64>) -> impl Strategy<Value = Case> {
     (number(k), number(0.01..=10.0), unit()).prop_map(|(k, height, direction)| {
         let radius = 10f64.powf(k);
         let center = Point3::new(0.0, -(radius + height), 0.0);
-        Case::new(center, radius, Ray::new(Point3::ZERO, direction))
+        Case::new(center, radius, ray_from(Point3::ZERO, direction))
     })
 }
 
@@ -247,7 +251,7 @@ pub fn tangents() -> impl Strategy<Value = Case> {
             // passes the center at k hypotenuses, and touches at t.
             let (direction, sideways) = (plane(p, q), plane(-q, p));
             let center = origin + f64::from(t) * direction + f64::from(k) * sideways;
-            let ray = Ray::new(origin, direction);
+            let ray = ray_from(origin, direction);
             Case::new(center, f64::from(k) * hypotenuse, ray)
         })
 }
@@ -268,7 +272,7 @@ pub fn on_the_surface() -> impl Strategy<Value = Case> {
                 0.0 => oc,
                 h => h.signum() * direction,
             };
-            Case::new(origin + oc, oc.length(), Ray::new(origin, inside))
+            Case::new(origin + oc, oc.length(), ray_from(origin, inside))
         },
     )
 }
@@ -324,7 +328,7 @@ pub fn whole_worlds() -> impl Strategy<Value = World> {
     let radius = (1..=3).prop_map(f64::from);
     (vec((whole_vector(4), radius), 1..4), whole_vector(3)).prop_map(|(spheres, direction)| World {
         spheres,
-        ray: Ray::new(Point3::ZERO, ahead_if_zero(direction)),
+        ray: ray_from(Point3::ZERO, ahead_if_zero(direction)),
         t_min: 0.0,
         t_max: f64::INFINITY,
     })
@@ -367,49 +371,4 @@ fn on_the_way(case: &Case, share: f64) -> f64 {
         [nearer.rounded(), farther.rounded()]
     });
     (1.0 - share) * nearer + share * farther
-}
-
-/// Makes numbers in the range, with all their digits. They shrink towards 0 if that is in the
-/// range, and to whole eighths, which are short to write.
-pub fn number(range: RangeInclusive<f64>) -> impl Strategy<Value = f64> {
-    const DIGITS: f64 = (1_u64 << 50) as f64;
-    let (low, high) = range.into_inner();
-    let first = (8.0 * low).floor() as i32;
-    let last = ((8.0 * high).ceil() as i32 - 1).max(first);
-    (first..=last, 0..1_u64 << 50).prop_map(move |(eighths, digits)| {
-        let number = (f64::from(eighths) + digits as f64 / DIGITS) / 8.0;
-        number.clamp(low, high)
-    })
-}
-
-/// Returns the direction, or (0, 0, −1) if it is zero and points nowhere.
-pub fn ahead_if_zero(direction: Vec3) -> Vec3 {
-    if direction == Vec3::ZERO {
-        Vec3::NEG_Z
-    } else {
-        direction
-    }
-}
-
-/// Makes vectors whose components are integers from −`max` to `max`, which must not be negative.
-pub fn whole_vector(max: i32) -> impl Strategy<Value = Vec3> {
-    let number = move || -max..=max;
-    (number(), number(), number())
-        .prop_map(|(x, y, z)| Vec3::new(f64::from(x), f64::from(y), f64::from(z)))
-}
-
-/// Makes spheres as pairs: a center with components from −9 to 9, and a radius from 0.01 to 100.
-pub fn ordinary_sphere() -> impl Strategy<Value = (Point3, f64)> {
-    let place = || number(-9.0..=9.0);
-    (place(), place(), place(), number(-2.0..=2.0))
-        .prop_map(|(x, y, z, exponent)| (Point3::new(x, y, z), 10f64.powf(exponent)))
-}
-
-/// Makes unit vectors in any direction, all equally likely.
-pub fn unit() -> impl Strategy<Value = Vec3> {
-    (number(-1.0..=1.0), number(0.0..=2.0)).prop_map(|(z, turn)| {
-        let (sin, cos) = (turn * PI).sin_cos();
-        let ring = (1.0 - z * z).sqrt();
-        Vec3::new(ring * cos, ring * sin, z)
-    })
 }
