@@ -1,4 +1,4 @@
-//! Source-to-source: a Rust source by its items, and with short comments.
+//! Source-to-source: a Rust source by its items.
 
 use std::ops::Range;
 

@@ -9,8 +9,8 @@ use crate::code::ChapterCode;
 /// paints many pixels at once, which the interpreter can't run.
 pub(crate) const FILE: &str = include_str!("../texts/src/file.rs");
 
-/// Returns the source files in Rust of a chapter's package, as a reader of the chapter should type
-/// them. Names are relative to the package: `src/lib.rs`.
+/// Returns the judge's own source files of a chapter in Rust, which do what a reader should type. Names
+/// are relative to a package: `src/lib.rs`.
 pub fn typed_files(chapter: Chapter) -> Vec<SourceFile> {
     let files = chapter.files().iter();
     files

@@ -121,7 +121,7 @@ impl Probe {
         program.with_any(&edits)
     }
 
-    /// Returns the edits of a chapter's text that make the change.
+    /// Returns the edits of the judge's text of a chapter that make the change.
     fn edits(&self, chapter: Chapter) -> Vec<Edit> {
         let mut edits = Vec::new();
         if self.focal_length != 1.0 {

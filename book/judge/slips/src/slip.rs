@@ -1,5 +1,5 @@
-//! Mutation operators: known mistakes, here called slips, as edits of the chapters' texts, each
-//! with its explanation.
+//! Mutation operators: known mistakes, here called slips, as edits of the judge's texts of the
+//! chapters, each with its explanation.
 
 use std::collections::BTreeMap;
 use std::sync::{LazyLock, Mutex, PoisonError};
@@ -15,8 +15,8 @@ use crate::program::ChapterProgram;
 /// takes longer than a reader waits.
 const HIDDEN: &str = include_str!("../tests/pictures/snapshots/pictures__hidden.snap");
 
-/// A known mistake of readers: the edits of the chapters' texts that make it, and its explanation.
-/// A paragraph of `catalogue.txt`, whose first lines explain the fields.
+/// A known mistake of readers: the edits of the judge's texts that make it, and its explanation. A
+/// paragraph of `catalogue.txt`, whose first lines explain the fields.
 ///
 /// The mistake can be made in every chapter that has the right code of one of the edits.
 #[derive(Clone, Debug, Default)]
@@ -132,8 +132,8 @@ impl Slip {
             .count()
     }
 
-    /// Returns the edits of all chapters' texts that make the slip. In one chapter only those can
-    /// be made whose right code occurs in its text.
+    /// Returns the edits of the judge's texts that make the slip. In one chapter only those can be
+    /// made whose right code occurs in its text.
     pub fn edits(&self) -> &[Edit] {
         &self.edits
     }

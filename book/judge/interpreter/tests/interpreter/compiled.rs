@@ -5,8 +5,6 @@ use common::rtweekend::*;
 use interpreter::{Fault, FaultKind, Program, SourceFile, Value};
 use slips::{Chapter, ChapterCode};
 
-const WIDTHS: [u32; 3] = [1, 63, 400];
-
 fn read(text: &str) -> Result<Program, Fault> {
     interpreter::read(&[SourceFile::new("src/lib.rs", text)])
 }
@@ -14,17 +12,6 @@ fn read(text: &str) -> Result<Program, Fault> {
 fn chapter_files(chapter: Chapter) -> Vec<SourceFile> {
     let files = chapter.files().iter();
     files.map(|it| SourceFile::new(it.name, it.text)).collect()
-}
-
-#[test]
-fn the_chapters_draw_their_pictures_from_their_texts() {
-    for chapter in Chapter::OF_THE_BOOK {
-        let program = interpreter::read(&chapter_files(chapter)).expect("rustc compiles it");
-        for width in WIDTHS {
-            let drawn = program.draw(width).expect("nothing stops it");
-            assert_eq!(drawn, chapter.picture(width), "{chapter:?} at {width}");
-        }
-    }
 }
 
 /// The prelude's functions, each with a mistake, draw another picture than by their doubles.

@@ -5,7 +5,8 @@ use std::fs::{self, DirEntry};
 
 use common::rtweekend::Picture;
 use difference::png;
-use insta::{Settings, assert_binary_snapshot, assert_snapshot};
+use fixtures::drawn::shown_in;
+use insta::{assert_binary_snapshot, assert_snapshot};
 use slips::{Chapter, ChapterProgram, Edit, Languages, PROBES, Slip, Unseen, steps};
 
 use crate::Seen;
@@ -128,15 +129,6 @@ fn the_page_lists_all_probes() {
     });
     let items: String = items.collect();
     shown_in("slips").bind(|| assert_snapshot!("probes", items));
-}
-
-/// Makes settings for snapshots that pages show, in a folder of `book/notes`.
-fn shown_in(folder: &str) -> Settings {
-    let mut settings = Settings::clone_current();
-    settings.set_snapshot_path(notes(folder));
-    settings.set_prepend_module_to_snapshot(false);
-    settings.set_omit_expression(true);
-    settings
 }
 
 fn notes(folder: &str) -> String {

@@ -2,8 +2,8 @@
 //! the interpreter reads these files, and the compiler makes the right picture of them.
 //!
 //! Each does what the chapter's own package does, but is a copy: a reader may change chapters and
-//! `common`, and is judged by these. That is why this package depends on nothing. The prelude is the
-//! interpreter's, and `file` is the loop around a picture.
+//! `common`, and is judged by these. That is why this package depends on no other. The prelude
+//! is the interpreter's text of it, and `file` is the loop around a picture.
 
 // The texts import `common::rtweekend`, as chapters do.
 extern crate self as common;
