@@ -65,11 +65,11 @@ fn found(scene: &Scene, precision: Precision) -> PrecisionNeeds {
     PrecisionNeeds::new(scene, precision, situation, drawn.by_method, 0.001)
 }
 
-/// Each scene of chapter 6 is like the situation of its name, and gets the method that the heat map
-/// frames. The map says the same at the scene's place; it has `half_b_q` where `half_b` does.
+/// Each scene of chapter 6 is like the situation of its name, and gets the method that the table
+/// marks. The map says the same at the scene's place; it has `half_b_q` where `half_b` does.
 #[test]
 #[ignore = "draws each scene by each method"]
-fn frame_map_and_needs_agree_about_every_scene() {
+fn mark_map_and_needs_agree_about_every_scene() {
     let cells = include_str!("../../notes/measured/scenes.snap.csv");
     let cells = Table::<WrongPixels>::read(cells)
         .expect("the file is well-formed")
@@ -87,8 +87,8 @@ fn frame_map_and_needs_agree_about_every_scene() {
         for precision in Precision::ALL {
             let found = found(&scene, precision);
             let taken = found.least.map(|row| found.rows[row].view.method.name);
-            let framed = least(&scene.name, precision, &cells, &RECORDED.timings);
-            assert_eq!(taken, framed.map(|method| method.name), "{}", scene.name);
+            let marked = least(&scene.name, precision, &cells, &RECORDED.timings);
+            assert_eq!(taken, marked.map(|method| method.name), "{}", scene.name);
         }
         assert_as_the_map(&scene);
     }

@@ -108,14 +108,14 @@ fn every_chart_has_a_mark_for_each() {
     }
 }
 
-/// The page advises what the heat map frames, or what decides rightly in all of a million.
+/// The page advises what the table marks, or what decides rightly in all of a million.
 #[test]
 fn what_a_situation_is_advised_its_records_say() {
     let cells = table::<WrongPixels>().rows;
     let (accuracy, timings) = (table::<Accuracy>(), table::<Timing>());
     let page = text("speed_vs_accuracy.md");
     for (regime, [advised, condition]) in REGIMES.iter().zip(ADVICE) {
-        let framed = least(regime.name, Precision::Double, &cells, &timings).expect("one is right");
+        let marked = least(regime.name, Precision::Double, &cells, &timings).expect("one is right");
         let decides = timings.quickest(Precision::Double, regime.name, |method| {
             let is_it = |row: &&Accuracy| row.regime == regime.name && row.method == method.name;
             accuracy
@@ -126,17 +126,17 @@ fn what_a_situation_is_advised_its_records_say() {
         });
         let decides = decides.expect("one is right");
         assert!(
-            [framed.name, decides.name].contains(&advised),
+            [marked.name, decides.name].contains(&advised),
             "{}: {advised}",
             regime.name
         );
-        let on_condition = framed.name != decides.name;
+        let on_condition = marked.name != decides.name;
         assert!(!on_condition || !condition.is_empty(), "{}", regime.name);
         let row = page
             .lines()
             .find(|line| line.starts_with(&format!("| *{}*", regime.name)));
         let row = row.unwrap_or_else(|| panic!("What to take has no {}", regime.name));
-        for name in [framed.name, decides.name] {
+        for name in [marked.name, decides.name] {
             assert!(row.contains(&format!("`{name}`")), "{name}: {row}");
         }
     }

@@ -1,4 +1,4 @@
-//! The picture of which room may know which, in CONTRIBUTING, is what cargo says.
+//! The picture of which room knows which, in CONTRIBUTING, is what cargo says.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;

@@ -287,107 +287,109 @@ fn line(text: &str, replaces: bool) -> Lack {
     })
 }
 
-/// Each row has a piece of a chapter, the habit that is typed instead, and the piece of the answer.
+/// The habits of other languages: a piece of a chapter, what is typed instead, and a piece of the
+/// answer.
+const HABITS: [[&str; 3]; 43] = [
+    ["let b =", "auto b =", "`let b = …`"],
+    ["let b =", "double b =", "`let b = …`"],
+    ["let b =", "const auto b =", "`let b = …`"],
+    ["let b =", "let double b =", "`let b = …`"],
+    ["let b =", "let b :=", "`let b = …`"],
+    ["let b =", "let b ==", "`let b = …`"],
+    ["let b =", "lett b =", "`let b = …`"],
+    [
+        "ray.direction.dot(oc)",
+        "ray->direction.dot(oc)",
+        "`ray.direction`",
+    ],
+    [
+        "ray.direction.dot(oc)",
+        "dot(ray.direction, oc)",
+        "`u.dot(v)`",
+    ],
+    ["discriminant.sqrt()", "sqrt(discriminant)", "`x.sqrt()`"],
+    [
+        "discriminant.sqrt()",
+        "std::sqrt(discriminant)",
+        "`a.sqrt()`",
+    ],
+    ["discriminant.sqrt()", "discriminant.sqrt", "`.sqrt(…)`"],
+    ["radius * radius", "pow(radius, 2)", "`x * x`"],
+    [
+        "(ray.at(t) - center).normalize()",
+        "unit_vector(ray.at(t) - center)",
+        "`v.normalize()`",
+    ],
+    ["return None;", "return null;", "`None`"],
+    ["return None;", "return nullptr;", "`None`"],
+    [
+        "return None;",
+        "return false;",
+        "`None` where nothing is hit",
+    ],
+    [
+        "return None;",
+        "return discriminant > 0.0 ? a : b;",
+        "`if … { … } else { … }`",
+    ],
+    ["discriminant < 0.0 {", "discriminant => 0.0 {", "`&gt;=`"],
+    ["&& t > 0.0", "and t > 0.0", "`&amp;&amp;`"],
+    ["let b =", "b =", "`let b = …`"],
+    [
+        "let discriminant =",
+        "discriminant =",
+        "`let discriminant = …`",
+    ],
+    ["radius * radius", "radius^2", "`radius * radius`"],
+    ["if discriminant <", "if not discriminant >=", "`!(…)`"],
+    [
+        "discriminant < 0.0 {",
+        "not (discriminant >= 0.0) {",
+        "`!(…)`",
+    ],
+    [
+        "discriminant.sqrt()",
+        "math.sqrt(discriminant)",
+        "`a.sqrt()`",
+    ],
+    ["discriminant.sqrt()", "np.sqrt(discriminant)", "`a.sqrt()`"],
+    ["let b =", "# the slope\n    let b =", "`// …`"],
+    [
+        "if discriminant < 0.0 {\n        return None;\n    }",
+        "if discriminant < 0.0:\n        return None",
+        "`if … { … }`",
+    ],
+    [
+        "return None;\n    }",
+        "return None;\n    } elif a < 0.0:",
+        "`else if … { … }`",
+    ],
+    [
+        "return None;\n    }",
+        "return None;\n    } else:",
+        "`else { … }`",
+    ],
+    [
+        "Point3::new(0.0, 0.0, -1.0)",
+        "(0.0, 0.0, -1.0)",
+        "`Point3::new(…)`",
+    ],
+    ["Vec3::ONE", "[1.0, 1.0, 1.0]", "`Color::new(…)`"],
+    ["Point3::new", "Point3.new", "`Point3::new(…)`"],
+    ["4.0 * a", "4 * a", "`4.0`"],
+    ["t > 0.0", "t > 0", "`0.0`"],
+    ["Vec3::ONE", "Color::new(1, 1, 1)", "`1.0`"],
+    ["4.0 * a", "radius.powi(2) * 4 * a", "`4.0`"],
+    ["radius: f64", "double radius", "`radius: f64`"],
+    ["-> Option<f64>", ": Option<f64>", "`-&gt; Option`"],
+    ["Vec3::ONE", "vec3(1, 1, 1)", "`Vec3::new(…)`"],
+    ["Vec3::ONE", "new Vec3(1.0, 1.0, 1.0)", "`Vec3::new(…)`"],
+    ["sky(ray)", "Sky(ray)", "did you mean `sky`?"],
+];
+
 #[test]
 fn a_habit_from_another_language_is_answered_by_what_rust_writes() {
-    let rows = [
-        ("let b =", "auto b =", "`let b = …`"),
-        ("let b =", "double b =", "`let b = …`"),
-        ("let b =", "const auto b =", "`let b = …`"),
-        ("let b =", "let double b =", "`let b = …`"),
-        ("let b =", "let b :=", "`let b = …`"),
-        ("let b =", "let b ==", "`let b = …`"),
-        ("let b =", "lett b =", "`let b = …`"),
-        (
-            "ray.direction.dot(oc)",
-            "ray->direction.dot(oc)",
-            "`ray.direction`",
-        ),
-        (
-            "ray.direction.dot(oc)",
-            "dot(ray.direction, oc)",
-            "`u.dot(v)`",
-        ),
-        ("discriminant.sqrt()", "sqrt(discriminant)", "`x.sqrt()`"),
-        (
-            "discriminant.sqrt()",
-            "std::sqrt(discriminant)",
-            "`a.sqrt()`",
-        ),
-        ("discriminant.sqrt()", "discriminant.sqrt", "`.sqrt(…)`"),
-        ("radius * radius", "pow(radius, 2)", "`x * x`"),
-        (
-            "(ray.at(t) - center).normalize()",
-            "unit_vector(ray.at(t) - center)",
-            "`v.normalize()`",
-        ),
-        ("return None;", "return null;", "`None`"),
-        ("return None;", "return nullptr;", "`None`"),
-        (
-            "return None;",
-            "return false;",
-            "`None` where nothing is hit",
-        ),
-        (
-            "return None;",
-            "return discriminant > 0.0 ? a : b;",
-            "`if … { … } else { … }`",
-        ),
-        ("discriminant < 0.0 {", "discriminant => 0.0 {", "`&gt;=`"),
-        ("&& t > 0.0", "and t > 0.0", "`&amp;&amp;`"),
-        ("let b =", "b =", "`let b = …`"),
-        (
-            "let discriminant =",
-            "discriminant =",
-            "`let discriminant = …`",
-        ),
-        ("radius * radius", "radius^2", "`radius * radius`"),
-        ("if discriminant <", "if not discriminant >=", "`!(…)`"),
-        (
-            "discriminant < 0.0 {",
-            "not (discriminant >= 0.0) {",
-            "`!(…)`",
-        ),
-        (
-            "discriminant.sqrt()",
-            "math.sqrt(discriminant)",
-            "`a.sqrt()`",
-        ),
-        ("discriminant.sqrt()", "np.sqrt(discriminant)", "`a.sqrt()`"),
-        ("let b =", "# the slope\n    let b =", "`// …`"),
-        (
-            "if discriminant < 0.0 {\n        return None;\n    }",
-            "if discriminant < 0.0:\n        return None",
-            "`if … { … }`",
-        ),
-        (
-            "return None;\n    }",
-            "return None;\n    } elif a < 0.0:",
-            "`else if … { … }`",
-        ),
-        (
-            "return None;\n    }",
-            "return None;\n    } else:",
-            "`else { … }`",
-        ),
-        (
-            "Point3::new(0.0, 0.0, -1.0)",
-            "(0.0, 0.0, -1.0)",
-            "`Point3::new(…)`",
-        ),
-        ("Vec3::ONE", "[1.0, 1.0, 1.0]", "`Color::new(…)`"),
-        ("Point3::new", "Point3.new", "`Point3::new(…)`"),
-        ("4.0 * a", "4 * a", "`4.0`"),
-        ("t > 0.0", "t > 0", "`0.0`"),
-        ("Vec3::ONE", "Color::new(1, 1, 1)", "`1.0`"),
-        ("4.0 * a", "radius.powi(2) * 4 * a", "`4.0`"),
-        ("radius: f64", "double radius", "`radius: f64`"),
-        ("-> Option<f64>", ": Option<f64>", "`-&gt; Option`"),
-        ("Vec3::ONE", "vec3(1, 1, 1)", "`Vec3::new(…)`"),
-        ("Vec3::ONE", "new Vec3(1.0, 1.0, 1.0)", "`Vec3::new(…)`"),
-        ("sky(ray)", "Sky(ray)", "did you mean `sky`?"),
-    ];
-    for (right, typed, expected) in rows {
+    for [right, typed, expected] in HABITS {
         let mut draft = Draft::complete(Chapter::Normals);
         let file = &mut draft.files[0].text;
         *file = file.replacen(right, typed, 1);

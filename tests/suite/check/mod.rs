@@ -1,4 +1,4 @@
-//! The judge: is every file read, every mistake known, and every mistake named?
+//! The judge: are its texts right, is each mistake another program, and is it named?
 
 mod caught;
 mod causes;

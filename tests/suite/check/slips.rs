@@ -1,27 +1,24 @@
-//! Each slip is a program that differs from the right one as it says.
+//! The interpreter runs the right texts as they are compiled, and each slip is another program.
 
 use std::collections::BTreeSet;
 
-use common::rtweekend::*;
 use difference::Comparison;
-use hittable_list::{HittableList, Sphere};
-use slips::{Chapter, ChapterCode, ChapterProgram, Edit, Languages, PROBES};
+use slips::{Chapter, ChapterCode, ChapterProgram, Edit, Languages};
 
 use fixtures::drawn::p3;
 
 #[test]
-fn a_program_without_a_slip_is_the_chapter_to_the_last_bit() {
+fn the_interpreter_draws_the_texts_as_the_compiler_does() {
     for chapter in Chapter::OF_THE_BOOK {
-        for width in [1, 2, 3, 50, 110, chapter.book_width()] {
+        for width in [1, 2, 3, 50, 63, 110, chapter.book_width()] {
             assert_eq!(
                 Comparison::of(
                     &chapter.picture(width),
                     &ChapterProgram::right(chapter).run(width).picture()
                 ),
                 Comparison::Equal,
-                "{} at {width} wide: the interpreter draws another picture of its text, in \
-                 book/judge/slips/texts, than the compiler",
-                chapter.name()
+                "{chapter:?} at {width} wide: the interpreter draws another picture of \
+                 book/judge/slips/texts than the compiler"
             );
         }
     }
@@ -41,32 +38,6 @@ fn the_text_around_a_chapter_does_what_is_done_without_it() {
             right.run(33).pixels().eq(same.run(33).pixels()),
             "{chapter:?}"
         );
-    }
-}
-
-#[test]
-fn a_program_without_a_slip_draws_every_probe_as_chapter_5_does() {
-    for probe in PROBES {
-        let program = probe.applied_to(&ChapterProgram::right(Chapter::HittableList));
-        let program = program.expect("chapter 5 takes any number of spheres");
-        let mut world = HittableList::default();
-        for ball in probe.spheres.into_iter().flatten() {
-            world.add(Sphere::new(ball.center, ball.radius));
-        }
-        if probe.spheres.is_none() {
-            world = hittable_list::world();
-        }
-        let output = program.run(probe.width);
-        let (width, height) = output.size();
-        let places = (0..height).flat_map(|j| (0..width).map(move |i| (i, j)));
-        for (i, j) in places.step_by(5) {
-            let ray = program.ray(probe.width, i, j);
-            let ray = ray.expect("chapter 5 has a camera");
-            let mut pixel = [0; 3];
-            write_color(&mut pixel, hittable_list::ray_color(&ray, &world));
-            let drawn = output.pixel(j * width + i);
-            assert_eq!(drawn, pixel.map(i32::from), "{} at {i}, {j}", probe.name);
-        }
     }
 }
 

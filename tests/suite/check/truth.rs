@@ -1,8 +1,8 @@
 //! The texts by which the judge goes, beside the chapters, `common` and what the book's program
 //! prints.
 //!
-//! The judge hangs on none of them, so a reader may change each. Here, and nowhere else, all have to
-//! do the same; how they are written is free.
+//! The judge hangs on no chapter, and of `common` on the types and the engine alone, so a reader may
+//! change the rest. Here, and nowhere else, all have to do the same; how they are written is free.
 
 use check::lawful;
 use common::rtweekend::*;
@@ -16,7 +16,7 @@ use laws::question::{Question, decided, numbers_of_hit, numbers_of_ray};
 use laws::record::RecordedHit;
 use laws::strategies::{pixels, samples};
 use sha2::{Digest, Sha256};
-use slips::{Chapter, ChapterCode, ChapterProgram};
+use slips::{Chapter, ChapterCode, ChapterProgram, PROBES};
 
 /// While a chapter does not compile, all of these still do, and answer.
 #[test]
@@ -105,6 +105,32 @@ fn the_texts_answer_as_the_chapters_do() {
                 answered.question,
                 answered.answer
             );
+        }
+    }
+}
+
+#[test]
+fn the_texts_draw_every_probe_as_chapter_5_does() {
+    for probe in PROBES {
+        let program = probe.applied_to(&ChapterProgram::right(Chapter::HittableList));
+        let program = program.expect("chapter 5 takes any number of spheres");
+        let mut world = HittableList::default();
+        for ball in probe.spheres.into_iter().flatten() {
+            world.add(Sphere::new(ball.center, ball.radius));
+        }
+        if probe.spheres.is_none() {
+            world = hittable_list::world();
+        }
+        let output = program.run(probe.width);
+        let (width, height) = output.size();
+        let places = (0..height).flat_map(|j| (0..width).map(move |i| (i, j)));
+        for (i, j) in places.step_by(5) {
+            let ray = program.ray(probe.width, i, j);
+            let ray = ray.expect("chapter 5 has a camera");
+            let mut pixel = [0; 3];
+            write_color(&mut pixel, hittable_list::ray_color(&ray, &world));
+            let drawn = output.pixel(j * width + i);
+            assert_eq!(drawn, pixel.map(i32::from), "{} at {i}, {j}", probe.name);
         }
     }
 }

@@ -122,7 +122,8 @@ fn assert_measured<Row: Record>(name: &str, table: &Table<Row>) {
         }
     }
     println!(
-        "If a method was meant to change: INSTA_UPDATE=always cargo test the_snapshot_holds::{name}"
+        "If a method was meant to change: INSTA_UPDATE=always cargo test the_snapshot_holds::{name} \
+         -- --include-ignored"
     );
     shown_in("measured")
         .bind(|| assert_binary_snapshot!(&format!("{name}.csv"), text.into_bytes()));

@@ -52,8 +52,9 @@ impl Done {
         Self { file }
     }
 
-    /// Takes the list in the `chosen` folder. Without one, that in the reader's folder `mine` if
-    /// this is in the workspace or exists, and else that in the current folder.
+    /// Takes the list in the `chosen` folder. Without one, that in the folder of the crate that the
+    /// reader is in, or that in the reader's folder `mine` if this is in the workspace or exists, and
+    /// else that in the current folder.
     pub(crate) fn find(chosen: Option<&Path>) -> Self {
         let crates = ReaderCrates::find(None);
         match chosen {

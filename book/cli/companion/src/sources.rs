@@ -34,8 +34,9 @@ pub(crate) fn is_source(path: &Path) -> bool {
 const MOST_FILES: usize = 40;
 /// The number of folders, one in the other, that no program of these chapters exceeds.
 const DEEPEST: usize = 3;
-/// Lists the files in Rust in the folder `below` and the folders in it, each with its path from `folder`:
-/// at most [`MOST_FILES`], the nearest first.
+
+/// Lists the files in Rust in the folder `below` and the folders in it, each with its path from
+/// `folder`: at most [`MOST_FILES`], the nearest first.
 fn all_in(folder: &Path, below: &Path) -> Vec<PathBuf> {
     let mut all = Vec::new();
     let mut folders = vec![below.to_owned()];

@@ -1,5 +1,5 @@
-//! What a reader types: how the editor and the pages shorten a chapter's text, which functions are
-//! given, and the two stairs of chapter 5: spheres first, and then anything that a ray can hit.
+//! What a reader types: which functions are given, and the two stairs of chapter 5: spheres first,
+//! and then anything that a ray can hit.
 
 use crate::chapter::Chapter;
 
@@ -10,25 +10,6 @@ pub fn given(chapter: Chapter) -> &'static [&'static str] {
         Chapter::RedSphere => &["picture", "ray_color"],
         _ => &["picture", "world", "new", "add"],
     }
-}
-
-/// Returns the source with the first sentence only of each doc comment, and without `#[inline]`.
-pub fn first_sentences(source: &str) -> String {
-    let mut text = String::new();
-    let mut is_open = true;
-    let is_shown = |line: &&str| !line.trim_start().starts_with("#[inline]");
-    for line in source.lines().filter(is_shown) {
-        if !line.trim_start().starts_with("///") {
-            text += &format!("{line}\n");
-            is_open = true;
-        } else if is_open {
-            let ends = line.split_once(". ").map(|(first, _)| format!("{first}."));
-            let line = ends.unwrap_or(line.to_owned());
-            is_open = !line.ends_with('.');
-            text += &format!("{line}\n");
-        }
-    }
-    text
 }
 
 /// Returns a source of chapter 5 as it is on the first stair: a list of spheres, without a trait. A

@@ -181,7 +181,8 @@ impl Parameters {
     }
 }
 
-/// Draws the star by the chosen method and exactly, the axis of distances, and the digits of the chosen ray.
+/// Draws the star by the chosen method and exactly, the axis of distances, and the digits of the
+/// chosen ray.
 fn draw(chosen: &Parameters, numbers: &Numbers) -> Svg {
     let mut svg = LIVE.figure.sheet(410.0);
     for (sky, (name, method, _)) in SKIES.into_iter().zip([chosen.eye(), &EYES[4]]) {

@@ -2,7 +2,8 @@
 
 use crate::svg::Svg;
 
-/// The words of a figure, each a plain text in one line; in the caption and the questions `*t*` marks a number, `**P**` a vector.
+/// The words of a figure, each a plain text in one line; in the caption and the questions `*t*` marks
+/// a number, `**P**` a vector.
 #[derive(Clone, Debug)]
 pub struct Figure {
     /// The name of the figure in `{{figure NAME}}` on a page.

@@ -31,8 +31,7 @@ const CHANGES: [[Drawn; 2]; 3] = [
 /// # Errors
 /// If there is no such chapter, or it changes no pixels, or all.
 pub(crate) fn changes(name: &str) -> Result<String, String> {
-    let changes = CHANGES.into_iter();
-    let found = changes
+    let found = CHANGES
         .into_iter()
         .find(|[_, (after, _)]| after.name() == name);
     let chapters = found.ok_or_else(|| format!("no chapter `{name}` changes a picture"))?;

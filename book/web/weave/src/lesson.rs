@@ -1,7 +1,7 @@
 //! Listings of the lesson: who types them, and their comments in one sentence.
 
 use course::chapter::Chapter;
-use course::typed::{first_sentences, given, on_the_first_stair};
+use course::typed::{given, on_the_first_stair};
 
 use crate::ground::escaped;
 
@@ -23,7 +23,7 @@ pub(crate) struct LessonListing {
 const FIRST_STAIR: &str = "tests/suite/book/exercises/stairs/";
 
 /// Returns the listing of `code`, which stands in `file`. That of a chapter or of `common` has one
-/// sentence for each doc comment, as the editor has, and each comment in one line, which the style
+/// sentence for each doc comment, and each comment in one line, which the style
 /// sheet wraps.
 pub(crate) fn listing(file: &str, code: String) -> LessonListing {
     let on_first = file.strip_prefix(FIRST_STAIR);
@@ -82,6 +82,25 @@ fn tools(chapter: Chapter) -> String {
         "<div class=\"tools\" data-chapter=\"{}\"><button type=\"button\">Type it here</button></div>",
         chapter.name()
     )
+}
+
+/// Returns the source with the first sentence only of each doc comment, and without `#[inline]`.
+fn first_sentences(source: &str) -> String {
+    let mut text = String::new();
+    let mut is_open = true;
+    let is_shown = |line: &&str| !line.trim_start().starts_with("#[inline]");
+    for line in source.lines().filter(is_shown) {
+        if !line.trim_start().starts_with("///") {
+            text += &format!("{line}\n");
+            is_open = true;
+        } else if is_open {
+            let ends = line.split_once(". ").map(|(first, _)| format!("{first}."));
+            let line = ends.unwrap_or(line.to_owned());
+            is_open = !line.ends_with('.');
+            text += &format!("{line}\n");
+        }
+    }
+    text
 }
 
 /// Joins the lines of each comment.

@@ -1,5 +1,7 @@
 //! Advice: why a program can't be asked any more, and what its author can do.
 
+use std::process::ExitStatus;
+
 use check::any_language::NoAnswer;
 use check::names;
 use slips::Chapter;
@@ -38,10 +40,7 @@ pub(super) fn explain(
             "make it faster, or give it more time: --timeout SECONDS".to_owned(),
         ),
         DialogueFailure::Ended(status) => (
-            match status {
-                Some(status) => format!("ended with {status}, without an answer"),
-                None => "closed its output".to_owned(),
-            },
+            ended(*status),
             "answer line by line, until the input ends".to_owned(),
         ),
         DialogueFailure::TooMuch(said) => (
@@ -64,6 +63,13 @@ pub(super) fn explain(
             format!("print nothing but {wanted}"),
         ),
     }
+}
+
+/// Tells the end of a program without an answer; of one that still runs, no status is known.
+fn ended(status: Option<ExitStatus>) -> String {
+    status.map_or("closed its output".to_owned(), |status| {
+        format!("ended with {status}, without an answer")
+    })
 }
 
 /// Describes an answer as the program should print it.

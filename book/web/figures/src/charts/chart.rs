@@ -53,8 +53,8 @@ impl Chart {
         (self.draw)(&texts)
     }
 
-    /// Returns an empty drawing, 400 by `height` units, for the panel with the number `place`, whose title ends with
-    /// `shows`.
+    /// Returns an empty drawing, 400 by `height` units, for the panel with the number `place`, whose
+    /// title ends with `shows`.
     pub(super) fn panel(&self, place: usize, shows: &str, height: f64) -> Svg {
         let name = format!("{}_{place}", self.name);
         let title = format!("{}: {shows}", self.title);

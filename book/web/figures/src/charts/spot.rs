@@ -9,7 +9,8 @@ pub enum Spot {
     Above(i32),
     /// n: the ray starts inside, 10⁻ⁿ radii below the surface.
     Inside(i32),
-    /// k and n: the ray starts 10ᵏ radii from the surface, and its line passes the center at (1 ± 10⁻ⁿ) radii.
+    /// k and n: the ray starts 10ᵏ radii from the surface, and its line passes the center at
+    /// (1 ± 10⁻ⁿ) radii.
     Away(i32, i32),
 }
 

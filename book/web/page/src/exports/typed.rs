@@ -72,9 +72,9 @@ extern "C" fn judge() -> usize {
 }
 
 /// Returns the next line to type, searched from the function on that has this line, counted from 1,
-/// of the file with this index: the index of its file, the line it goes above (from 0), 1 if it replaces that line, and its text, with tabs
-/// between them. Returns nothing if no line is missing, and `?` if the draft goes another way than
-/// the chapter.
+/// of the file with this index: the index of its file, the line it goes above (from 0), 1 if it
+/// replaces that line, and its text, with tabs between them. Returns nothing if no line is missing,
+/// and `?` if the draft goes another way than the chapter.
 #[unsafe(no_mangle)]
 extern "C" fn next_line(file: usize, line: usize) -> usize {
     keep(match next::next(&draft(), (file, line)) {
