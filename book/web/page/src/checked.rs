@@ -75,7 +75,9 @@ impl CheckRequest {
             (None, Some(reading)) => guess::guess_task(reading),
             (chapter, _) => Task::of(chapter.unwrap_or(Chapter::BuildTest)),
         };
-        let probed = self.probe.and_then(|probe| Task::new(plain.chapter, Some(probe)));
+        let probed = self
+            .probe
+            .and_then(|probe| Task::new(plain.chapter, Some(probe)));
         probed.unwrap_or(plain)
     }
 
