@@ -21,7 +21,7 @@ use std::time::{Duration, Instant};
 
 use check::answer::{Answer, Row, RowKind};
 use edits::{Edit, EditedLines};
-use slips::Chapter;
+use slips::{Chapter, SphereCount};
 
 use crate::subprocess::in_a_thread;
 use copy::Copy;
@@ -67,8 +67,9 @@ pub(crate) struct Repairs {
     count: usize,
     /// What holds with each of them.
     holds: &'static str,
-    /// True if laws, too, hold with each of them: a picture alone can come from a wrong repair.
-    is_lawful: bool,
+    /// True if laws hold, too, with each of them, or the chapter has none: where a ray meets a
+    /// sphere, a wrong repair can draw the right picture.
+    is_certain: bool,
 }
 
 /// How many repairs are shown.
@@ -133,7 +134,13 @@ impl Outcome {
 
 impl Repairs {
     /// Takes the best of the edits that are good.
-    fn of(good: &[(usize, Grade)], own: &OwnCrate, edits: &[Edit], is_hidden: bool) -> Self {
+    fn of(
+        good: &[(usize, Grade)],
+        own: &OwnCrate,
+        edits: &[Edit],
+        is_hidden: bool,
+        chapter: Chapter,
+    ) -> Self {
         let best = good.iter().map(|it| it.1).min();
         let good = good.iter().filter(|it| Some(it.1) == best);
         let mut seen = HashSet::new();
@@ -149,7 +156,7 @@ impl Repairs {
             lines: all.iter().take(SHOWN).map(|it| shown(own, it)).collect(),
             count: all.len(),
             holds,
-            is_lawful,
+            is_certain: is_lawful || chapter.sphere_count() == SphereCount::None,
         }
     }
 
@@ -177,7 +184,7 @@ impl Repairs {
         for (n, mut lines) in self.lines.into_iter().enumerate() {
             if n > 0 {
                 lines[0].kind = RowKind::Or;
-            } else if self.count > TELLING || !self.is_lawful {
+            } else if self.count > TELLING || !self.is_certain {
                 lines[0].kind = RowKind::Perhaps;
             }
             rows.append(&mut lines);
@@ -276,7 +283,8 @@ impl WrongCrate {
             tried += count;
             if !good.is_empty() {
                 let is_hidden = court.is_hidden();
-                return Outcome::Found(Repairs::of(&good, &own, &all.edits, is_hidden));
+                let repairs = Repairs::of(&good, &own, &all.edits, is_hidden, self.chapter);
+                return Outcome::Found(repairs);
             }
         }
         Outcome::Nothing(tried)

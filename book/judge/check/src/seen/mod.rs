@@ -160,21 +160,30 @@ impl SideBySide<'_> {
         (0..=1).contains(most).then_some(said)
     }
 
-    /// Notes that only pixels at edges are wrong, and these are few, as with several rays through a
-    /// pixel.
+    /// Notes that only pixels at edges are wrong, that these are few, and that most of them have a
+    /// color of their own, as with several rays through a pixel.
     fn only_at_edges(&self) -> Option<String> {
         if 4 * self.wrong.len() > self.places.len() {
             return None;
         }
-        let (width, count) = (self.reading.width as usize, self.reading.pixels.len());
-        let is_at_edge = |&n: &u32| {
-            let n = n as usize;
-            let around = [n.wrapping_sub(width), n.wrapping_sub(1), n + 1, n + width];
-            let around = around.into_iter().filter(|n| *n < count);
-            let mut far = around.map(|it| distance(self.found(it as u32), self.found(n as u32)));
-            far.any(|levels| levels > EDGE)
+        let (width, count) = (self.reading.width, self.reading.pixels.len() as u32);
+        let from = |n: u32, other: u32| match other < count {
+            true => distance(self.found(other), self.found(n)),
+            false => 0,
         };
-        self.wrong.iter().all(is_at_edge).then(|| {
+        // Above and below, left and right.
+        let around = |n: u32| {
+            let pairs = [
+                [n.wrapping_sub(width), n + width],
+                [n.wrapping_sub(1), n + 1],
+            ];
+            pairs.map(|pair| pair.map(|other| from(n, other)))
+        };
+        let is_at_edge = |&n: &u32| around(n).as_flattened().iter().any(|it| *it > EDGE);
+        let is_between = |pair: [u16; 2]| pair.iter().all(|it| *it > 1);
+        let is_mixed = |&&n: &&u32| around(n).into_iter().any(is_between);
+        let mixed = self.wrong.iter().filter(is_mixed).count();
+        (self.wrong.iter().all(is_at_edge) && 2 * mixed >= self.wrong.len()).then(|| {
             "Only pixels at edges are wrong: does your program send several rays through a pixel? \
              Send one."
                 .to_owned()

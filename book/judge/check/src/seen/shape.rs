@@ -7,8 +7,9 @@ use crate::pixels::distance;
 
 /// A picture is the turned right one if at most one in so many pixels differs from that.
 const TURNED: usize = 20;
-/// How many levels a pixel of a turned picture may be off.
-const NEAR: u16 = 2;
+/// How many levels a pixel of a turned picture may be off, as one of the right picture may: more
+/// would call one that is moved by a row a turned one.
+const NEAR: u16 = 1;
 /// How many levels a pixel of the sky may be off.
 const SKY: u16 = 8;
 /// How many times the error in the place of a disc fits into the disc, if it is rounding.

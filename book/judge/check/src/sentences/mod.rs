@@ -285,10 +285,14 @@ impl Explanation {
             return rows.chain([Row::new(RowKind::More, many)]).collect();
         }
         let mut rows = match &self.by[..] {
-            [one] => one.in_full(context, self.is_in_text),
+            [one] => {
+                // Where a part is left over, or two mistakes are made, the lines may be others.
+                let is_likely = one.slips.len() == 1 && self.left.is_nothing();
+                one.in_full(context, self.is_in_text && is_likely)
+            }
             _ => self.perhaps(context),
         };
-        rows.push(Row::new(RowKind::Tried, self.tried()));
+        rows.push(Row::new(RowKind::Tried, self.tried(context)));
         rows
     }
 
@@ -309,8 +313,8 @@ impl Explanation {
     }
 
     /// Says how well the programs explain the picture, and whether their lines were found in the
-    /// reader's files.
-    fn tried(&self) -> String {
+    /// reader's files. A picture alone can come from others, too.
+    fn tried(&self, context: &Context) -> String {
         let first = &self.by[0];
         let (is_edit, is_pair) = (first.edit.is_some(), first.slips.len() > 1);
         let with = match (self.count, is_edit, is_pair) {
@@ -327,8 +331,8 @@ impl Explanation {
             _ => "",
         };
         let others = match self.count {
-            1 => String::new(),
-            2..=NAMED => ", and so may others".to_owned(),
+            1 if !context.sources.is_empty() => String::new(),
+            0..=NAMED => ", and so may others".to_owned(),
             all if is_edit => format!(", and so may others; {all} were found"),
             all => format!(", and so may others; {all} are known"),
         };
@@ -345,11 +349,11 @@ impl Explanation {
 impl Candidate {
     /// Lists the wrong line, the right line and the reason of each mistake, and below them the lines
     /// in Rust that stand for those in C++. Of two mistakes only lines in one language.
-    fn in_full(&self, context: &Context, is_in_text: bool) -> Vec<Row> {
+    fn in_full(&self, context: &Context, is_likely: bool) -> Vec<Row> {
         if let Some(edit) = &self.edit {
             return edit.in_full();
         }
-        let kind = match is_in_text {
+        let kind = match is_likely {
             true => RowKind::Probably,
             false => RowKind::Perhaps,
         };
@@ -358,6 +362,9 @@ impl Candidate {
             let said = &context.slip_lines(slip, &self.task)[0];
             let lines = match context.wrong_line(slip, &self.task) {
                 Some(found) => found.rows(),
+                None if said.wrong.is_empty() => {
+                    vec![Row::new(kind, format!("{}  left out", said.right))]
+                }
                 None => line_and_right(kind, &said.wrong, &said.right),
             };
             lines

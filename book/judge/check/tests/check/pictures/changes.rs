@@ -75,6 +75,17 @@ pub(super) fn raised(picture: &Picture) -> Picture {
     changed(picture, |i, j, _| pixel(picture, i, last.min(j + 1)))
 }
 
+/// Mixes the two colors at each edge, as several rays through a pixel do.
+pub(super) fn smoothed(picture: &Picture) -> Picture {
+    let last = picture.width() - 1;
+    changed(picture, |i, j, color| {
+        let next = pixel(picture, last.min(i + 1), j);
+        let is_edge = (0..3).any(|c| color[c].abs_diff(next[c]) > 40);
+        let mean = |c: usize| color[c].midpoint(next[c]);
+        if is_edge { [0, 1, 2].map(mean) } else { color }
+    })
+}
+
 /// Makes a picture of the same size, pixel by pixel from column, row and color.
 fn changed(picture: &Picture, change: impl Fn(u32, u32, [u8; 3]) -> [u8; 3]) -> Picture {
     let (width, height) = (picture.width(), picture.height());

@@ -8,6 +8,7 @@ use check::attempt::Attempt;
 use check::context::Context;
 use check::mistake_name;
 use check::reading::Reading;
+use check::seen::observe;
 use check::task::{Task, Version};
 use check::text::{MOST_LINES, Style, answer_lines};
 use check::verdict::{RefusalKind, Verdict};
@@ -17,13 +18,13 @@ use difference::png;
 use slips::Chapter::{self, *};
 use slips::{ChapterCode, ChapterProgram, Edit, Slip};
 
-use changes::{black, ellipse, gray, green_box, mirrored, odd, raised, row, same};
+use changes::{black, ellipse, gray, green_box, mirrored, odd, raised, row, same, smoothed};
 
 /// A way to change a picture.
 type Way = fn(&Picture) -> Picture;
 
 /// A chapter, slips made in it (or none), a change of the picture, and the verdict in short.
-const ANSWERS: [(Chapter, &str, Way, &str); 18] = [
+const ANSWERS: [(Chapter, &str, Way, &str); 19] = [
     (Normals, "", same, "right"),
     (Normals, "", odd::<1>, "right but for 1"),
     (HittableList, "", odd::<30>, "right but for 30"),
@@ -58,6 +59,7 @@ const ANSWERS: [(Chapter, &str, Way, &str); 18] = [
         "rows-from-below; green-upwards",
     ),
     (Normals, "", raised, "unknown: "),
+    (RedSphere, "", raised, "unknown: "),
     (Normals, "direction-reversed", same, "direction-reversed"),
     (Normals, "", mirrored, "viewport-mirrored"),
     (Gradient, "", black, "ray-arguments-swapped"),
@@ -217,6 +219,17 @@ fn other_colors_are_described() {
 fn with(chapter: Chapter, edit: &Edit) -> ChapterProgram {
     let program = ChapterProgram::right(chapter).with_edits(slice::from_ref(edit));
     program.expect("it stands there")
+}
+
+/// At the edge of a disc that is moved by a row, each color is still one of the two.
+#[test]
+fn several_rays_are_suspected_where_colors_are_mixed_at_edges() {
+    let right = Chapter::RedSphere.picture(200);
+    let seen = |picture: &Picture| {
+        let (seen, _) = observe(&Task::of(Chapter::RedSphere), &Reading::of(picture), &right);
+        seen.concat().contains("several rays")
+    };
+    assert!(seen(&smoothed(&right)) && !seen(&raised(&right)));
 }
 
 /// Pixels that are not square are no choice.
