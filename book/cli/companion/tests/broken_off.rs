@@ -126,8 +126,10 @@ impl Writer {
         self.turn(&desk, 0);
         desk.run("rtrace start gradient --into mine");
         let start = Instant::now();
-        let calls = self.calls(&desk);
-        let breaks = self.breaks(&calls, start.elapsed());
+        run(&mut self.command(&desk));
+        let took = start.elapsed();
+        self.turn(&desk, 0);
+        let breaks = self.breaks(&self.calls(&desk), took);
         let breaks = breaks.into_iter().zip(1..);
         breaks
             .filter_map(|(it, n)| self.wrong_after(&desk, &it, n))
