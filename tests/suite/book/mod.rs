@@ -1,7 +1,6 @@
 //! The book: is it whole, and is what it shows what there is?
 
 mod chapter_program;
-mod compiler;
 mod drawings;
 mod editions;
 mod errata;

@@ -6,6 +6,7 @@ mod broken_off;
 mod check_command;
 mod command_line;
 mod commands;
+mod compiler;
 #[cfg(unix)]
 mod hostile;
 mod laws_command;

@@ -13,6 +13,7 @@ use fixtures::drawn::shown_in;
 use fixtures::left_out::left_out;
 use fixtures::reader::TestReader;
 use fixtures::typing::{Typing, typings};
+use fixtures::workspace;
 
 #[test]
 #[ignore = "builds chapters with mistakes in them"]
@@ -38,14 +39,16 @@ fn the_pages_show_what_the_compiler_says() {
     }
 }
 
-/// Types the chapter into a reader's crate, with the mistake in it.
+/// Types the chapter as the pages show it into a reader's crate, with the mistake in it.
 fn make(reader: &TestReader, chapter: Chapter, mistake: &Typing) {
     let folder = reader.path().join(chapter.name());
     if !folder.exists() {
         reader.make(chapter.name(), &[]);
     }
+    let ours = format!("chapters/{}_{}", chapter as usize, chapter.name());
     for file in chapter.files() {
-        fs::write(folder.join(file.name), file.text).expect("it is saved");
+        let ours = workspace().join(&ours).join(file.name);
+        fs::copy(ours, folder.join(file.name)).expect("it is saved");
     }
     reader.make_changes(chapter.name(), mistake);
 }
